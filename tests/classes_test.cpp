@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The classes of the product: one source and one name for each, and not too much in it.
+// The classes of the product: one source and one name for each, and a limited size.
 #include "tests/source_files.h"
 
 #include <gtest/gtest.h>
@@ -18,9 +18,9 @@
 namespace boresight {
 namespace {
 
-// The class of a member that is defined in a line at the beginning of which a definition stands, else empty:
-// "Servo" of "const ServoOutput& Servo::step(double dt)", "Session" of "void Session::Destroy::operator()(int*
-// handle)". Namespaces begin with a small letter.
+// The class of a member whose definition starts in this line, else empty: "Servo" of "const ServoOutput&
+// Servo::step(double dt)", "Session" of "void Session::Destroy::operator()(int* handle)". Namespaces start with a small
+// letter.
 std::string classDefinedIn(const std::string& line)
 {
     const std::string head = line.substr(0, line.find('('));
@@ -52,8 +52,7 @@ TEST(Classes, AMemberShowsItsClass)
     EXPECT_EQ(classDefinedIn("// Servo::step() moves it."), "");
 }
 
-// Each class, with its namespace, whose members a source defines. What has no name outside of the source does not
-// count.
+// Each class, with its namespace, whose members are defined in a source. Names in an anonymous namespace do not count.
 std::set<std::string> classesDefinedIn(const std::string& path)
 {
     std::set<std::string> found;
@@ -73,14 +72,14 @@ std::set<std::string> classesDefinedIn(const std::string& path)
     return found;
 }
 
-// A class that wants a second source wants a second class.
+// A class that needs a second source should be two classes.
 TEST(Classes, AClassHasOneSource)
 {
     std::map<std::string, std::string> seen;
     for (const char* const top : {"core", "ui", "app"}) {
         for (const std::string& path : sourcesBelow(top)) {
             if (!path.ends_with(".cpp") ||
-                path == "ui/jog/gamepad_none.cpp") {  // the build takes this or gamepad_sdl.cpp
+                path == "ui/jog/gamepad_none.cpp") {  // the build uses this file or gamepad_sdl.cpp
                 continue;
             }
             for (const std::string& name : classesDefinedIn(path)) {
@@ -122,14 +121,14 @@ TEST(Classes, AMemberIsRecognised)
     EXPECT_FALSE(isMember("    Angle place;"));
 }
 
-// Of a source; empty: there is none.
+// The text of a source, or empty if there is none.
 std::string textOf(const std::string& path)
 {
     std::ifstream file(std::filesystem::path(BORESIGHT_SOURCES) / path);
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-// At more than 15 members there is a seam to look for. Where there is none, the header says why.
+// A class with more than 15 members should be divided. If that makes no sense, the header gives the reason.
 TEST(Classes, AClassOfManyMembersSaysWhy)
 {
     constexpr int kMembers = 15;
@@ -158,7 +157,7 @@ TEST(Classes, AClassOfManyMembersSaysWhy)
     EXPECT_GT(largest, kMembers);
 }
 
-// So it is at more than 600 lines of a header with its source.
+// The same holds for more than 600 lines of a header with its source.
 TEST(Classes, AClassOfManyLinesSaysWhy)
 {
     constexpr std::size_t kLines = 600;
@@ -178,7 +177,7 @@ TEST(Classes, AClassOfManyLinesSaysWhy)
     EXPECT_GT(largest, kLines);
 }
 
-// Structs of values may share a name in rooms that do not see one another; classes do not.
+// Value structs may have the same name in rooms that do not include one another. Classes may not.
 TEST(Classes, NoClassNameTwice)
 {
     std::map<std::string, std::string> seen;

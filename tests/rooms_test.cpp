@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The rooms of the house and what each may know of the others: who includes whom.
+// The rooms (folders) of the source, and which rooms each may include.
 #include "tests/source_files.h"
 
 #include <gmock/gmock.h>
@@ -21,13 +21,13 @@ using testing::IsEmpty;
 using Rooms = std::set<std::string>;
 using Arrows = std::map<std::string, std::map<std::string, std::string>>;  // room -> room -> by which file
 
-// "core/sim" of "core/sim/servo.h"
+// "core/sim" for "core/sim/servo.h".
 std::string roomOf(const std::string& path)
 {
     return path.substr(0, path.rfind('/'));
 }
 
-// "core/sim" of an include from there; empty: of no room.
+// "core/sim" for an include from there. Empty for other includes.
 std::string includedRoom(const std::string& line)
 {
     constexpr std::string_view kInclude = "#include \"";
@@ -59,7 +59,7 @@ const Arrows& arrows()
     return all;
 }
 
-// Each arrow of `rooms` that does not end in `permitted`, with the file that draws it.
+// Each include in `rooms` that is not from a `permitted` room, with the including file.
 std::vector<std::string> wrong(const Rooms& rooms, const Rooms& permitted)
 {
     std::vector<std::string> found;
@@ -121,7 +121,7 @@ TEST(Rooms, TheWindowKnowsMessagesAndValuesOnly)
     Rooms panels = ui;
     panels.erase("ui/window");
     EXPECT_THAT(wrong(panels, joined(ui, kSeenByTheWindow)), IsEmpty());
-    // It writes the diagnostics, of values that it has.
+    // It writes the diagnostics, from values that it already has.
     EXPECT_THAT(wrong({"ui/window"}, joined(joined(ui, kSeenByTheWindow), {"core/diagnostics"})), IsEmpty());
 }
 
@@ -142,7 +142,7 @@ TEST(Rooms, NoPanelKnowsAnother)
     EXPECT_THAT(wrong(panels, joined(kSeenByTheWindow, kBelowPanels)), IsEmpty());
 }
 
-// What is not behind the port of the mount: the driver itself, its knowledge, and the hardware that is simulated.
+// The rooms that are not behind the port of the mount: the driver itself, its knowledge, and the simulated hardware.
 TEST(Rooms, OnlySomeKnowHowTheDrivesSpeak)
 {
     Rooms others = roomsOf("core");
@@ -155,7 +155,7 @@ TEST(Rooms, OnlySomeKnowHowTheDrivesSpeak)
     EXPECT_THAT(wrong(others, permitted), IsEmpty());
 }
 
-// Behind the driver of two moteus: their check and their journal.
+// Rooms behind the driver of two moteus: their drive check and their journal.
 TEST(Rooms, OnlyTheirDriverKnowsTheCheckAndTheJournal)
 {
     Rooms others = roomsOf("core");
@@ -188,7 +188,7 @@ TEST(Rooms, TheControlKnowsNoKindOfRotator)
     EXPECT_THAT(wrong(kAboveTheDriver, permitted), IsEmpty());
 }
 
-// Only the control commands a driver. Besides it those know the port who are drivers, and the wiring that makes them.
+// Only the control commands a driver. Apart from it only the drivers and the code that makes them include the port.
 TEST(Rooms, OnlyTheControlKnowsThePortOfTheMount)
 {
     std::vector<std::string> found;
@@ -210,7 +210,8 @@ TEST(Rooms, OnlyTheControlKnowsThePortOfTheMount)
     EXPECT_THAT(found, IsEmpty());
 }
 
-// A rotator's hardware, in code, include, text or comment. "CAN" is a word of its own: "can" is another.
+// Whether a line names rotator hardware in code, include, text or comment. "CAN" counts as a separate word, "can" does
+// not.
 bool namesHardware(const std::string& line)
 {
     for (const char* const name : {"moteus", "Moteus", "core/can/", "CanLink", "CanFrame", "GS-232", "gs232",
@@ -238,7 +239,7 @@ TEST(Rooms, HardwareIsRecognisedByItsName)
     EXPECT_FALSE(namesHardware("// It can be left out. CANCEL"));
 }
 
-// The panels of such drives name the keys of their settings, and tools for them.
+// Only the panels of such drives may name the keys of their settings, and tools for them.
 TEST(Rooms, NobodyAboveTheDriverNamesItsHardware)
 {
     Rooms rooms = joined(joined(kAboveTheDriver, {"core/messages"}), roomsOf("ui"));
@@ -271,7 +272,7 @@ TEST(Rooms, AFolderIsSeenAtAGlance)
     }
 }
 
-// Lines of the headers below `top` that have `words`, with the file.
+// The lines of the headers below `top` that contain `words`, with the file.
 std::vector<std::string> linesWith(const std::string& words, const std::string& top = "core")
 {
     std::vector<std::string> found;
@@ -286,8 +287,8 @@ std::vector<std::string> linesWith(const std::string& words, const std::string& 
     return found;
 }
 
-// Everybody reads the profile in force where it is used: what is handed on or kept grows stale. Whoever must react has
-// profileChanged(before, after).
+// Code reads the profile in effect where it uses it, because a stored copy becomes outdated. Code that must react to a
+// change has profileChanged(before, after).
 TEST(Rooms, NobodyIsHandedTheProfileOrKeepsIt)
 {
     EXPECT_THAT(linesWith("setProfile("), IsEmpty());
@@ -296,22 +297,22 @@ TEST(Rooms, NobodyIsHandedTheProfileOrKeepsIt)
     auto parts = linesWith("Settings m_");
     std::erase_if(parts, [](const std::string& line) { return line.find("profile::") == std::string::npos; });
     EXPECT_THAT(parts, IsEmpty());
-    // The station begins anew with this one.
+    // The station restarts with this profile.
     EXPECT_THAT(linesWith("profile::Profile> m_"),
                 testing::ElementsAre(testing::StartsWith("core/station/station.h:    std::optional")));
-    // These know no profile, and what they are set to is worked out from it: in the units of a drive, for a stream of
-    // values, for a mounting in force and one that is proposed.
+    // These classes know no profile. Their settings are computed from it: in the units of a drive, for a stream of
+    // values, for a mounting in effect and a proposed one.
     EXPECT_THAT(linesWith("void setSettings("),
                 testing::UnorderedElementsAre(testing::StartsWith("core/moteus_mount/drive.h:"),
                                               testing::StartsWith("core/orientation/judge.h:"),
                                               testing::StartsWith("core/witness/sensor_check.h:")));
     EXPECT_THAT(linesWith("setProfile(", "ui"), IsEmpty());
     EXPECT_THAT(linesWith("profile::Profile& m_", "ui"), IsEmpty());
-    // What is edited, and what it is compared with.
+    // The edited profile, and those that it is compared with.
     EXPECT_THAT(linesWith("profile::Profile m_", "ui"), testing::Each(testing::StartsWith("ui/link/profile_draft.h:")));
 }
 
-// A program's main() apart. What stands for something in a test may have the name of that.
+// A program's main() is an exception. A stand-in in the tests may have the name of the original.
 TEST(Rooms, NoFileNameTwice)
 {
     const std::vector<std::string> product{"core", "ui", "app"};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// boresightctl on real CAN interfaces: needs vcan0 and vcan1, CAN-FD, up.
+// boresightctl on real CAN interfaces. It needs vcan0 and vcan1, up and with CAN-FD.
 #include "tests/fakes/program.h"
 
 #include <gmock/gmock.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// boresightctl with element sets of an address.
+// boresightctl with element sets from an address.
 #include "core/element_web/element_cache.h"
 #include "tests/app/ctl_sky_fixture.h"
 
@@ -13,8 +13,8 @@ using testing::StartsWith;
 
 using CtlDownload = CtlSkyFixture;
 
-// REQ-CTL-09: --elements takes addresses as the station does: what is due is downloaded first, which is told, and the
-// cache is used. A problem with an address is reported.
+// REQ-CTL-09: --elements accepts addresses as the station does. Downloads that are due come first and are reported.
+// Otherwise the cache is used. A problem with an address is reported.
 TEST_F(CtlDownload, AnAddressIsReadFromTheCache)
 {
     const QByteArray before = qgetenv("XDG_CACHE_HOME");

@@ -5,7 +5,7 @@
 
 #include <string>
 
-// boresightctl as a shell starts it: what it printed, where, and its exit status.
+// The result of boresightctl started as from a shell: its standard output, its errors and its exit status.
 namespace boresight {
 
 struct Outcome

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// boresightctl as a shell starts it: what is printed, where, and the exit status.
+// boresightctl started as from a shell: its standard output, its errors and its exit status.
 #include "tests/app/ctl_outcome.h"
 
 #include <QTemporaryDir>
@@ -45,7 +45,7 @@ TEST(Boresightctl, RefusesWhatMakesNoSense)
     }
 }
 
-// From the golden vectors c001 and their like: a stop with the clients' default query, and a position command.
+// From golden vectors such as c001: a stop with the client's default query, and a position command.
 TEST(Decode, SaysAFrameInWords)
 {
     const std::string stop =
@@ -174,7 +174,7 @@ TEST_F(ProfileFile, DirectionsAreConfirmedByTypingYes)
     EXPECT_THAT(confirm("").output, HasSubstr("confirmed already"));
 }
 
-// Story: it asked of a mount with one axis how the other one turns.
+// Story: for a mount with one axis it asked about the direction of the other axis, too.
 TEST_F(ProfileFile, OnlyTheDirectionsOfItsAxesAreConfirmed)
 {
     write("version = 1\n[bus]\nname = \"socketcan:can0\"\n[azimuth]\ndriver = \"none\"\n");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The simulated pair as a device of its own, found by `scan` and driven by boresightd. What the axes really do is
-// judged by the device's own --print-truth, not by what the drives report.
+// The simulated pair as a separate device, found by `scan` and driven by boresightd. The true motion of the axes comes
+// from the device's --print-truth, not from the reports of the drives.
 #include "core/mqtt/broker_client.h"
 #include "core/orientation_stream/mqtt_source.h"
 #include "core/orientation_stream/serial_source.h"
@@ -77,7 +77,7 @@ protected:
         return all;
     }
 
-    // Until a line of truth says so; nothing if none does.
+    // Waits for a line of truth with this property. Returns nothing if none comes.
     [[nodiscard]] std::optional<Truth> waitForTruth(const std::function<bool(const Truth&)>& condition) const
     {
         const bool came = fakes::waitUntil([&] {
@@ -90,11 +90,12 @@ protected:
         return came ? std::optional(truths().back()) : std::nullopt;
     }
 
-    // How much later than its time a line is looked at: the busy machine keeps lines waiting.
+    // How late a line is read after its time: a busy computer delays lines.
     [[nodiscard]] double lateness(const Truth& line) const { return seconds() - line.time - m_startOfTruth; }
     [[nodiscard]] double seconds() const { return 1.0e-3 * static_cast<double>(m_clock.elapsed()); }
 
-    // Between two lines, a tenth of a second on an idle machine. Frames that came meanwhile are taken for new ones.
+    // The longest time between two lines, a tenth of a second on an idle computer. Frames that arrived meanwhile count
+    // as new.
     [[nodiscard]] double longestPause() const
     {
         const std::vector<Truth> all = truths();
@@ -115,7 +116,8 @@ protected:
         clock.start();
         return clock;
     }();
-    mutable double m_startOfTruth = std::numeric_limits<double>::infinity();  // by our clock, from the quickest line
+    // by the clock of the test, from the fastest line
+    mutable double m_startOfTruth = std::numeric_limits<double>::infinity();
 };
 
 TEST_F(SimulateTest, IsFoundByScanAgainAndAgain)
@@ -138,7 +140,7 @@ TEST_F(SimulateTest, EndsCleanlyAndTakesItsLinkAway)
     EXPECT_FALSE(QFileInfo(device).isSymLink());
 }
 
-// What the station reads of a sensor on a real port.
+// The station reads the simulated sensor on a real port.
 TEST_F(SimulateTest, IsItsOrientationSensorToo)
 {
     const QString port = folder.filePath(QStringLiteral("sensor"));
@@ -159,7 +161,7 @@ TEST_F(SimulateTest, IsItsOrientationSensorToo)
     EXPECT_FALSE(QFileInfo(port).isSymLink());
 }
 
-// Both ways at once, as the box on the boom does it.
+// The sensor publishes at its device and at a broker at the same time, like the sensor box on the boom.
 // REQ-SIM-16
 TEST_F(SimulateTest, ItsSensorPublishesAtABrokerAsWell)
 {
@@ -203,12 +205,13 @@ TEST_F(SimulateTest, ABrokerThatTakesNobodyIsOneLineHoweverOftenItIsTried)
     });
     const QString address = QStringLiteral("127.0.0.1:%1").arg(nobody.serverPort());
     start({QStringLiteral("--sensor-mqtt"), address});
-    ASSERT_TRUE(fakes::waitUntil([&] { return attempts == 3; }));  // what is wrong with two of them was told by then
+    ASSERT_TRUE(fakes::waitUntil([&] { return attempts == 3; }));  // by then the problem of two of them was reported
     EXPECT_EQ(m_device->errors().count(QStringLiteral("MQTT broker ") + address), 1)
         << m_device->errors().toStdString();
 }
 
-// Story: tried beside the mast, at the broker of the real sensor, and the real mount heard both.
+// Story: the simulation was tried near the mast, at the broker of the real sensor, and the real mount received both
+// sensors.
 TEST(SimulateHelp, WarnsOfTheRealSensorsTopics)
 {
     fakes::Program program(QStringLiteral(BORESIGHTCTL), {QStringLiteral("help"), QStringLiteral("simulate")});
@@ -263,7 +266,7 @@ TEST_F(SimulateTest, AnAdapterThatRefusesIsNamedAsTheCause)
     start({QStringLiteral("--adapter-error")});
     scan();
     for (int i = 0; i < 5 && scanned.find("no OK within") != std::string::npos; ++i) {
-        scan();  // a busy computer: the adapter's answer came too late
+        scan();  // on a busy computer the adapter's answer came too late
     }
     EXPECT_EQ(scanStatus, 1);
     EXPECT_THAT(scanned, HasSubstr("the adapter refuses a frame: invalid data"));
@@ -275,8 +278,8 @@ TEST_F(SimulateTest, TimeGoesOnWithoutAnybodyAsking)
     EXPECT_TRUE(waitForTruth([](const Truth& now) { return now.azimuth > 0.1; })) << "the wind turns a free axis";
 }
 
-// Everything together: Hamlib's client, the service, the adapter, the drives. Then the service is killed in full
-// motion, and nothing but the drives' own watchdog can stop the axis.
+// The complete chain: Hamlib's client, the service, the adapter, the drives. The service is killed during a motion at
+// full speed. Then only the watchdog of the drives can stop the axis.
 TEST_F(SimulateTest, AxisStopsWhenTheServiceIsKilledInMotion)
 {
     const QString rotctl = QStandardPaths::findExecutable(QStringLiteral("rotctl"));
@@ -299,8 +302,8 @@ TEST_F(SimulateTest, AxisStopsWhenTheServiceIsKilledInMotion)
         return client.waitForEnd();
     };
     const QStringList go{QStringLiteral("P"), QStringLiteral("90"), QStringLiteral("45")};
-    // Where a busy machine ran neither program for longer than the drives' watchdog, they have stopped, perhaps before
-    // the first command came: it is refused then. They are re-armed and sent off again.
+    // If a busy computer ran neither program for longer than the watchdog time of the drives, they have stopped,
+    // perhaps before the first command, which is then refused. They are re-armed and commanded again.
     const auto moving = waitForTruth([&](const Truth& now) {
         if (now.azimuthMode != kPositionMode && ask(go) != 0) {
             static_cast<void>(ask({QStringLiteral("R"), QStringLiteral("1")}));
@@ -310,15 +313,15 @@ TEST_F(SimulateTest, AxisStopsWhenTheServiceIsKilledInMotion)
     ASSERT_TRUE(moving) << "the axis never moved";
     service.kill();
     EXPECT_EQ(service.waitForEnd(), -1);
-    // Until then it may still have commanded; a busy machine must not count as running on. A device that did not run
-    // reads the last commands later.
+    // Until then the service may have sent commands, so a busy computer must not count as a longer motion. A device
+    // that did not run reads the last commands later.
     const double gone = lateness(*moving);
     const auto still =
         waitForTruth([&](const Truth& now) { return now.time > moving->time + gone + 0.25 + longestPause(); });
     ASSERT_TRUE(still);
     const double allowed = gone + 0.2 + longestPause();
     EXPECT_LT(still->azimuth - moving->azimuth, allowed * moving->azimuthRate) << "degrees run on";
-    // What is left is the axis settling in its backlash: measured 0.2 °/s and 0.04° back.
+    // The axis still settles within its backlash: measured 0.2°/s and 0.04° back.
     EXPECT_LT(std::abs(still->azimuthRate), 0.05 * moving->azimuthRate);
     const auto later = waitForTruth([&](const Truth& now) { return now.time > still->time + 1.0; });
     ASSERT_TRUE(later);

@@ -15,7 +15,7 @@ inline const std::string kStation =
     "ISS (ZARYA)\n"
     "1 25544U 98067A   24130.36689744  .00016024  00000+0  27777-3 0  9992\n"
     "2 25544  51.6381 147.8590 0003466 150.4670 338.5502 15.51043222452521\n";
-// boresightctl with files of its own.
+// boresightctl with the test's own files.
 class CtlSkyFixture : public testing::Test
 {
 protected:

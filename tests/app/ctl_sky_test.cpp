@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// boresightctl ephemeris and passes as a shell starts them.
+// boresightctl ephemeris and passes, started as from a shell.
 #include "tests/app/ctl_sky_fixture.h"
 
 #include <QDir>
@@ -27,7 +27,7 @@ const std::string kDamaged =
 class CtlSkyTest : public CtlSkyFixture
 {
 protected:
-    // Of the station over Lisbon.
+    // The ephemeris of the ISS over Lisbon.
     Outcome ephemeris(const char* more, const QByteArray& times) const
     {
         const QStringList line{QStringLiteral("ephemeris"), QStringLiteral("--elements"), elements};
@@ -39,8 +39,8 @@ protected:
 
 }  // namespace
 
-// REQ-CTL-04: `ephemeris` prints where a satellite, the Sun or the Moon stands at each of the times, as CSV with the
-// columns t_utc, az_deg, el_deg, range_km, range_rate_km_s or dist_km, as JSON or as a table.
+// REQ-CTL-04: `ephemeris` prints the direction of a satellite, the Sun or the Moon at each of the times, as CSV with
+// the columns t_utc, az_deg, el_deg, range_km, range_rate_km_s or dist_km, as JSON or as a table.
 TEST_F(CtlSkyTest, EphemerisOfASatellite)
 {
     const QByteArray times = "t_utc\n2024-05-10T04:50:02Z\n\n# higher\n1715316902,up\n";
@@ -63,9 +63,9 @@ TEST_F(CtlSkyTest, EphemerisOfASatellite)
                            "2024-05-10T04:50:02Z  301.839621   0.040811  2339.173033     -6.766431224\n"));
 }
 
-// -6.766431224 km/s over 299792.458 km/s, by hand.
-// REQ-CTL-995: `ephemeris --doppler on` adds the column doppler_factor: what arrives of a frequency that is
-// transmitted.
+// -6.766431224 km/s divided by 299792.458 km/s, computed by hand.
+// REQ-CTL-995: `ephemeris --doppler on` adds the column doppler_factor: the received frequency divided by the
+// transmitted frequency.
 TEST_F(CtlSkyTest, EphemerisWithTheDopplerFactor)
 {
     const QByteArray times = "2024-05-10T04:50:02Z\n";
@@ -75,9 +75,9 @@ TEST_F(CtlSkyTest, EphemerisWithTheDopplerFactor)
     EXPECT_EQ(ephemeris("--doppler off", times).output, ephemeris("--format csv", times).output);
 }
 
-// Sæmundsson's formula (Meeus, 16.4) and the refractivities of ITU-R P.453, computed in another program.
-// REQ-CTL-10: `ephemeris` raises the elevation as the air bends light or radio waves, where --refraction says so.
-// Nothing else changes, and without it there is no air.
+// Sæmundsson's formula (Meeus, 16.4) and the refractivity of ITU-R P.453, computed by another program.
+// REQ-CTL-10: With --refraction, `ephemeris` raises the elevation by the optical or the radio refraction. Nothing else
+// changes. Without the option there is no refraction.
 TEST_F(CtlSkyTest, EphemerisThroughTheAir)
 {
     const QByteArray times = "2024-05-10T04:50:02Z\n2024-05-10T04:55:02Z\n";
@@ -107,8 +107,8 @@ TEST_F(CtlSkyTest, EphemerisOfTheMoonAndTheSun)
                 StartsWith("t_utc,az_deg,el_deg,dist_km\n2024-12-07T03:05:08Z,75.8987"));
 }
 
-// REQ-CTL-05: A time without an answer has a row without numbers, a line that is no time has none. Both are reported
-// with their place, and the exit status is 1.
+// REQ-CTL-05: A time without a result has a row without numbers. A line that is not a time has no row. Both are
+// reported with their place, and the exit status is 1.
 TEST_F(CtlSkyTest, EphemerisReportsWhatHasNoAnswer)
 {
     const Outcome bad = ephemeris("--format csv", "2024-05-10T04:50:02Z\nsoon 2\n2023-99-01\n");
@@ -127,8 +127,9 @@ TEST_F(CtlSkyTest, EphemerisReportsWhatHasNoAnswer)
     EXPECT_THAT(body.errors, StartsWith("/nowhere/times: "));
 }
 
-// REQ-CTL-941: `ephemeris --table` prints where the table of a file leads, also one that `ephemeris` itself has
-// printed. A mistake in the file is reported with its line, a time without a row as other times without an answer.
+// REQ-CTL-941: `ephemeris --table` prints the directions of the table in a file, also of one that `ephemeris` itself
+// has printed. An error in the file is reported with its line. A time outside the rows is reported like any time
+// without a result.
 TEST_F(CtlSkyTest, EphemerisOfATable)
 {
     const Outcome printed = ephemeris("--format csv", "2024-05-10T04:50:02Z\n2024-05-10T04:51:02Z\n");
@@ -148,7 +149,7 @@ TEST_F(CtlSkyTest, EphemerisOfATable)
     EXPECT_THAT(bad.errors, HasSubstr("way.csv:1: The elevation is 95°."));
 }
 
-// REQ-CTL-06: `passes` lists when satellites are up, in the order of AOS, with the columns name, norad, aos_utc,
+// REQ-CTL-06: `passes` lists the passes of satellites in the order of AOS, with the columns name, norad, aos_utc,
 // aos_az, tca_utc, tca_az, max_el, los_utc, los_az, flags.
 TEST_F(CtlSkyTest, PassesOfADay)
 {
@@ -171,8 +172,8 @@ TEST_F(CtlSkyTest, PassesOfADay)
     EXPECT_THAT(high.output, Not(HasSubstr("},\n")));
 }
 
-// REQ-CTL-06a: With the profile of a mount the flags show which passes it does not see all of, and during which its
-// cable ends. Without one no mount is judged.
+// REQ-CTL-06a: With the profile of a mount the flags show which passes are partly hidden from it, and during which the
+// cable ends. Without a profile no mount is considered.
 TEST_F(CtlSkyTest, PassesAreJudgedForAMount)
 {
     const auto flagsWith = [this](const std::string& toml) {
@@ -196,8 +197,9 @@ TEST_F(CtlSkyTest, PassesAreJudgedForAMount)
     EXPECT_EQ(passes(elements, "--from 2024-05-10 --days 0.1 --profile /nowhere/mount.toml").status, 1);
 }
 
-// REQ-CTL-07: What the list cannot show is reported: a satellite that decays, one that does not come up, bad element
-// sets with file and line. Nothing but names is no failure. No usable set and a site that cannot be read are.
+// REQ-CTL-07: What the list cannot show is reported: a satellite that decays, one that does not rise, bad element sets
+// with file and line. Element sets without a name for their satellite are no failure. No usable set, or an unreadable
+// site, is a failure.
 TEST_F(CtlSkyTest, PassesReportWhatTheListCannotShow)
 {
     const Outcome decayed = passes(elements, "--from 2023-01-30 --days 30 --norad 43614");
@@ -220,7 +222,7 @@ TEST_F(CtlSkyTest, PassesReportWhatTheListCannotShow)
     EXPECT_EQ(passes(elements, "--from 2024-05-10 --days 0.1 --site /nowhere/home.qth").status, 1);
 }
 
-// REQ-CTL-08: The files of Gpredict do for elements and for the site.
+// REQ-CTL-08: The files of Gpredict can be used for elements and for the site.
 TEST_F(CtlSkyTest, TheFilesOfGpredictAreUsed)
 {
     ASSERT_TRUE(QDir(folder.path()).mkdir(QStringLiteral("satdata")));

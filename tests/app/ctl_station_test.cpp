@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// boresightctl beside a running station: boresightd with its simulated mount.
+// boresightctl with a running station: boresightd with its simulated mount.
 #include "tests/app/ctl_outcome.h"
 #include "tests/fakes/wait_until.h"
 
@@ -19,7 +19,7 @@ using testing::HasSubstr;
 class CtlStation : public testing::Test
 {
 protected:
-    // Before the daemon: it inherits the environment.
+    // Made before the daemon, which inherits the environment.
     struct OwnRuntimeFolder
     {
         OwnRuntimeFolder() { qputenv("XDG_RUNTIME_DIR", QFile::encodeName(folder.path())); }
@@ -38,8 +38,8 @@ protected:
     {
         return ctl(words(line) + QStringList{QStringLiteral("--station"), address});
     }
-    // Until the program sees both drives it refuses. Where the machine ran nothing for longer than their watchdog, the
-    // drives have stopped: they are re-armed and sent off again.
+    // The program refuses until it has replies from both drives. If the computer ran nothing for longer than their
+    // watchdog time, the drives have stopped: they are re-armed and commanded again.
     [[nodiscard]] bool isSentOff() const
     {
         return fakes::waitUntil([this] {
@@ -60,7 +60,7 @@ protected:
         }
     }
 
-    // Made up.
+    // Invented elements.
     [[nodiscard]] QString elements() const
     {
         const QString path = folder.filePath(QStringLiteral("one.tle"));
@@ -82,7 +82,8 @@ protected:
     QString address;
 };
 
-// REQ-CTL-300: goto, stop, park and status ask a running station over rotctld. stop says that it does not latch.
+// REQ-CTL-300: goto, stop, park and status use the rotctld protocol of a running station. stop says that it does not
+// latch.
 TEST_F(CtlStation, IsSentStoppedAndParked)
 {
     EXPECT_TRUE(isSentOff());
@@ -98,8 +99,8 @@ TEST_F(CtlStation, IsSentStoppedAndParked)
     EXPECT_EQ(ask("park").status, 0);
 }
 
-// REQ-CTL-302: take, release, stop --latched and reset-stop ask the station of this computer by its local socket. None
-// of them moves the mount. A refusal carries the reason of the station.
+// REQ-CTL-302: take, release, stop --latched and reset-stop use the local socket of the station on this computer. None
+// of them starts a motion. A refusal contains the reason of the station.
 TEST_F(CtlStation, GivesAndTakesControlAndLatchesStop)
 {
     EXPECT_TRUE(isSentOff());
@@ -123,9 +124,9 @@ TEST_F(CtlStation, GivesAndTakesControlAndLatchesStop)
     EXPECT_TRUE(daemon.waitForError(QStringLiteral("shell: STOP is latched"))) << daemon.errors().toStdString();
 }
 
-// REQ-CTL-960: track lets the station follow a target that it reads from words. It has the control afterwards: goto is
-// refused until release. A target that the station does not know, or that it may not track now, is refused with the
-// reason (1). Without a target the line makes no sense (2).
+// REQ-CTL-960: track lets the station track a target given in words. Afterwards the operator has control: goto is
+// refused until release. A target that the station does not know, or may not track now, is refused with the reason
+// (exit status 1). Without a target the command line is invalid (2).
 TEST_F(CtlStation, TracksATarget)
 {
     const auto tracks = [this] { return ask("track azel 113,40").status == 0; };
@@ -147,7 +148,8 @@ TEST_F(CtlStation, TracksATarget)
     EXPECT_THAT(stopped.errors, HasSubstr("refused: STOP is latched"));
 }
 
-// REQ-CTL-961: satellites lists those that the station knows: name, number, epoch and age. track takes their numbers.
+// REQ-CTL-961: satellites lists the satellites known to the station: name, number, epoch and age. track accepts their
+// numbers.
 TEST_F(CtlStation, ListsTheSatellites)
 {
     const std::string start = "name,norad,epoch_utc,age_days\nFIRST,90001,2026-01-01T12:00:00Z,";
@@ -165,8 +167,8 @@ TEST_F(CtlStation, ListsTheSatellites)
     EXPECT_THAT(track.errors, HasSubstr("refused: The site of the mount is not set."));
 }
 
-// REQ-CTL-303: The local socket belongs to one computer and one user: another host is a line without sense (2), no
-// socket is a station that does not answer (3).
+// REQ-CTL-303: The local socket belongs to one computer and one user: another host is an invalid command line (exit
+// status 2), a missing socket means that no station answers (3).
 TEST_F(CtlStation, IsAskedOnItsOwnComputer)
 {
     for (const char* const line : {"take --station mast.example:4533", "release --station 192.168.1.7:4533",
@@ -191,8 +193,8 @@ TEST_F(CtlStation, IsAskedOnItsOwnComputer)
     EXPECT_THAT(without.errors, HasSubstr("XDG_RUNTIME_DIR is not set"));
 }
 
-// REQ-CTL-301: Exit status 1 with the reason when the station refuses, 2 for a line without sense, 3 when nobody
-// answers.
+// REQ-CTL-301: The exit status is 1, with the reason, when the station refuses, 2 for an invalid command line, 3 when
+// no station answers.
 TEST(CtlStationOutcome, SaysWhyNothingWasDone)
 {
     QTcpServer station;

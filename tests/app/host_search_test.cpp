@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Against the simulated pair, in real time: a second or two each.
+// With the simulated pair, in real time: a second or two each.
 #include "app/host_search.h"
 
 #include "core/moteus_mount/link_factory.h"

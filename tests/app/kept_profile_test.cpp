@@ -10,7 +10,8 @@
 namespace boresight::app {
 namespace {
 
-// The file of the simulated mount, started with --bus: the next start would take its north for the simulated one's.
+// The file of the simulated mount was used with --bus. At the next start its north would be taken for that of the
+// simulated mount.
 // REQ-PROFILE-17a
 TEST(KeptProfile, WhatIsFoundOfARealMountMakesTheFileItsOwn)
 {
@@ -37,7 +38,8 @@ TEST(KeptProfile, WhatIsFoundOfARealMountMakesTheFileItsOwn)
     EXPECT_EQ(wanted, rig.loaded());
 }
 
-// Story: started with --bus, another adapter was typed in the table: the file had a real bus and the simulated north.
+// Story: after a start with --bus another adapter was typed in the table. The file then had a real bus and the
+// simulated north.
 // REQ-PROFILE-17a
 TEST(KeptProfile, AnotherBusMakesTheSimulatedMountsFileARealOnes)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The scan against the simulated pair, in real time: a second or two each.
+// The scan of the simulated pair, in real time: a second or two each.
 #include "app/link_scan.h"
 
 #include "app/scan_report.h"
@@ -14,7 +14,7 @@ namespace {
 using moteus::Register;
 using survey::FoundController;
 
-// A bus that notes what is asked.
+// A bus that records the queries.
 class WatchedLink final : public CanLink
 {
 public:
@@ -82,7 +82,7 @@ TEST_F(LinkScanTest, FindsBothAndAsksThemEverything)
     EXPECT_TRUE(problems(found).empty());
 }
 
-// The only register ever written is the mask that addresses a board by its UUID.
+// The only register that is written is the mask that addresses a board by its UUID.
 TEST_F(LinkScanTest, NeverCommandsAnything)
 {
     run();

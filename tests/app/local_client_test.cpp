@@ -12,8 +12,8 @@
 namespace boresight::ctl {
 namespace {
 
-// Story: a command that came while the window reconnected its station was told that there is none.
-// REQ-CTL-930: A command waits for a station that reconnects, within the time in which a station has to answer.
+// Story: while the window reconnected its station, a command was answered with "no station".
+// REQ-CTL-930: A command waits for a station that reconnects, within the time limit for an answer.
 TEST(LocalClient, WaitsForAStationThatReconnects)
 {
     constexpr std::uint16_t kPort = 4533;

@@ -17,7 +17,7 @@
 namespace boresight::app {
 namespace {
 
-// As an operator who leaves nothing as it is.
+// As an operator who changes everything.
 void changeAndFindEverything(profile::Profile& profile)
 {
     profile::setReading(profile, Axis::Elevation, 3_deg, 10_deg, profile::Ends::StayOnTheMount);
@@ -41,15 +41,15 @@ void changeAndFindEverything(profile::Profile& profile)
     profile.rotctld.maxClients = 7;
 }
 
-// As a file says them: it has fewer digits.
+// Compared as in a file, which has fewer digits.
 void expectAlike(const profile::Profile& a, const profile::Profile& b)
 {
     EXPECT_EQ(profile::changedKeys(a, b), std::vector<std::string>());
 }
 
-// Story: after an Apply on the simulated mount the real one pointed by the simulated north. Level set in the guide with
-// --simulate was the real mount's zero at the next start, its ends with it; and a direction confirmed by looking at the
-// simulated mount let the real one go as fast as it can.
+// Story: after an Apply on the simulated mount the real one used the simulated north. A level set in the guide with
+// --simulate became the zero of the real mount at the next start, with its ends. Directions confirmed on the simulated
+// mount let the real one move at full speed.
 // REQ-PROFILE-17a
 TEST(NextProfile, NothingOfASimulationReachesAFileOfARealMount)
 {
@@ -67,15 +67,15 @@ TEST(NextProfile, NothingOfASimulationReachesAFileOfARealMount)
         profiles.save(wanted);
         EXPECT_EQ(profiles.next(wanted), wanted) << "a reconnect";
     }
-    // Another mount of the list, and nobody looks at its bus.
+    // Another mount of the list, whose bus is not used.
     profile::Profile field = profiles.next(realMount("Field"));
     EXPECT_EQ(field, realMount("Field"));
     changeAndFindEverything(field);
     profiles.save(field);
-    expectAlike(profiles.next(realMount()), wanted);  // back to the first one, as it was left
+    expectAlike(profiles.next(realMount()), wanted);  // back to the first one, unchanged
     EXPECT_EQ(profiles.reason, QString());
     EXPECT_EQ(rig.realFiles(), before);
-    expectAlike(rig.first(), wanted);  // and so in the next simulation
+    expectAlike(rig.first(), wanted);  // and the same in the next simulation
     const auto copy = profile::loadProfile(rig.state() + QStringLiteral("/simulated/Roof.toml"));
     ASSERT_TRUE(copy) << textOf(copy.error());
     EXPECT_EQ(copy->bus, "simulated")
@@ -86,7 +86,7 @@ TEST(NextProfile, NothingOfASimulationReachesAFileOfARealMount)
     EXPECT_EQ(rig.realFiles(), before);
 }
 
-// Else the simulation would go on with limits that the mount no longer has.
+// Otherwise the simulation would continue with limits that the mount does not have any more.
 // REQ-PROFILE-17a
 TEST(NextProfile, AChangedProfileIsSimulatedAnew)
 {
@@ -101,7 +101,7 @@ TEST(NextProfile, AChangedProfileIsSimulatedAnew)
     changed.jog.slow = 0.7_deg_s;
     ASSERT_TRUE(profile::saveProfile(changed, rig.options.profilePath));
     EXPECT_EQ(rig.first(), changed);
-    // Story: the first change of the new copy overwrote the old one.
+    // Story: the first change of the new copy overwrote the old copy.
     changed.jog.fast = 4_deg_s;
     EXPECT_EQ(rig.save(changed), QString());
     const auto old = profile::loadProfile(rig.state() + QStringLiteral("/simulated/Roof.toml.old"));
@@ -109,7 +109,7 @@ TEST(NextProfile, AChangedProfileIsSimulatedAnew)
     EXPECT_EQ(old->pointing, wanted.pointing);
 }
 
-// Story: of a mount that was changed and simulated in turns, only the last simulation but one was still there.
+// Story: a mount was changed and simulated alternately. Only the last simulation but one was kept.
 TEST(NextProfile, EverySimulationOfAProfileThatHasChangedIsKept)
 {
     ProfileRig rig;
@@ -131,13 +131,13 @@ TEST(NextProfile, EverySimulationOfAProfileThatHasChangedIsKept)
     EXPECT_EQ(eldest->pointing.azimuthOffset, 37.4_deg);
     EXPECT_EQ(eldest->jog.slow, realMount().jog.slow);
     EXPECT_EQ(second->jog.slow, 0.7_deg_s);
-    // There is nothing to be kept of a simulation in which nothing was set.
+    // A simulation in which nothing was set leaves nothing to keep.
     ASSERT_TRUE(profile::saveProfile(realMount(), rig.options.profilePath));
     EXPECT_EQ(rig.first(), realMount());
     EXPECT_FALSE(QFile::exists(old + QLatin1Char('3')));
 }
 
-// Two files may have the same mount's name, and so the same file of the simulation.
+// Two files may have the same mount name, and so the same file for the simulation.
 // REQ-PROFILE-17a
 TEST(NextProfile, TheSimulationOfAnotherFileIsNotThisOnes)
 {
@@ -170,7 +170,7 @@ TEST(NextProfile, WhatTheCommandLineSaysIsSimulatedAndNotKept)
     EXPECT_EQ(rig.first().jog.slow, 0.7_deg_s);
 }
 
-// Story: the port of one first start was that of all the following ones.
+// Story: the port of one first start was used for all following starts.
 TEST(NextProfile, WhatTheCommandLineSaysAtAFirstStartIsNotKept)
 {
     ProfileRig rig;
@@ -183,7 +183,7 @@ TEST(NextProfile, WhatTheCommandLineSaysAtAFirstStartIsNotKept)
     EXPECT_EQ(rig.first(), rig.options.profile);
 }
 
-// Story: with the adapter chosen in the guide, the server went to another port than --listen says.
+// Story: when the adapter was chosen in the guide, the server changed to another port than the one of --listen.
 TEST(NextProfile, WhatTheCommandLineSaysHoldsAlsoWhenTheSimulationIsLeft)
 {
     ProfileRig rig;
@@ -211,7 +211,8 @@ TEST(NextProfile, AFirstStartIsSimulatedAndComesBackAsItWasLeft)
     EXPECT_EQ(rig.first(), wanted);
 }
 
-// Story: the bus chosen in the guide took the simulated mount's north along, and the real one pointed 37.4° beside.
+// Story: the bus was chosen in the guide. The north of the simulated mount was taken along, and the real mount pointed
+// 37.4° wrong.
 // REQ-PROFILE-17a
 TEST(NextProfile, ARealBusLeavesTheSimulationBehind)
 {
@@ -233,14 +234,14 @@ TEST(NextProfile, ARealBusLeavesTheSimulationBehind)
     const auto current = rig.store().findCurrent();
     ASSERT_TRUE(current && *current);
     EXPECT_EQ(profile::loadProfile(**current), real);
-    // From here on it is a mount as any other.
+    // From here on it is an ordinary real mount.
     real.pointing.azimuthOffset = 5_deg;
     profiles.save(real);
     EXPECT_EQ(profiles.next(real), real);
     EXPECT_EQ(profile::loadProfile(**current), real);
 }
 
-// A file of an older version, which kept there what was found of the simulated mount.
+// A file of an older version, which stored the calibration of the simulated mount in it.
 // REQ-PROFILE-17a
 TEST(NextProfile, AFileThatNamesNoRealBusIsSimulatedAndGetsTheBus)
 {
@@ -268,7 +269,7 @@ TEST(NextProfile, AFileThatNamesNoRealBusIsSimulatedAndGetsTheBus)
     EXPECT_EQ(rig.loaded(), real);
 }
 
-// Story: a file with a slip of the pen was overwritten with the built-in reference mount.
+// Story: a file with a typing error was overwritten with the built-in reference mount.
 // REQ-PROFILE-17a
 TEST(NextProfile, AFileThatCannotBeReadIsNotTakenForARealMounts)
 {
@@ -288,7 +289,7 @@ TEST(NextProfile, AFileThatCannotBeReadIsNotTakenForARealMounts)
     EXPECT_EQ(rig.realFiles(), before);
 }
 
-// Story: the name typed together with the bus was another mount's, and then two files had it.
+// Story: the name typed together with the bus belonged to another mount, and then two files had this name.
 TEST(NextProfile, WithTheNameOfAnotherMountTheSimulationIsNotLeft)
 {
     ProfileRig rig;
@@ -306,8 +307,8 @@ TEST(NextProfile, WithTheNameOfAnotherMountTheSimulationIsNotLeft)
     EXPECT_EQ(rig.realFiles(), before);
 }
 
-// Story: what was typed together with the bus was dropped without a word, because it went with the simulation's ends
-// only.
+// Story: settings typed together with the bus were dropped without a report, because they were valid only with the ends
+// of the simulation.
 TEST(NextProfile, WhatDoesNotGoWithTheMountsOwnProfileIsReported)
 {
     ProfileRig rig;
@@ -325,7 +326,7 @@ TEST(NextProfile, WhatDoesNotGoWithTheMountsOwnProfileIsReported)
     EXPECT_EQ(rig.realFiles(), before);
 }
 
-// Story: switched to, such a mount was the current one, with which the program does not start.
+// Story: after switching to it such a mount was the current one, with which the program does not start.
 TEST(NextProfile, AMountOfTheListThatCannotBeARealOneIsNotConnected)
 {
     ProfileRig rig;
@@ -339,7 +340,7 @@ TEST(NextProfile, AMountOfTheListThatCannotBeARealOneIsNotConnected)
     EXPECT_EQ(*rig.store().findCurrent(), rig.options.profilePath);
 }
 
-// The list is that of the real mounts, and one of them may be switched to.
+// The list contains the real mounts, and the operator may switch to one of them.
 // REQ-PROFILE-17a
 TEST(NextProfile, AnotherMountOfTheListLeavesTheSimulationAsItIs)
 {

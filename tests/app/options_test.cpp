@@ -17,7 +17,7 @@ using namespace boresight::app;
 
 namespace {
 
-// With a home of its own.
+// The test has its own home folder.
 class OptionsTest : public testing::Test
 {
 protected:
@@ -51,8 +51,7 @@ private:
 
 }  // namespace
 
-// REQ-TRACK-907: --elements names files, folders and addresses in place of those of the profile. It may be
-// given again.
+// REQ-TRACK-907: --elements names files, folders and addresses in place of those of the profile. It may be repeated.
 TEST_F(OptionsTest, ElementsOverrideTheProfile)
 {
     const auto options = read({QStringLiteral("--elements"), QStringLiteral("/data/weather.tle"),
@@ -137,8 +136,9 @@ TEST_F(OptionsTest, ARealBusIsRefusedForAMountThatIsOnlySimulated)
     EXPECT_NE(textOf(real.error()).find("azimuth.driver: \"simple\" is only simulated"), std::string::npos);
 }
 
-// Story: tried out first, with its sensor and its north applied; the adapter named at the next start then pointed 37.4°
-// beside, and refused every change because a real mount has no simulated sensor.
+// Story: the program was first tried with the simulated mount, with its sensor and its north applied. At the next start
+// an adapter was named. The mount pointed 37.4° wrong, and refused every change because a real mount has no simulated
+// sensor.
 // REQ-PROFILE-17a
 TEST_F(OptionsTest, ARealBusLeavesBehindWhatWasFoundOfTheSimulatedMount)
 {
@@ -251,7 +251,7 @@ TEST_F(OptionsTest, TheAddressOfTheCommandLineIsNamedAsItsOwn)
               std::vector<std::string>{"rotctld.listen"});
 }
 
-// What is tried first is the simulated mount, and finding north there wants its sensor.
+// The simulated mount is usually tried first, and finding its north needs its sensor.
 TEST_F(OptionsTest, TheSimulatedMountOfAFirstStartHasItsSensorOnIt)
 {
     const profile::Profile tried = read({QStringLiteral("--simulate")})->startingProfile();

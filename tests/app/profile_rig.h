@@ -29,7 +29,7 @@ inline profile::Profile realMount(const char* name = "Roof")
     return real;
 }
 
-// What the worker of a ProfileSaver has, here without a worker.
+// The objects that the worker of a ProfileSaver has, here without a worker.
 struct Profiles
 {
     explicit Profiles(const Options& options) : kept(options), choosing(options, kept), first(take(choosing.first())) {}
@@ -49,13 +49,13 @@ struct Profiles
         return choice.profile;
     }
 
-    QString reason;  // why it was not saved, or not what was wanted
+    QString reason;  // why it was not saved, or why it is not the wanted one
     KeptProfile kept;
     NextProfile choosing;
     profile::Profile first;
 };
 
-// Folders of a program, and what it was started with.
+// The folders of a program and its options.
 struct ProfileRig
 {
     QTemporaryDir folder;
@@ -66,7 +66,7 @@ struct ProfileRig
     [[nodiscard]] profile::ProfileStore store() const { return profile::ProfileStore(config()); }
     [[nodiscard]] profile::Profile loaded() const { return *profile::loadProfile(options.profilePath); }
 
-    // As the current mount of the store, and the program is started with it.
+    // Stores the profile as the current mount, and starts the program with it.
     void keep(const profile::Profile& profile)
     {
         options.profilePath = *store().add(profile);
@@ -77,10 +77,10 @@ struct ProfileRig
     {
         options.simulation = Simulation::Reference;
     }
-    // What the program begins with when it is started like this.
+    // The profile at the start of the program with these options.
     [[nodiscard]] profile::Profile first() const { return Profiles(options).first; }
 
-    // By a program that is started like this. Returns why it was not saved.
+    // Saves with a program that was started with these options. Returns why it was not saved.
     [[nodiscard]] QString save(const profile::Profile& wanted) const
     {
         Profiles profiles(options);

@@ -15,7 +15,7 @@
 namespace boresight::app {
 namespace {
 
-// As they come to the main thread.
+// In the order of arrival on the main thread.
 struct Answers
 {
     explicit Answers(const ProfileSaver& saver)
@@ -38,8 +38,8 @@ struct Answers
     QStringList failed;
 };
 
-// Story: while the folder of the profiles did not answer, the window hung when another mount was chosen.
-// REQ-APP-44: No disk makes the window wait when another mount is chosen. STOP and the end of the program work
+// Story: when the folder of the profiles did not respond, choosing another mount blocked the window.
+// REQ-APP-44: No slow disk blocks the window when another mount is chosen. STOP and the end of the program work
 // meanwhile.
 TEST(ProfileSaver, ADiskThatHangsHoldsUpNobody)
 {
@@ -50,7 +50,7 @@ TEST(ProfileSaver, ADiskThatHangsHoldsUpNobody)
     Answers answers(saver);
     const QByteArray path = QFile::encodeName(rig.options.profilePath);
     ASSERT_TRUE(QFile::remove(rig.options.profilePath));
-    ASSERT_EQ(mkfifo(path.constData(), 0600), 0);  // who opens it waits for a writer
+    ASSERT_EQ(mkfifo(path.constData(), 0600), 0);  // opening it waits for a writer
     saver.findNext(realMount("Field"));
     QFile writer(rig.options.profilePath);
     ASSERT_TRUE(writer.open(QIODevice::WriteOnly | QIODevice::Unbuffered)) << "the worker reads it";
@@ -109,7 +109,7 @@ TEST(ProfileSaver, SaysWhyItCouldNot)
     EXPECT_TRUE(answers.failed.constFirst().contains(QStringLiteral("gone.toml")));
 }
 
-// The mount of before goes on, and the operator reads the reason.
+// The previous mount goes on, and the operator reads the reason.
 TEST(ProfileSaver, SaysWhyTheNextStationIsNotTheOneThatWasWanted)
 {
     ProfileRig rig;

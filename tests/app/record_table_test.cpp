@@ -6,8 +6,8 @@
 namespace boresight::ctl {
 namespace {
 
-// REQ-CTL-02: Tables are CSV, JSON or columns. A name may hold what separates them. A number that there is not is an
-// empty cell, and null in JSON.
+// REQ-CTL-02: Tables are CSV, JSON or columns. A name may contain the separators. A missing number is an empty cell,
+// and null in JSON.
 TEST(RecordTable, IsCsvJsonOrColumns)
 {
     const RecordTable table{.columns = {{"name"}, {"az", true}, {"flags"}},

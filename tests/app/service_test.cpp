@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// boresightd as systemd runs it: signals, limits, the watchdog of the service, the rights of its files.
+// boresightd as a systemd service: signals, limits, the watchdog of the service, the permissions of its files.
 #include "core/base/file_descriptor.h"
 #include "tests/fakes/program.h"
 #include "tests/fakes/tcp_peer.h"
@@ -74,7 +74,7 @@ protected:
     }
     [[nodiscard]] bool says(const char* text) { return program->waitForError(QString::fromUtf8(text)); }
     [[nodiscard]] std::string errors() const { return program->errors().toStdString(); }
-    // Friction may leave a drive a hundredth of a degree beside its order.
+    // Friction may leave a drive a hundredth of a degree beside its target.
     [[nodiscard]] static bool isNear(const std::string& reply, double azimuth, double elevation)
     {
         constexpr double kNear = 0.05;
@@ -95,9 +95,9 @@ protected:
     pid_t process = 0;
 };
 
-// Story: SIGHUP, which reloads any other service, ended this one on the spot with the mount in motion.
-// REQ-APP-43a: A profile that is read again (SIGHUP) is applied as the operator's own. What needs a restart is named.
-// A profile that cannot be read, or of another mount, leaves all as it was.
+// Story: SIGHUP, which makes other services reload, ended this one at once during a motion.
+// REQ-APP-43a: A profile that is read again (SIGHUP) is applied like the operator's own changes. Changes that need a
+// restart are named. A profile that cannot be read, or belongs to another mount, changes nothing.
 TEST_F(ServiceTest, HangUpReadsTheProfileAgain)
 {
     start();
@@ -157,7 +157,8 @@ TEST_F(ServiceTest, HangUpOfASimulationReadsTheProfileOfTheMountAndWritesNothing
     EXPECT_FALSE(QFile::exists(folder.filePath(QStringLiteral("simulated"))));
 }
 
-// Story: the window had made another mount the current one, and SIGHUP gave its limits to the mount of the service.
+// Story: the window had made another mount the current one, and SIGHUP gave the limits of that mount to the mount of
+// the service.
 // REQ-APP-43a
 TEST_F(ServiceTest, HangUpDoesNotTakeTheProfileOfAnotherMount)
 {
@@ -175,7 +176,7 @@ TEST_F(ServiceTest, HangUpDoesNotTakeTheProfileOfAnotherMount)
     expectOrderlyEnd();
 }
 
-// A log or journal at the limit of its size is an alarm, not the end of the program.
+// A log or journal that has reached the limit of its size is an alarm, and does not end the program.
 TEST_F(ServiceTest, AFileAtItsLimitDoesNotEndIt)
 {
 #ifdef BORESIGHT_THREAD_SANITIZED
@@ -202,7 +203,8 @@ TEST_F(ServiceTest, APasswordForEverybodyIsTold)
     EXPECT_EQ(again.errors(), QString());
 }
 
-// What systemd hears. It listens all the time, as systemd does: the kernel holds ten messages and loses the next.
+// The messages that systemd receives. It reads all the time, as systemd does, because the kernel holds ten messages and
+// loses the next.
 class NotifySocket
 {
 public:
@@ -244,7 +246,7 @@ private:
     std::thread m_listener;
 };
 
-// REQ-APP-43d: Every tick can feed the watchdog of the service.
+// REQ-APP-43d: Every tick can notify the watchdog of the service.
 TEST_F(ServiceTest, TheControlLoopFeedsTheWatchdogOfTheService)
 {
     NotifySocket systemd(folder.filePath(QStringLiteral("notify")));

@@ -57,8 +57,8 @@ TEST(SkyOptions, ASiteMayBeAFileOfGpredict)
     EXPECT_EQ(parsePassesOptions(with({"--site", "/x/home.qth"}, kPasses))->siteFile, QString());
 }
 
-// REQ-CTL-03: An option that is missing, unknown, in the wrong place or of no value is refused with its name and with
-// what is expected.
+// REQ-CTL-03: An option that is missing, unknown, in the wrong place or has an invalid value is refused with its name
+// and the expected value.
 TEST(SkyOptions, AreRefusedWithWhatIsExpected)
 {
     EXPECT_EQ(refusalOfPasses({}), "--elements FILE is missing");
@@ -116,7 +116,7 @@ TEST(SkyOptions, ATableStandsForAllElse)
     EXPECT_EQ(refusalOfEphemeris({"--table", "a.oem"}), "--site LAT,LON,ALT is missing");
 }
 
-// REQ-CTL-940: A place among the stars is given in hours and degrees, as numbers or in parts of sixty.
+// REQ-CTL-940: Celestial coordinates are given in hours and degrees, as decimal or sexagesimal numbers.
 TEST(SkyOptions, APlaceAmongTheStars)
 {
     const auto placeOf = [](const char* text) {

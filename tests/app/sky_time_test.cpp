@@ -14,7 +14,8 @@ using namespace std::chrono_literals;
 
 const UtcTime kMoment = std::chrono::sys_days(std::chrono::year(2024) / 5 / 10) + 4h + 50min + 2s;
 
-// REQ-CTL-01: Times are UTC in the forms of ISO, or Unix seconds. What is no time is refused, and never another time.
+// REQ-CTL-01: Times are UTC in ISO forms, or Unix seconds. A text that is not a time is refused, and never read as
+// another time.
 TEST(SkyTime, IsReadInEachForm)
 {
     for (const char* const text : {"2024-05-10T04:50:02Z", "2024-05-10T04:50:02", "2024-05-10 04:50:02.000Z",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// boresight as a menu or a terminal starts it.
+// boresight started from a menu or a terminal.
 #include "tests/fakes/program.h"
 
 #include <QDir>
@@ -47,7 +47,7 @@ protected:
         return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
     }
 
-    // Until it has shown a status of the station. What it reported meanwhile.
+    // Runs until it has shown a status of the station. Returns what it reported meanwhile.
     static std::string runWith(const QStringList& arguments)
     {
         qputenv("BORESIGHT_STARTUP_TIMING", "1");

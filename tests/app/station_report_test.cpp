@@ -17,8 +17,8 @@ QJsonObject reportWith(const QJsonObject& transmit)
     return report;
 }
 
-// REQ-TRANSMIT-32: boresightctl status has a line about the transmit output where the station has one: whether it is
-// on, what is wrong with it, and what keeps it off.
+// REQ-TRANSMIT-32: If the station has a transmit output, boresightctl status has a line about it: whether it is on, its
+// problem, and what keeps it off.
 TEST(StationReport, HasTheTransmitOutput)
 {
     EXPECT_EQ(reportText(reportWith({})),
@@ -30,8 +30,8 @@ TEST(StationReport, HasTheTransmitOutput)
                     .endsWith(QStringLiteral("\ntransmit: off. unplugged. STOP is latched.\n")));
 }
 
-// REQ-CTL-304: boresightctl status shows the state, its reason and the motion as the window does, where the station is
-// of this computer.
+// REQ-CTL-304: For a station on this computer, boresightctl status shows the state, its reason and the motion like the
+// window.
 TEST(StationReport, HasWhatTheWindowShows)
 {
     QJsonObject report = reportWith({});

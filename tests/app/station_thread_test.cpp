@@ -27,7 +27,7 @@ profile::Profile mount(const char* name)
     return profile;
 }
 
-// Real threads and a real event loop; the drives are the simulated ones.
+// Real threads and a real event loop. The drives are simulated.
 class StationThreadTest : public ::testing::Test
 {
 protected:
@@ -70,14 +70,14 @@ protected:
         return station(profile);
     }
     void ask(const Request& request) { Q_EMIT thread.requested({.id = ++lastId, .request = request}); }
-    // Asks for a reconnect, and the profile of the next mount is not found.
+    // Requests a reconnect, during which the profile of the next mount is not found.
     [[nodiscard]] bool getsStuckBetweenTwo()
     {
         aDiskHangs = true;
         ask(request::Reconnect{mount("Field")});
         return fakes::waitUntil([this] { return waiting.has_value(); });
     }
-    // Why this request was refused; empty: it was not.
+    // The reason why this request was refused. Empty if it was not.
     [[nodiscard]] QString refusalOf(std::uint64_t id) const
     {
         const auto answer = std::ranges::find(answers, id, &Answer::requestId);
@@ -149,7 +149,7 @@ TEST_F(StationThreadTest, TheNextStationListensWhereTheOldOneDid)
     EXPECT_EQ(started.back().at(1).toString(), QString());
 }
 
-// A station is always there: else the window would show the last status for ever and take no request.
+// There is always a station. Otherwise the window would show the last status for ever and accept no request.
 TEST_F(StationThreadTest, AMountWhoseBusCanNotBeUsedIsShownAndTheOtherOneComesBack)
 {
     thread.start();
@@ -177,7 +177,7 @@ TEST_F(StationThreadTest, AStopBetweenTwoStationsHoldsAtTheNextOne)
     ask(request::Stop{});
     ask(request::TakeAuthority{});
     thread.begin(*waiting);
-    thread.begin(mount("Roof"));  // nobody asked for a third one
+    thread.begin(mount("Roof"));  // nobody has requested a third one
     ASSERT_TRUE(shows("Field"));
     EXPECT_TRUE(fakes::waitUntil([this] { return isStopped; }));
     EXPECT_EQ(refusalOf(lastId - 1), QString());
@@ -219,7 +219,7 @@ TEST_F(StationThreadTest, NothingIsBegunAnewOnceTheProgramIsToEnd)
     ASSERT_TRUE(shows("Roof"));
     QSignalSpy finished(&thread, &StationThread::finished);
     ask(request::Reconnect{mount("Field")});
-    Q_EMIT thread.shutDownRequested();  // comes to a station that is ending already
+    Q_EMIT thread.shutDownRequested();  // the station is already ending
     ASSERT_TRUE(finished.wait(60'000));
     EXPECT_EQ(built, 0);
 }

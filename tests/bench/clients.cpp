@@ -69,7 +69,7 @@ bool sendText(int fd, std::string_view text)
     return ::send(fd, text.data(), text.size(), MSG_NOSIGNAL) == static_cast<ssize_t>(text.size());
 }
 
-// Appends what has arrived; false at the end of the connection or when nothing came in time.
+// Appends the data that has arrived. Returns false at the end of the connection, or when nothing came in time.
 bool receiveInto(int fd, std::string& text, int flags)
 {
     std::array<char, 2048> buffer{};

@@ -10,13 +10,13 @@
 #include <string_view>
 #include <vector>
 
-// Clients of a rotctld server, all on one thread with epoll. A request is sent only after the reply to the one before,
-// as real clients do, and each reply is read to its end and looked at: an answer that is no answer counts as an error.
+// Clients of a rotctld server, all on one thread with epoll. As with real clients, a request is sent only after the
+// reply to the previous one. Each reply is read to its end and checked: an invalid reply counts as an error.
 namespace boresight::bench {
 
 using SteadyClock = std::chrono::steady_clock;
 
-// How the end of a reply is recognised. A line "RPRT -n" ends any of them.
+// How the end of a reply is recognised. A line "RPRT -n" ends every reply.
 enum class ReplyForm
 {
     TwoNumbers,  // p: azimuth and elevation, a line each
@@ -37,15 +37,15 @@ struct Measurement
     std::chrono::duration<double> elapsed{0};
 
     [[nodiscard]] double perSecond() const { return double(microseconds.size()) / elapsed.count(); }
-    // 0.5 is the median. Sorts.
+    // 0.5 is the median. Sorts the values.
     [[nodiscard]] double percentile(double fraction);
 };
 
 class Clients
 {
 public:
-    // Connects `count` clients one after the other and lets each ask for the position once, so that the server has
-    // accepted all of them. Client i begins its round of `requests` at the i-th.
+    // Connects `count` clients one after the other. Each queries the position once, so that the server has accepted all
+    // of them. Client i starts its round of `requests` with the i-th.
     [[nodiscard]] static Result<Clients> connect(const Endpoint& endpoint, std::size_t count,
                                                  std::vector<Request> requests);
 
@@ -55,9 +55,9 @@ public:
     Clients& operator=(const Clients&) = delete;
     ~Clients();
 
-    // Each client asks again as soon as it has its reply.
+    // Each client sends its next request as soon as it has its reply.
     [[nodiscard]] Measurement closedLoop(std::chrono::milliseconds duration);
-    // Each client asks once per period, the clients spread evenly over it.
+    // Each client sends one request in each period, and the clients are spread evenly over the period.
     [[nodiscard]] Measurement paced(std::chrono::milliseconds period, std::chrono::milliseconds duration);
 
 private:
@@ -74,7 +74,7 @@ private:
     void send(Connection& connection, Measurement& measurement);
     // True when the reply is complete.
     bool receive(Connection& connection, Measurement& measurement);
-    // Waits for events up to the deadline and takes them in; calls `answered` for each complete reply.
+    // Waits for events up to the deadline and handles them. Calls `answered` for each complete reply.
     template <class Answered>
     void serve(SteadyClock::time_point deadline, Measurement& measurement, Answered answered);
     void drop(Connection& connection, Measurement& measurement);
@@ -85,13 +85,15 @@ private:
     std::vector<Connection> m_connections;
 };
 
-// Asks until there is a position: a mount that has just been started does not know it yet. Fails after 10 s.
+// Queries until there is a position, because a mount does not know it right after the start. Fails after 10 s.
 [[nodiscard]] Result<> awaitPosition(const Endpoint& endpoint);
 
-// `count` clients connect at once and ask for the position: the time until all have been answered (5 s at most).
+// `count` clients connect at the same time and query the position. Measures the time until all have a reply (5 s at
+// most).
 [[nodiscard]] Measurement connectAtOnce(const Endpoint& endpoint, std::size_t count);
 
-// One client after the other: connect, ask for the position, close without "q". Latency includes the connection.
+// One client after the other connects, queries the position, and closes without "q". The latency includes the
+// connection.
 [[nodiscard]] Measurement connectionPerRequest(const Endpoint& endpoint, std::chrono::milliseconds duration);
 
 }  // namespace boresight::bench

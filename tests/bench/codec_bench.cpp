@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How fast the moteus codec is, on the two frames of every control tick: a position command with limits and watchdog
-// together with the rotator's query, and the reply to it. A tick needs two of each; 50 ticks a second are the default.
+// The speed of the moteus codec with the two frames of every control tick: a position command with limits and watchdog
+// time together with the rotator's query, and the reply to it. A tick needs two of each. The default is 50 ticks a
+// second.
 
 #include "core/moteus/codec.h"
 

@@ -31,7 +31,7 @@ bool comeIn(Flooder& flooder, std::uint64_t number, const Endpoint& endpoint, in
     return connectTo(flooder.fd, endpoint) && epoll_ctl(epoll, EPOLL_CTL_ADD, flooder.fd, &event) == 0;
 }
 
-// False when the connection is over.
+// Returns false when the connection is closed.
 bool readAnswers(int fd, std::uint64_t& lines)
 {
     std::array<char, 65536> buffer;
@@ -58,7 +58,7 @@ FloodOutcome flood(const Endpoint& endpoint, std::size_t clients, const std::str
 {
     FloodOutcome outcome;
     const auto end = SteadyClock::now() + duration;
-    std::string block = commands;  // so long that kBlock bytes follow any position in the round
+    std::string block = commands;  // long enough that kBlock bytes follow any position in the round
     while (block.size() < commands.size() + kBlock) {
         block += commands;
     }

@@ -7,16 +7,16 @@
 #include <cstdint>
 #include <string>
 
-// Clients that never wait: each sends as fast as its socket takes bytes, and throws away what comes back. One thread.
+// Clients that never wait: each sends as fast as its socket accepts data, and discards the replies. One thread.
 namespace boresight::bench {
 
 struct FloodOutcome
 {
     std::uint64_t lines = 0;    // of replies
-    std::uint64_t dropped = 0;  // connections the server ended; the client comes back at once
+    std::uint64_t dropped = 0;  // connections that the server ended; the client reconnects at once
 };
 
-// `commands` is repeated without end. Returns after `duration`, or when nothing listens any more.
+// `commands` is repeated all the time. Returns after `duration`, or when nothing listens any more.
 [[nodiscard]] FloodOutcome flood(const Endpoint& endpoint, std::size_t clients, const std::string& commands,
                                  std::chrono::milliseconds duration);
 

@@ -2,10 +2,11 @@
 //
 // frame_gap
 //
-// How long the window's thread is held up: the whole desktop program but its main(), on the simulated mount, while it
-// connects and surveys, scans, moves with its panels turned over, meets faults, saves its profile again and again and
-// reconnects. A timer of 5 ms in the window's thread measures; a frame is late after 50 ms. One line for each part:
-// ticks, 99th percentile and worst gap in ms, gaps over 50 ms. Needs a display, or QT_QPA_PLATFORM=offscreen.
+// How long the thread of the window is blocked. The whole desktop program without its main() runs on the simulated
+// mount. It connects and checks the drives, scans, moves while the panels are changed, has faults, saves its profile
+// again and again, and reconnects. A timer of 5 ms in the window's thread measures the gaps. A frame is late after 50
+// ms. One line for each part: ticks, 99th percentile and worst gap in ms, gaps over 50 ms. Needs a display, or
+// QT_QPA_PLATFORM=offscreen.
 
 #include "app/profile_saver.h"
 #include "app/station_thread.h"
@@ -111,7 +112,7 @@ private:
     [[nodiscard]] Owned build(const profile::Profile& profile)
     {
         auto link = std::make_unique<SimulatedLink>(m_clock);
-        // By the clock of the pair: within the part "faults".
+        // By the clock of the pair, within the part "faults".
         for (const sim::Injection& fault :
              {sim::Injection{.kind = FaultKind::BusOff, .at = Seconds(16.0), .duration = Seconds(1.5)},
               sim::Injection{.kind = FaultKind::DriveFault, .axis = Axis::Azimuth, .at = Seconds(20.0), .value = 38.0},

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How fast satellites are computed, on one core: propagations near the Earth and in deep space, each from minute to
-// minute over days as a search of passes asks for them, and with the place in the sky; and from the two lines of a set
-// to the orbit. Beside each figure stands that of the published C++ (AIAA 2006-6753) at -O2 on one core of a server.
-// The passes of 100 satellites over ten days are also shown in propagations of a low orbit that take as long: the best
-// published figure, 0.26 s on that core, is 1.01 million of them.
+// The speed of satellite computations on one core: propagations near the Earth and in deep space, from minute to minute
+// over days as in a search for passes, also with the direction in the sky, and the step from the two lines of a set to
+// the orbit. Beside each figure is that of the published C++ (AIAA 2006-6753) at -O2 on one core of a server. The
+// passes of 100 satellites over ten days are also shown as the number of low-orbit propagations that take the same
+// time. The best published figure, 0.26 s on that core, equals 1.01 million of them.
 
 #include "core/elements/element_reader.h"
 #include "core/elements/tle_fields.h"
@@ -49,7 +49,8 @@ ElementSet deepOrbit(double revolutionsPerDay, double eccentricity, Angle inclin
             .meanAnomaly = 305.2438_deg};
 }
 
-// 12 hours of a navigation satellite, which have no resonance; half a day of Molniya's kind; a geostationary day.
+// A navigation satellite with 12 hours and no resonance, a half-day orbit of the Molniya type, and a geostationary
+// orbit.
 ElementSet navigationOrbit()
 {
     return deepOrbit(2.0056, 0.01, 55_deg);
@@ -135,7 +136,7 @@ void fileOfThousandSets(benchmark::State& state)
 }
 BENCHMARK(fileOfThousandSets);
 
-// 89 low orbits and 11 of deep space, as a catalogue has them.
+// 89 low orbits and 11 in deep space, a mixture as in a catalogue.
 std::vector<Sgp4> catalogue()
 {
     std::mt19937 random(1);
@@ -154,7 +155,7 @@ std::vector<Sgp4> catalogue()
     return orbits;
 }
 
-// Of the processor, whoever else has it.
+// Processor time, independent of other load.
 double processorSeconds()
 {
     return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How fast the permitted region answers, with a horizon of 360 points and ten keep-outs on a mount of nearly two turns
-// that flips: what a control tick asks (a box, the room around it), what a new target asks (the nearest permitted
-// place, a route), and whole ticks of both axes, among all that and with nothing forbidden. And what the most costs
-// that a profile may have: 32 keep-outs around one target, and the band of the Sun where no clock tells the time.
+// The speed of the permitted region, with a horizon of 360 points and ten keep-outs on a mount of nearly two turns that
+// can go over the top. Measured are the queries of a control tick (a box, the room around it), those of a new target
+// (the nearest permitted place, a route), and whole ticks of both axes, with and without forbidden areas. Also the
+// largest cost that a profile can cause: 32 keep-outs around one target, and the band of the Sun when no time source
+// sets the clock.
 
 #include "core/motion/motion.h"
 #include "core/pointing/nearest_permitted.h"
@@ -139,9 +140,9 @@ void routeBetweenAny(benchmark::State& state)
     }
     state.counters["worst_cpu_ms"] = worst;
 }
-BENCHMARK(routeBetweenAny)->Arg(0)->Arg(1);  // of a mount that stands straight, that leans
+BENCHMARK(routeBetweenAny)->Arg(0)->Arg(1);  // for an upright mount, for a leaning one
 
-// From anywhere to the middle of them; the worst of laying out, of a nearest place and of a route.
+// From any place to the middle of them: the worst case for preparing, for a nearest place and for a route.
 void mostKeepOuts(benchmark::State& state)
 {
     const PointingModel model = state.range(0) != 0 ? kLeaning : PointingModel();

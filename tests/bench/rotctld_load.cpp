@@ -78,7 +78,7 @@ std::string ratio(const Figure& first, const Figure& second)
     return boresight::formatFixed(first.value / second.value, 2) + (ahead ? "  better" : "  worse");
 }
 
-// Pads by characters as shown, not by bytes: the unit µs is longer in UTF-8 than on the screen.
+// Pads by displayed characters, not by bytes: in UTF-8 the unit µs has more bytes than characters.
 std::string padded(const std::string& text, std::size_t width)
 {
     std::size_t shown = 0;

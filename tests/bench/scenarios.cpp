@@ -26,7 +26,8 @@ const std::vector<Request>& getPosition()
     return requests;
 }
 
-// Mostly positions, some targets inside everybody's limits, the extended form, the name: what a busy station hears.
+// The requests at a busy station: mostly positions, some targets inside the limits of every server, the extended form,
+// the name.
 const std::vector<Request>& mixedRequests()
 {
     static const std::vector<Request> requests{
@@ -38,7 +39,7 @@ const std::vector<Request>& mixedRequests()
     return requests;
 }
 
-// What Gpredict sends while it tracks, one exchange a second: a new target, then the position.
+// The requests of Gpredict during tracking, one exchange a second: a new target, then the position.
 std::vector<Request> passRequests()
 {
     std::vector<Request> requests;
@@ -69,7 +70,7 @@ Result<Figures> closedLoop(const Server& server, std::chrono::seconds duration, 
 
 Result<Figures> pacedClients(const Server& server, std::chrono::seconds duration)
 {
-    // One client sets the mount in motion and leaves it a long way to go.
+    // One client starts a long motion of the mount.
     auto driver = Clients::connect(server.endpoint(), 1, {{.text = "P 300.00 80.00\n", .form = ReplyForm::Report}});
     auto clients = Clients::connect(server.endpoint(), kPacedClients, getPosition());
     if (!driver || !clients) {

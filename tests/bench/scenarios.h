@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-// What is measured on a rotctld server, each scenario on a freshly started one and bounded in time and number.
+// The measurements on a rotctld server. Each scenario uses a freshly started server, and is limited in time and number.
 namespace boresight::bench {
 
 enum class Better
@@ -23,9 +23,9 @@ struct Figure
     Better better = Better::Lower;
 };
 
-// All scenarios against each TARGET (server.h), one list of figures for each; `duration` is the length of each timed
-// one. The servers take turns within a scenario, so that both see the machine in the same mood. Fails when a server
-// does not start or a client cannot connect.
+// Runs all scenarios with each TARGET (server.h). Returns one list of figures for each. `duration` is the length of
+// each timed scenario. The servers take turns within a scenario, so that both see the same load of the computer. Fails
+// when a server does not start or a client cannot connect.
 [[nodiscard]] Result<std::vector<std::vector<Figure>>> measureServers(const std::vector<std::string>& targets,
                                                                       std::chrono::seconds duration);
 

@@ -39,7 +39,7 @@ bool accepts(const Endpoint& endpoint)
     return connected;
 }
 
-// The kernel's choice of a free port; nobody else takes it in the moment between.
+// A free port chosen by the kernel. Nothing else is likely to take it before its use.
 std::uint16_t freePort()
 {
     const int fd = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
@@ -56,7 +56,7 @@ std::uint16_t freePort()
     return port;
 }
 
-// Starts the command line in a shell of its own.
+// Starts the command line in a separate shell.
 Result<Server::Process> spawn(const std::string& command)
 {
     std::array<int, 2> output{};
@@ -77,7 +77,7 @@ Result<Server::Process> spawn(const std::string& command)
     return Server::Process{.id = process, .output = output[0], .errors = errors};
 }
 
-// Reads the program's output until it says where it listens.
+// Reads the program's output until it reports where it listens.
 Result<Endpoint> announcedEndpoint(int output)
 {
     std::string text;

@@ -12,7 +12,7 @@
 #include <string>
 
 // The server under test: either one that already runs at HOST:PORT, or a program started here for one scenario and
-// ended with it, whose memory and processor time can then be read. Loopback only. One thread.
+// ended with it, so that its memory and processor time can be read. Loopback only. One thread.
 namespace boresight::bench {
 
 class Server
@@ -21,8 +21,8 @@ public:
     struct Process
     {
         pid_t id = -1;
-        int output = -1;  // reading end of its standard output, held open so that it can go on writing
-        int errors = -1;  // a file in memory with what it wrote to its standard error
+        int output = -1;  // reading end of its standard output, kept open so that the server can go on writing
+        int errors = -1;  // a file in memory with its standard error
     };
 
     // TARGET is HOST:PORT or a command line. A "{port}" in the command line becomes a free port; without it the program
@@ -35,8 +35,7 @@ public:
     Server& operator=(const Server&) = delete;
     ~Server();  // ends it
 
-    // SIGTERM, then SIGKILL after 5 s; returns what the program wrote to its standard error. The second call finds
-    // nothing.
+    // SIGTERM, then SIGKILL after 5 s. Returns the standard error of the program. A second call returns nothing.
     std::string end();
 
     [[nodiscard]] const Endpoint& endpoint() const { return m_endpoint; }

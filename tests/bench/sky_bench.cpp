@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What it costs to know where the Sun and the Moon are, and where magnetic north is.
+// The cost of computing the directions of Sun and Moon, and of magnetic north.
 #include "core/ephemeris/almanac.h"
 #include "core/ephemeris/rise_set.h"
 #include "core/geomagnetism/magnetic_model.h"
@@ -14,7 +14,7 @@ namespace {
 constexpr Site kLisbon{.latitude = 38.757_deg, .longitude = -9.117_deg, .heightMetres = 80.0};
 constexpr UtcTime kDay = std::chrono::sys_days{std::chrono::year{2026} / 12 / 24};
 
-// From second to second, or from hour to hour, so that nothing remembered helps.
+// From second to second, or from hour to hour, so that stored values do not help.
 void place(benchmark::State& state, Body body, std::chrono::seconds step)
 {
     Almanac almanac(kLisbon);
@@ -38,7 +38,7 @@ void sunrise(benchmark::State& state)
 }
 BENCHMARK(sunrise);
 
-// All terms count alike, so that it does not matter what is in them.
+// The cost does not depend on the values of the terms.
 void magneticField(benchmark::State& state)
 {
     geomagnetism::Coefficients coefficients{.name = "bench", .epoch = 2025.0};

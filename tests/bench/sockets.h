@@ -15,13 +15,13 @@ struct Endpoint
     std::uint16_t port = 0;     // host byte order
 };
 
-// "127.0.0.1:4533"; refuses addresses outside 127.0.0.0/8, because the scenarios are a flood to anybody else.
+// "127.0.0.1:4533". Refuses addresses outside 127.0.0.0/8, because the scenarios would be a flood for another computer.
 [[nodiscard]] Result<Endpoint> parseEndpoint(std::string_view text);
 
-// A socket without Nagle's delay whose blocking reads give up after 5 s; `flags` as for socket(2), e.g. SOCK_NONBLOCK.
+// A socket without Nagle's delay. Its blocking reads give up after 5 s. `flags` as for socket(2), e.g. SOCK_NONBLOCK.
 [[nodiscard]] int openSocket(int flags);
 
-// True also when a non-blocking connect is under way.
+// Also true while a non-blocking connect is in progress.
 bool connectTo(int fd, const Endpoint& endpoint);
 
 }  // namespace boresight::bench

@@ -2,10 +2,11 @@
 // REQ-CALIBRATION-17 (tests/bench/run sun)
 // REQ-CALIBRATION-17a (tests/bench/run sun)
 //
-// sun_statistics [RUNS [SEED]]: how true the pointing model is after so many points of the Sun, for random days and
-// places (tests/fakes/sun_points.h), with the tilt known to 0.05° from a swing. North: the azimuth of a level beam, at
-// worst all round; the beam along the Sun's way, at worst, and over the sky, rms; the terms. One line for each noise of
-// centring and number of points; then the same with every third point taken over the top.
+// sun_statistics [RUNS [SEED]]: the accuracy of the pointing model after several points of the Sun, for random days and
+// places (tests/fakes/sun_points.h), with the tilt known to 0.05° from a swing. It prints north (the largest azimuth
+// error of a level beam all round), the largest error of the beam along the Sun's path, the rms error over the sky, and
+// the terms. One line for each noise of centring and number of points, then the same with every third point taken over
+// the top.
 
 #include "core/calibration/pointing_fit.h"
 #include "tests/fakes/sun_points.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // REQ-CALIBRATION-08 (tests/bench/run swing)
 //
-// swing_statistics [MOUNTS [SEED]]: how far north and tilt are off after the compass was swung, and how often within
-// the sigmas that are shown, for random mounts (tests/fakes/swung_mount.h): as wide as the issue asks, with the iron of
-// real places, over a part of the circle, one way only. One line each.
+// swing_statistics [MOUNTS [SEED]]: the errors of north and tilt after a compass swing, and how often they are within
+// the displayed sigmas, for random mounts (tests/fakes/swung_mount.h): over the wide range of the requirement, with the
+// iron of real places, over a part of the circle, and in one direction only. One line each.
 
 #include "tests/fakes/swung_mount.h"
 
@@ -39,7 +39,7 @@ struct Errors
         }
         return std::sqrt(square / static_cast<double>(off.size()));
     }
-    // Percent within that many sigmas.
+    // Percentage within this number of sigmas.
     [[nodiscard]] double within(double sigmas) const
     {
         int inside = 0;

@@ -2,11 +2,11 @@
 //
 // tick_load [--seconds N] [--rounds N] "COMMAND LINE OF boresightd"
 //
-// How late the control ticks come while the mount moves: with one client at 2 Hz, with 100 clients that ask again as
-// soon as they are answered, and with 100 that never wait. boresightd tells at its end how late its ticks were
-// (category boresight.tick). The cases take turns, each with a boresightd of its own, and the median of the rounds is
-// shown, so that what else the machine does falls on all of them. The clients run with a nice value of 10: what is
-// measured is the server under flood, not the scheduler's justice between it and the flood.
+// How late the control ticks come while the mount moves: with one client at 2 Hz, with 100 clients that send again as
+// soon as they have a reply, and with 100 that never wait. At its end boresightd reports how late its ticks were
+// (category boresight.tick). The cases take turns, each with a separate boresightd, and the median of the rounds is
+// shown, so that other load of the computer affects all of them equally. The clients run with a nice value of 10,
+// because the measurement is about the server under flood, not about the scheduler between server and flood.
 
 #include "core/base/numbers.h"
 #include "tests/bench/clients.h"
@@ -59,7 +59,7 @@ struct Case
     std::vector<Ticks> rounds;
 };
 
-// Targets far apart, so that the mount is under way all the time whoever spoke last.
+// Targets far apart, so that the mount moves all the time, whichever client sent last.
 const std::vector<bench::Request>& requests()
 {
     static const std::vector<bench::Request> all{{.text = "p\n", .form = bench::ReplyForm::TwoNumbers},

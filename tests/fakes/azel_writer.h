@@ -34,7 +34,7 @@ public:
     }
 
     QByteArray flag = ", R";
-    std::optional<SkyPointing> moonInstead = {};  // as of another locator
+    std::optional<SkyPointing> moonInstead = {};  // as computed for another locator
 
 private:
     [[nodiscard]] QByteArray line(UtcTime utc, const SkyPointing& place, const char* name) const

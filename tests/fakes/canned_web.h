@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-// A web server on 127.0.0.1 that gives to each path the bytes that it is told, headers included, and then closes the
-// connection, goes on for ever, or says nothing more. Remembers what it was asked. On the thread of the event loop.
+// A web server on 127.0.0.1. For each path it sends the bytes that the test has set, headers included. Then it closes
+// the connection, sends without end, or stays silent. It keeps the requests. It runs on the thread of the event loop.
 namespace boresight::fakes {
 
 class CannedWeb
@@ -20,7 +20,7 @@ public:
     enum class Then
     {
         Closes,
-        GoesOn,  // with spaces
+        GoesOn,  // sends spaces without end
         Waits
     };
 
@@ -46,7 +46,7 @@ public:
                           QByteArray::number(content.size()) + "\r\n" + headers + "\r\n" + content);
     }
     void stopListening() { m_server.close(); }
-    // Heads of what was asked, in order.
+    // The headers of the requests, in order.
     [[nodiscard]] const std::vector<std::string>& questions() const { return m_questions; }
 
 private:
@@ -71,7 +71,7 @@ private:
 
     void answer(QTcpSocket& peer, const QByteArray& head)
     {
-        QObject::disconnect(&peer, &QTcpSocket::readyRead, nullptr, nullptr);  // one answer for each connection
+        QObject::disconnect(&peer, &QTcpSocket::readyRead, nullptr, nullptr);  // one reply for each connection
         m_questions.push_back(head.toStdString());
         const Answer& given = m_answers[head.split(' ').value(1).toStdString()];
         peer.write(given.bytes);

@@ -3,7 +3,7 @@
 
 #include <random>
 
-// Numbers at random, the same for the same seed.
+// Random numbers that are the same for the same seed.
 namespace boresight::fakes {
 
 [[nodiscard]] inline double uniform(std::mt19937_64& random, double from, double to)

@@ -11,7 +11,7 @@
 #include <vector>
 
 // A rotator like Hamlib's dummy: azimuth -180…450°, elevation 0…90°, 6°/s on both axes without ramps, park at 0/0,
-// positions by the given clock. `fault` makes every request fail. Counts what moves or stops it.
+// positions by the given clock. `fault` makes every request fail. It counts the requests that move or stop it.
 namespace boresight::fakes {
 
 class DummyRotator final : public rotctld::Rotator
@@ -102,13 +102,13 @@ public:
     }
 
     std::optional<Error> fault;
-    Angle sag{};     // by which it stands below its target
-    QString became;  // an accepted target, in words
+    Angle sag{};     // how far it stands below its target
+    QString became;  // in words: what became of an accepted target
     std::optional<rotctld::PointRequest> lastRequest;
     int lastSpeed = 0;
     std::optional<AngularRate> lastRate;  // of the last moveAt
-    int actions = 0;                      // accepted or refused: calls that would move or stop a mount
-    int questions = 0;                    // for the position
+    int actions = 0;                      // calls that would move or stop a mount, accepted or refused
+    int questions = 0;                    // queries of the position
     std::uint64_t mover = 0;
     std::map<std::uint64_t, std::string> connected;
     std::map<std::uint64_t, std::string> gone;
@@ -147,7 +147,7 @@ private:
     Axis m_azimuth;
     Axis m_elevation;
     int m_speedLevel = 0;
-    std::uint64_t m_followed = 0;  // the client whose target this is
+    std::uint64_t m_followed = 0;  // the client that sent this target
 };
 
 }  // namespace boresight::fakes

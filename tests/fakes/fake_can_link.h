@@ -5,7 +5,7 @@
 
 #include <vector>
 
-// A bus that does what the test says and remembers what was sent.
+// A bus that the test controls. It keeps the frames that were sent.
 namespace boresight::fakes {
 
 class FakeCanLink final : public CanLink

@@ -7,7 +7,8 @@
 
 namespace boresight {
 
-// While it exists this process can write nothing into any file, as on a full disk. Reading, opening and renaming go on.
+// While an object exists this process cannot write into any file, as on a full disk. Reading, opening and renaming
+// still work.
 class FullDisk
 {
 public:

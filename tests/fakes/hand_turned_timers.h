@@ -8,10 +8,10 @@
 
 #include <map>
 
-// The timers of our objects below `root`, run by a clock that is turned by hand. This computer's time does nothing to
-// them, so a test neither waits for them nor is surprised by them. Qt's own timers run on. A timer's time begins with
-// the first look at it after its start. One that is started again between two looks keeps the time of its first start.
-// Gui thread, and the main thread of a program without a window.
+// Runs the timers of Boresight's objects below `root` by a clock that is turned by hand. The time of this computer has
+// no effect on them, so a test neither waits for them nor is surprised by them. Qt's own timers run normally. The time
+// of a timer begins at the first look after its start. A timer that is restarted between two looks keeps the time of
+// its first start. Gui thread, or the main thread of a program without a window.
 namespace boresight::fakes {
 
 class HandTurnedTimers : public QObject
@@ -21,20 +21,20 @@ public:
 
     // Turns the clock. Each timer runs out at its own time, in order.
     void elapse(Seconds time);
-    // What the clock, turned by somebody else, has made due.
+    // Runs the timers that are due when somebody else has turned the clock.
     void runDue() { elapse(Seconds(0.0)); }
 
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     [[nodiscard]] bool isTurned(const QObject& timer) const;
-    [[nodiscard]] QTimer* look();  // the one that runs out first
+    [[nodiscard]] QTimer* look();  // the timer that runs out first
     void runOut(QTimer& timer);
     void turnTo(SteadyTime then);
 
     QObject& m_root;
     ManualClock& m_clock;
-    std::map<int, SteadyTime> m_due;  // by the timer's id
+    std::map<int, SteadyTime> m_due;  // by timer id
     const QObject* m_running = nullptr;
 };
 

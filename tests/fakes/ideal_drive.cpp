@@ -14,7 +14,7 @@ constexpr double kCountsInReports = 65536.0;
 
 std::optional<double> Written::find(moteus::Register reg) const
 {
-    // The last one counts.
+    // If a register was written twice, the last value counts.
     const auto found =
         std::find_if(m_values.rbegin(), m_values.rend(), [&](const auto& one) { return one.first == reg; });
     return found == m_values.rend() ? std::nullopt : std::optional(found->second);
@@ -147,7 +147,7 @@ void IdealDrive::obey(const Written& fields)
     }
 }
 
-// Towards the velocity of the last order, until its watchdog ends that.
+// Turns with the velocity of the last command until the watchdog ends it.
 void IdealDrive::advanceTo(SteadyTime now)
 {
     const Seconds passed = std::min(Seconds(now - m_now), std::max(Seconds(m_fed - m_now) + kWatchdog, Seconds{}));
@@ -171,7 +171,7 @@ void IdealDrive::run(double passed)
     position += moved;
 }
 
-// Of a 100:1 gear: the phase of the rotor stays.
+// With a 100:1 gear: the phase of the rotor stays.
 void IdealDrive::takePlace(const Written& fields)
 {
     constexpr double kRatio = 0.01;

@@ -10,12 +10,12 @@
 #include <utility>
 #include <vector>
 
-// A moteus without physics, for tests of the rules above it: obeys mode changes at once, stands where it is told, turns
-// at the velocity it is told, and answers with the state before the command, as the real one does. Every command frame
-// is kept for inspection.
+// A moteus without physics, for tests of the rules above it. It obeys mode changes at once, stands at the commanded
+// position, turns at the commanded velocity, and replies with the state before the command, as the real drive does. It
+// keeps every command frame for inspection.
 namespace boresight::fakes {
 
-// What one frame wrote. A list, because long tests keep thousands of them.
+// The registers that one frame wrote. A list, because long tests keep thousands of frames.
 class Written
 {
 public:
@@ -43,37 +43,38 @@ public:
         Written fields;
     };
 
-    // The reply to a frame for this drive; empty if it is for another, or if the drive is silent.
+    // The reply to a frame. Empty if the frame is for another drive, or if the drive is silent.
     std::optional<CanFrame> answer(const CanFrame& frame, SteadyTime now);
 
-    // Turns until then as it was told last.
+    // Turns until `now` with the last command.
     void advanceTo(SteadyTime now);
     void run(double passed);  // seconds
 
-    // Another tool says `d exact`: no motion.
+    // Another tool sends `d exact`: the position value changes without a motion.
     void setExact(double place);
 
-    // Of the position, from what was counted since power-up.
+    // The origin of the position, in turns from the count since power-up.
     [[nodiscard]] MotorTurns origin() const { return MotorTurns::fromTurns(m_set); }
 
     moteus::Mode mode = moteus::Mode::Stopped;
     int fault = 0;
     moteus::HomeState home = moteus::HomeState::Output;
     bool silent = false;
-    bool mute = false;               // obeys, but its replies are lost
-    bool deaf = false;               // answers, but ignores commands
-    bool modeOnly = false;           // answers, and says nothing but its mode
-    std::deque<double> falsePlaces;  // said by the next replies in place of the position; it stands where it stands
-    double position;                 // output turns
-    double travelled = 0.0;          // by set-points, all in all
+    bool mute = false;      // obeys, but its replies are lost
+    bool deaf = false;      // replies, but ignores commands
+    bool modeOnly = false;  // replies with its mode only
+    // reported by the next replies in place of the position; the drive itself does not move
+    std::deque<double> falsePlaces;
+    double position;         // output turns
+    double travelled = 0.0;  // by set-points, in total
     double voltage = 24.0;
     double temperature = 31.0;
     double torque = 0.0;             // Nm
     double current = 0.0;            // A, q axis
     double dCurrent = 0.0;           // A
     double power = 0.0;              // W
-    double motorTemperature = 0.0;   // without a sensor
-    std::optional<double> velocity;  // turns/s, whatever its position does; empty: it reports none
+    double motorTemperature = 0.0;   // 0 means no sensor
+    std::optional<double> velocity;  // turns/s, reported whatever the position does; empty: not reported
     std::vector<Seen> seen;
 
 private:
@@ -89,8 +90,8 @@ private:
     double m_running = 0.0;       // turns/s
     double m_ordered = 0.0;       // turns/s
     double m_acceleration = 0.0;  // turns/s²
-    SteadyTime m_fed{};           // the last command
-    SteadyTime m_now{};           // of the last frame
+    SteadyTime m_fed{};           // time of the last command
+    SteadyTime m_now{};           // time of the last frame
 };
 
 }  // namespace boresight::fakes

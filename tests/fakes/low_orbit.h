@@ -6,7 +6,7 @@
 
 namespace boresight::fakes {
 
-// A circle 420 km up: over every site below 60° of latitude several times a day.
+// A circular orbit at 420 km, which passes over every site below 60° of latitude several times a day.
 inline orbit::ElementSet lowOrbit(UtcTime epoch, Angle node = {}, Angle anomaly = {})
 {
     return {.name = "TEST ONE",

@@ -5,8 +5,8 @@
 
 #include <atomic>
 
-// A clock turned by hand; both times advance together, unless somebody sets the UTC. A time
-// source vouches for it until told otherwise. Any thread may read it.
+// A clock that is turned by hand. Both times advance together, unless the test sets the UTC. The clock counts as
+// synchronised until the test changes that. Any thread may read it.
 namespace boresight::fakes {
 
 class ManualClock final : public Clock
@@ -34,7 +34,7 @@ public:
     void stepUtc(Seconds by) { m_utc = m_utc.load() + std::chrono::duration_cast<UtcTime::duration>(by); }
     void setUtc(UtcTime utc) { m_utc = utc; }
     void setSynchronised(bool synchronised) { m_synchronised = synchronised; }
-    // The computer was suspended for so long.
+    // The computer was suspended for this time.
     void sleep(Seconds time)
     {
         m_slept = m_slept.load() + time;

@@ -20,7 +20,7 @@ const QByteArray kGuarded =
                             {"acltype": "publishClientSend", "topic": "$CONTROL/#", "allow": true}]}],
         "groups": [{"groupname": "all", "roles": [{"rolename": "reader"}]}], "anonymousGroup": "all", "clients": []})";
 
-// Debian keeps it where only root looks.
+// Debian installs mosquitto in a folder that is only in the search path of root.
 QString broker()
 {
     const QString name = QStringLiteral("mosquitto");
@@ -30,7 +30,7 @@ QString broker()
                : found;
 }
 
-// Debian keeps it in the folder of the architecture.
+// Debian installs the plugin in the folder of the architecture.
 QString guard()
 {
     const QDir libraries(QStringLiteral("/usr/lib"));
@@ -113,7 +113,7 @@ void MqttBroker::makeCertificates() const
 
 void MqttBroker::configure()
 {
-    // "user root": started as root it would else become a user that cannot read the folder.
+    // "user root": without it a mosquitto that root starts changes to a user that cannot read the folder.
     QString text =
         QStringLiteral("listener %1 127.0.0.1\nuser root\npersistence false\nlog_dest stderr\nlog_type all\n")
             .arg(m_port);

@@ -9,8 +9,7 @@
 #include <cstdint>
 #include <memory>
 
-// The real mosquitto on a free port of loopback, with what it needs in a folder of its own. Waiting runs the event
-// loop.
+// The real mosquitto on a free loopback port, with its files in its own folder. Waiting runs the event loop.
 namespace boresight::fakes {
 
 class MqttBroker
@@ -22,24 +21,24 @@ public:
         Password,  // user "mount", password "s3cret"
         Tls,       // certificate for localhost and 127.0.0.1, signed by caFile()
         TlsOther,  // the same for broker.example
-        // Whoever comes may write anything, and read what is below "permitted/":
-        AccessList,  // by acl_file, which grants every subscription and then delivers nothing of the rest
+        // Anybody may connect, write everything, and read what is below "permitted/":
+        AccessList,  // by acl_file, which accepts every subscription and then does not deliver the rest
         Guarded      // by the dynamic-security plugin, which refuses the subscription
     };
 
     [[nodiscard]] static bool isInstalled();
-    [[nodiscard]] static bool canBeGuarded();  // the plugin is there
+    [[nodiscard]] static bool canBeGuarded();  // the plugin is installed
     explicit MqttBroker(Door door = Door::Open);
 
-    // True when it listens; after stop() or kill() on the same port again.
+    // True when it listens. After stop() or kill() it uses the same port again.
     [[nodiscard]] bool start();
     void stop();
     void kill();
 
     [[nodiscard]] std::uint16_t port() const { return m_port; }
     [[nodiscard]] QString caFile() const { return file("ca.pem"); }
-    [[nodiscard]] QString strangersCaFile() const { return file("stranger.pem"); }  // which signed nothing here
-    // Of its log so far.
+    [[nodiscard]] QString strangersCaFile() const { return file("stranger.pem"); }  // this CA signed nothing here
+    // The log of the broker so far.
     [[nodiscard]] QString log() const { return m_process ? m_process->errors() : QString(); }
     [[nodiscard]] qsizetype count(const char* text) const { return log().count(QLatin1String(text)); }
 

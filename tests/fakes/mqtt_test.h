@@ -7,7 +7,7 @@
 
 #include <memory>
 
-// A test with the real mosquitto; skipped where that is not installed.
+// A test with the real mosquitto. It is skipped where mosquitto is not installed.
 namespace boresight::fakes {
 
 class MqttTest : public testing::Test
@@ -22,7 +22,7 @@ protected:
         }
         prepare();
     }
-    // What comes before each test of a fixture.
+    // Is called before each test of a fixture.
     virtual void prepare() {}
 
     // True when it listens.

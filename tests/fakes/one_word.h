@@ -4,8 +4,9 @@
 #include <QCoreApplication>
 #include <QTranslator>
 
-// While it lives, every text of the core is the same word. What decides by a text decides wrongly then. The arguments
-// of the texts have no place in it: what Qt says about each of them is dropped. Needs a QCoreApplication.
+// While an object exists, every text of the core is the same word. A decision that depends on a text goes wrong then.
+// The word has no place for the arguments of the texts, so the warnings of Qt about them are dropped. Needs a
+// QCoreApplication.
 namespace boresight::fakes {
 
 class OneWord : public QTranslator

@@ -9,7 +9,7 @@
 
 #include <vector>
 
-// A rotctld that a test plays: it answers each p with the text that the test has set, and keeps what it was sent.
+// A rotctld that the test controls. It answers each p with the text that the test has set, and keeps what it received.
 namespace boresight::fakes {
 
 class PlayingRotctld
@@ -45,14 +45,14 @@ public:
         }
         m_sockets.clear();
     }
-    // Nobody is accepted any more.
+    // Accepts no more connections.
     void vanish()
     {
         m_server.close();
         dropAll();
     }
 
-    QByteArray answer = "120.000000\n30.000000\n";  // empty: it is silent
+    QByteArray answer = "120.000000\n30.000000\n";  // empty: it stays silent
     QByteArray heard;
 
 private:

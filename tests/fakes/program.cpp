@@ -50,7 +50,7 @@ void Program::type(const QByteArray& text)
 QStringList Program::lines() const
 {
     QStringList all = output().split(QLatin1Char('\n'));
-    all.removeLast();  // not ended yet, or empty
+    all.removeLast();  // an incomplete or empty line
     return all;
 }
 

@@ -5,7 +5,7 @@
 #include <QString>
 #include <QStringList>
 
-// A program started as a shell would, with what it printed. Killed when it goes out of scope. Waiting runs the event
+// A program started as from a shell, with its output. It is killed when it goes out of scope. Waiting runs the event
 // loop.
 namespace boresight::fakes {
 
@@ -19,17 +19,17 @@ public:
 
     // True once a line of standard output begins with `text`.
     [[nodiscard]] bool waitForLine(const QString& text);
-    // True once standard error holds `text`.
+    // True once standard error contains `text`.
     [[nodiscard]] bool waitForError(const QString& text);
-    // The exit status; -1 if the program crashed, was killed or does not end.
+    // The exit status, or -1 if the program crashed, was killed or does not end.
     [[nodiscard]] int waitForEnd();
-    void type(const QByteArray& text);           // and no more: the end of standard input
+    void type(const QByteArray& text);           // and then ends standard input
     void terminate() { m_process.terminate(); }  // SIGTERM
     void kill() { m_process.kill(); }            // SIGKILL
 
     [[nodiscard]] QString output() const { return QString::fromUtf8(m_output); }
     [[nodiscard]] QString errors() const { return QString::fromUtf8(m_errors); }
-    // Whole lines of standard output so far.
+    // The complete lines of standard output so far.
     [[nodiscard]] QStringList lines() const;
 
 private:

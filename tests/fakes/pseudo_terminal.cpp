@@ -25,8 +25,8 @@ void PseudoTerminal::write(const QByteArray& bytes)
     EXPECT_EQ(::write(m_device.number(), bytes.constData(), static_cast<std::size_t>(bytes.size())), bytes.size());
 }
 
-// The kernel gives the number to the next terminal as soon as both ends are closed, and QSerialPort closes its end
-// before it removes its lock file: another test could then find its new terminal locked. So the number is kept.
+// The kernel gives the number to the next terminal as soon as both ends are closed. QSerialPort closes its end before
+// it removes its lock file, so another test could find its new terminal locked. Therefore the number is kept in use.
 void PseudoTerminal::unplug()
 {
     m_numberKeeper = FileDescriptor(open(m_path.toLocal8Bit().constData(), O_RDWR | O_NOCTTY | O_CLOEXEC));
@@ -41,7 +41,7 @@ void PseudoTerminal::read()
     if (size > 0) {
         written.append(buffer.data(), static_cast<qsizetype>(size));
     } else {
-        m_notifier->setEnabled(false);  // the code under test closed its end: EIO until it opens again
+        m_notifier->setEnabled(false);  // the code under test closed its end: EIO until it opens it again
     }
 }
 

@@ -10,8 +10,8 @@
 #include <memory>
 #include <utility>
 
-// A pseudo-terminal whose far end is in the test's hand: what stands behind /dev/… for the code under test. Raw mode;
-// everything the code writes is collected in `written`.
+// A pseudo-terminal. The test holds the far end. For the code under test it is a serial device /dev/…. Raw mode.
+// Everything that the code writes is collected in `written`.
 namespace boresight::fakes {
 
 class PseudoTerminal

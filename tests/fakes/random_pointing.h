@@ -6,10 +6,10 @@
 #include <cmath>
 #include <random>
 
-// Random pointing models and directions for tests, many of them where it is difficult: the zenith.
+// Random pointing models and directions for tests. Many directions are near the zenith, the difficult part.
 namespace boresight::fakes {
 
-// Between two directions on the sky, in degrees; exact for small ones too.
+// Angle between two directions on the sky, in degrees. It is exact for small angles too.
 inline double separation(const SkyPointing& a, const SkyPointing& b)
 {
     const double ea = a.elevation.radians();
@@ -29,7 +29,7 @@ public:
     double uniform(double min, double max) { return std::uniform_real_distribution<double>(min, max)(m_random); }
     Angle degrees(double min, double max) { return Angle::fromDegrees(uniform(min, max)); }
 
-    // `size` 1: tilt to 3°, collimation to 2°, the rest to 1°. Every term is missing now and then.
+    // With `size` 1: tilt up to 3°, collimation up to 2°, the rest up to 1°. From time to time a term is 0.
     pointing::PointingTerms terms(double size = 1.0)
     {
         const auto upTo = [&](double most) { return uniform(0, 4) < 1 ? Angle{} : degrees(-most * size, most * size); };
@@ -46,7 +46,8 @@ public:
     SkyPointing direction() { return {.azimuth = degrees(-450, 450), .elevation = elevation()}; }
 
 private:
-    // Anything from below the horizon to it again, and a third each within 5° and 1e-6° of the zenith.
+    // A third each: from below the horizon over the top to below the horizon, within 5° of the zenith, within 1e-6° of
+    // it.
     Angle elevation()
     {
         const double kind = uniform(0, 3);

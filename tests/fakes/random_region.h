@@ -8,8 +8,8 @@
 #include <random>
 #include <string>
 
-// Regions of all kinds for tests that walk at random, and what is forbidden in them, reckoned afresh in degrees and as
-// plainly as it is meant. Degrees throughout.
+// Random regions of all kinds for tests with random walks. What they forbid is computed independently of the core, in a
+// simple way. All values in degrees.
 namespace boresight::fakes {
 
 class RandomRegion
@@ -103,8 +103,8 @@ inline double horizonAt(const pointing::Region& region, double azimuth)
     return -3600.0;
 }
 
-// How deep a place is inside of what is forbidden: how far the axes would have to go, straight up or sideways, to leave
-// the worst of it. Zero or less where it is permitted.
+// The depth of a place inside the forbidden area: how far the axes must go, straight up or sideways, to leave its worst
+// part. Zero or less where the place is permitted.
 inline double depthInside(const pointing::Region& region, const AxisPosition& place,
                           const pointing::PointingModel& model = {})
 {
@@ -118,7 +118,7 @@ inline double depthInside(const pointing::Region& region, const AxisPosition& pl
     for (const pointing::KeepOut& keepOut : region.keepOuts) {
         const double width = (keepOut.azimuthTo - keepOut.azimuthFrom).wrapped360().degrees();
         const double into = (beam.azimuth - keepOut.azimuthFrom).wrapped360().degrees();
-        const double sideways = std::min(into, width - into);  // negative beside it
+        const double sideways = std::min(into, width - into);  // negative beside the keep-out
         const double upwards =
             std::min(elevation - keepOut.elevationMin.degrees(), keepOut.elevationMax.degrees() - elevation);
         depth = std::max(depth, std::min(sideways, upwards));

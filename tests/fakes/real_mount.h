@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
-// What a program needs on its command line to move the reference mount on a real bus: a profile in which somebody has
-// confirmed the directions, and where the mount stands.
+// The command line options to move the reference mount on a real bus: a profile with confirmed directions, and the
+// position of the mount.
 namespace boresight::fakes {
 
 inline QStringList confirmedMount(const QString& folder, const QString& bus, profile::Profile profile = {})
@@ -21,7 +21,7 @@ inline QStringList confirmedMount(const QString& folder, const QString& bus, pro
     return {QStringLiteral("--profile"), path};
 }
 
-// `place` as AZ,EL: somebody has looked just now.
+// `place` as AZ,EL, with the present time as the time when the operator looked.
 inline QStringList standingAt(const QString& place)
 {
     return {QStringLiteral("--standing-at"),

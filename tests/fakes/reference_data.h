@@ -4,14 +4,14 @@
 #include <string>
 #include <vector>
 
-// Published files that are not ours to hand on: they lie beside the checkout, or in the folder that the environment
-// variable BORESIGHT_REFERENCE_DATA names.
+// Published files that we may not redistribute. They lie beside the checkout, or in the folder named by the environment
+// variable BORESIGHT_REFERENCE_DATA.
 namespace boresight::fakes {
 
 [[nodiscard]] std::string referencePath(const std::string& name);
 [[nodiscard]] bool hasReference(const std::string& name);
 [[nodiscard]] std::string referenceText(const std::string& name);
-// Without comments that begin with "#". Each is cut at the commas.
+// The rows without comments that begin with "#", each split at the commas.
 [[nodiscard]] std::vector<std::vector<std::string>> referenceRows(const std::string& name);
 
 }  // namespace boresight::fakes

@@ -16,8 +16,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr double kThere = 0.3;  // degrees
-constexpr auto kQuiet = 10ms;   // nothing more comes after a reply
+constexpr double kThere = 0.3;  // degrees: near enough to count as arrived
+constexpr auto kQuiet = 10ms;   // silence of this length ends a reply
 
 std::string bytes(const QJsonValue& text)
 {
@@ -35,7 +35,7 @@ const QRegularExpression& decimalNumber()
     return expression;
 }
 
-// Every decimal number replaced by the number of its decimals.
+// Replaces every decimal number by the number of its decimals.
 QString shape(const QString& reply)
 {
     QString result;
@@ -169,7 +169,7 @@ std::string RotctldCaseRunner::run(const QJsonObject& exchange)
     return {};
 }
 
-// The last step of a client that then shuts down its sending side and reads to the end.
+// The last step of a client that shuts down its sending side and then reads to the end.
 std::string RotctldCaseRunner::playToTheEnd(const QJsonObject& step)
 {
     for (const auto& chunk : step[QStringLiteral("send")].toArray()) {
@@ -284,7 +284,7 @@ bool RotctldCaseRunner::moves(const QString& axis, const QString& sign)
         if (change > kSeen) {
             return true;
         }
-        before = change < 0.0 ? now : before;  // still going the other way
+        before = change < 0.0 ? now : before;  // still moving in the other direction
     }
     return false;
 }

@@ -13,9 +13,9 @@
 #include <string>
 #include <vector>
 
-// Plays one recorded exchange of tests/data/rotctld_cases.json against a rotctld server and compares the replies as its
-// `compare` says. Everything goes over TCP, also driving the mount to where a case begins, so the same runner serves a
-// server in this process with a hand-turned clock and a program elsewhere.
+// Plays one recorded exchange of tests/data/rotctld_cases.json against a rotctld server, and compares the replies by
+// its `compare` rule. Everything goes over TCP, also the motion to the starting position of a case. So the same runner
+// serves a server in this process with a hand-turned clock, and another program.
 namespace boresight::fakes {
 
 struct CaseTarget
@@ -23,7 +23,7 @@ struct CaseTarget
     std::string host;
     std::uint16_t port = 0;
     TcpPeer::Pump pump;                                                   // see TcpPeer
-    std::function<void(std::chrono::milliseconds)> elapse;                // lets the mount's time go on
+    std::function<void(std::chrono::milliseconds)> elapse;                // advances the mount's time
     std::chrono::milliseconds patience = std::chrono::milliseconds(500);  // for a reply that does not come as expected
 };
 
@@ -32,7 +32,7 @@ class RotctldCaseRunner
 public:
     explicit RotctldCaseRunner(CaseTarget target) : m_target(std::move(target)) {}
 
-    // Empty when the case passed, else what was sent, expected and received.
+    // Empty when the case passed, else the text of what was sent, expected and received.
     [[nodiscard]] std::string run(const QJsonObject& exchange);
 
 private:

@@ -14,7 +14,7 @@ using namespace boresight::calibration;
 
 constexpr double kAssumedLatency = 0.5;  // s
 constexpr double kGravity = 9.81;        // m/s²
-constexpr double kGravityStep = 0.01;    // m/s², the sensor's
+constexpr double kGravityStep = 0.01;    // m/s², resolution of the sensor
 constexpr double kGravityNoise = 0.02;   // m/s² rms
 constexpr double kSteelWidth = 30.0;
 
@@ -33,7 +33,7 @@ double rounded(double value, double step)
     return std::round(value / step) * step;
 }
 
-// What stays of an azimuth after the iron: the field along the box and across it, bent.
+// The azimuth that the compass shows with the iron: the field along the box and across it, deflected.
 double bent(const SwungMount& mount, double heading)
 {
     const double forward = std::cos(radians(heading));
@@ -62,7 +62,7 @@ Vector direction(const SkyPointing& sky)
     return {std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth), std::sin(elevation)};
 }
 
-// The angle between the box's z axis, which is upright while the boom is level, and the vertical.
+// The angle between the vertical and the z axis of the box, which is upright while the boom is level.
 double levelReading(const SwungMount& mount, double azimuth, double elevation, std::mt19937_64& random)
 {
     const pointing::PointingModel model(mount.terms);

@@ -17,7 +17,7 @@ namespace {
 
 using SteadyClock = std::chrono::steady_clock;
 
-constexpr int kLooks = 200;  // a computer that was busy elsewhere for all of the patience has looked once
+constexpr int kLooks = 200;  // a computer that was busy during the whole patience has looked only once
 
 }  // namespace
 
@@ -27,7 +27,7 @@ TcpPeer::TcpPeer(const std::string& host, std::uint16_t port, Pump pump) : m_pum
     address.sin_family = AF_INET;
     address.sin_port = htons(port);
     ::inet_pton(AF_INET, host.c_str(), &address.sin_addr);
-    // Connecting may block: the kernel completes it from the backlog without the server's help.
+    // Connecting may block: the kernel completes it from the backlog without the server.
     m_fd = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
     const void* const untyped = &address;
     if (::connect(m_fd, static_cast<const sockaddr*>(untyped), sizeof address) != 0) {

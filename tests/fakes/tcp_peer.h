@@ -8,8 +8,9 @@
 #include <string_view>
 #include <vector>
 
-// The client's end of a TCP connection for tests: a plain socket which shows segments as they come. `pump` runs between
-// looks; with a server on the same thread it turns the event loop, with one elsewhere it may sleep a millisecond.
+// The client's end of a TCP connection for tests: a plain socket that shows the segments as they arrive. `pump` is
+// called between two looks. It runs the event loop if the server is on the same thread, and may sleep for a millisecond
+// if not.
 namespace boresight::fakes {
 
 class TcpPeer
@@ -24,15 +25,15 @@ public:
     TcpPeer& operator=(const TcpPeer&) = delete;
 
     [[nodiscard]] bool connected() const { return m_fd >= 0; }
-    // Sends all of it unless the server closes; gives up when nothing moves for `patience`.
+    // Sends everything unless the server closes. Gives up when nothing is accepted for `patience`.
     bool send(std::string_view bytes, std::chrono::milliseconds patience = std::chrono::seconds(30));
     void endSending();
     void reset();  // closes with RST
-    // Reads until `enough` likes what has come and then nothing for `quiet`; at most `patience` for the first part, and
-    // many looks.
+    // Reads until `enough` accepts the received text and then nothing comes for `quiet`. The first part takes at most
+    // `patience` and a minimum number of looks.
     std::string receive(const Enough& enough, std::chrono::milliseconds quiet, std::chrono::milliseconds patience);
-    std::string receiveLines(int count);  // until so many line feeds have come
-    // One command, and its reply of so many lines, or of the one line that refuses it.
+    std::string receiveLines(int count);  // until this number of line feeds has arrived
+    // Sends one command. Returns its reply of `lines` lines, or the single line that refuses it.
     std::string ask(std::string_view command, int lines = 1);
     std::string receiveUntilClosed(std::chrono::milliseconds patience = std::chrono::seconds(5));
     [[nodiscard]] bool closedByServer();                                                   // looks without waiting long

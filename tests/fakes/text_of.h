@@ -7,7 +7,7 @@
 
 namespace boresight {
 
-// What an error says, in the form that gtest compares and prints.
+// The text of an error, in the form that gtest compares and prints.
 [[nodiscard]] inline std::string textOf(const Error& error)
 {
     return error.text.toStdString();

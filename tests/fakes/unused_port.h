@@ -5,7 +5,7 @@
 #include <QTcpServer>
 #include <QUdpSocket>
 
-// A port of this computer that nobody has now. 0: there is none.
+// A free port of this computer, or 0 if there is none.
 namespace boresight::fakes {
 
 [[nodiscard]] inline quint16 unusedPort()

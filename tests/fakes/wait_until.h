@@ -8,9 +8,9 @@
 #include <chrono>
 #include <functional>
 
-// Runs the event loop until `condition` holds, looking at it after each event and every 20 ms: what it looks at may be
-// another thread's or another program's. It may run the event loop itself. The limit is only ever reached by a failing
-// test, so it has room for a machine that is twenty times slower than usual.
+// Runs the event loop until `condition` holds. Checks it after each event and every 20 ms, because it may depend on
+// another thread or program. The condition may run the event loop itself. Only a failing test reaches the limit, which
+// leaves room for a computer that is twenty times slower than usual.
 namespace boresight::fakes {
 
 [[nodiscard]] inline bool waitUntil(const std::function<bool()>& condition,

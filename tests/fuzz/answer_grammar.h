@@ -5,7 +5,7 @@
 
 namespace boresight::fuzz {
 
-// What servers answer when they are asked for element sets: status, headers and content.
+// The answers of servers to a request for element sets: status, headers and content.
 [[nodiscard]] Grammar answerGrammar();
 
 }  // namespace boresight::fuzz

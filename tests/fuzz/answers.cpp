@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// REQ-ELEMENTWEB-951 (Fuzz.answers): What REQ-ELEMENTWEB-950 has holds for whatever status, headers and content come to
-// Boresight, in pieces, cut, without an end or larger than is accepted, and whatever was in the cache before.
+// REQ-ELEMENTWEB-951 (Fuzz.answers): REQ-ELEMENTWEB-950 holds for any status, headers and content that Boresight
+// receives, in pieces, cut, without an end or too large, and for any earlier content of the cache.
 #include "core/element_web/element_web.h"
 #include "tests/fakes/hand_turned_timers.h"
 #include "tests/fakes/manual_clock.h"
@@ -22,10 +22,10 @@ namespace {
 
 using namespace boresight::orbit;
 
-constexpr std::size_t kOneForEver = 5'000;  // of so many answers, which costs as much as 500 others
+constexpr std::size_t kOneForEver = 5'000;  // one of this number of answers never ends, and costs as much as 500 others
 constexpr int kMostLooks = 100'000;
 
-// One cache for all inputs. Each goes on from what the one before has left.
+// One cache for all inputs. Each input continues with the result of the previous one.
 class Answers
 {
 public:
@@ -56,7 +56,7 @@ public:
     }
 
 private:
-    // Until the end, or until nothing more is said. Then the silence is too long.
+    // Runs to the end, or until nothing more is sent. Then the time limit for silence has passed.
     void finish()
     {
         for (int looks = 0; m_web->isBusy(); ++looks) {
@@ -71,7 +71,7 @@ private:
 
     fakes::ManualClock m_clock;
     QTemporaryDir m_folder{memoryFolder(QStringLiteral("fuzz_answers"))};
-    // Of this computer: for others Qt asks the system for its proxy, in a thread of its own.
+    // An address on this computer: for others Qt looks up the system's proxy in a separate thread.
     ElementAddress m_address = *parseElementAddress("http://127.0.0.1/a");
     DownloadPromises m_promises{m_folder.path(), m_address};
     SpokenNetwork* m_network = nullptr;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// azel.dat: any bytes to readAzelText(); what it accepts is a place in the sky at a time of the day.
+// azel.dat: gives any bytes to readAzelText(). An accepted text is a direction in the sky at a time of day.
 #include "core/azel/azel_text.h"
 #include "core/base/control_characters.h"
 #include "tests/fuzz/harness.h"

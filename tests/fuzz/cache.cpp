@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// REQ-ELEMENTWEB-952 (Fuzz.cache): Whatever the file beside the downloaded elements has, what is read of it is in
-// range: headers of one line, a problem that is short and printable, times and failures that make sense. Written, it
-// reads back as it was.
+// REQ-ELEMENTWEB-952 (Fuzz.cache): Whatever the state file of the downloaded elements contains, the values read from it
+// are in range: headers of one line, a short printable problem, valid times and numbers of failures. Written and read
+// again they are the same.
 #include "core/base/control_characters.h"
 #include "core/element_web/element_cache.h"
 #include "tests/fuzz/harness.h"
@@ -21,7 +21,7 @@ void write(const QString& path, const QByteArray& bytes)
     require(file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size(), "the test can write");
 }
 
-// With elements beside it and without.
+// With a file of elements and without one.
 class Cache
 {
 public:

@@ -2,8 +2,8 @@
 // REQ-POWER-02 (Fuzz.calibration)
 // REQ-CALIBRATION-19 (Fuzz.calibration)
 // REQ-CALIBRATION-20 (Fuzz.calibration)
-// The file of a mount's calibrations: any bytes to parseHistory(); what it accepts can be written, and then reads back
-// as the same text. So for the terms of a pointing model, parseTerms(). And any line to parsePower().
+// The calibration file of a mount: gives any bytes to parseHistory(). An accepted file can be written, and then reads
+// back as the same text. The same for the terms of a pointing model with parseTerms(), and any line for parsePower().
 #include "core/base/control_characters.h"
 #include "core/calibration/record_text.h"
 #include "core/calibration/terms_text.h"

@@ -43,10 +43,10 @@ SharedProgress shareProgress()
         std::perror("mmap");
         std::exit(EXIT_FAILURE);
     }
-    return SharedProgress(new (memory) Progress);  // placed in the mapping; Unmap gives it back
+    return SharedProgress(new (memory) Progress);  // placed in the mapping; Unmap releases it
 }
 
-// SIGPROF, or SIGALRM, ends a process that does not begin the next input in time.
+// SIGPROF or SIGALRM ends a process that does not begin the next input in time.
 void beginWatch(const Campaign& campaign)
 {
     const itimerval most{.it_interval = {}, .it_value = {.tv_sec = campaign.mostProcessorTime.count(), .tv_usec = 0}};
@@ -95,7 +95,7 @@ Outcome run(const Campaign& campaign)
     const pid_t child = fork();
     if (child == 0) {
         feedAll(campaign, *progress);
-        std::exit(EXIT_SUCCESS);  // through the leak check
+        std::exit(EXIT_SUCCESS);  // so that the leak check runs
     }
     int status = 0;
     if (child < 0 || waitpid(child, &status, 0) != child) {

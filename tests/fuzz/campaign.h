@@ -7,16 +7,16 @@
 #include <optional>
 #include <string>
 
-// Many inputs in a row, fed in a process of their own: whatever ends it (a broken promise, a sanitizer, a signal, an
-// input that takes too long) leaves the guilty input behind.
+// Runs many inputs in a separate process. If anything ends it (a broken promise, a sanitizer, a signal, an input that
+// takes too long), the guilty input is known.
 namespace boresight::fuzz {
 
 struct Campaign
 {
     std::size_t inputs = 20'000;
     std::uint64_t seed = 1;
-    // For one input. Processor time does not depend on what else the machine does: a thousand times what the slowest
-    // input takes under ThreadSanitizer. The other one is for an input that waits for ever.
+    // Limits for one input. The processor time does not depend on other load of the computer: it is a thousand times
+    // that of the slowest input under ThreadSanitizer. The other limit is for an input that waits for ever.
     std::chrono::seconds mostProcessorTime{30};
     std::chrono::seconds longest{600};
 };
@@ -24,7 +24,7 @@ struct Campaign
 struct Failure
 {
     std::size_t number =
-        0;  // of the input, from 0; equal to the wanted inputs if the process failed at its end (a leak)
+        0;  // index of the input, from 0; equal to the number of inputs if the process failed at its end (a leak)
     std::string input;
     std::string how;  // "ended by signal 6"
 };

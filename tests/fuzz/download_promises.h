@@ -10,8 +10,8 @@
 
 #include <optional>
 
-// What a download promises, whatever was answered: it ends in a stored answer with element sets, or in one short
-// printable problem, and what was stored before is never replaced by something without sets.
+// The promises of a download, whatever the answer is. It ends with a stored answer that has element sets, or with one
+// short printable problem. An earlier stored answer is never replaced by one without sets.
 namespace boresight::fuzz {
 
 class DownloadPromises
@@ -20,7 +20,7 @@ public:
     DownloadPromises(const QString& folder, const orbit::ElementAddress& address) : m_cache(folder), m_address(address)
     {}
 
-    // After each answer. `asked`: when the server was. Empty: no server was found.
+    // Called after each answer. `asked` is the time of the request. Empty: no server was found.
     void check(bool isStored, const QStringList& problems, const std::optional<UtcTime>& asked);
 
 private:
@@ -29,7 +29,7 @@ private:
 
     orbit::ElementCache m_cache;
     orbit::ElementAddress m_address;
-    QByteArray m_before;  // what the answer before has left
+    QByteArray m_before;  // left by the previous answer
     std::optional<UtcTime> m_lastTry;
 };
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// REQ-ELEMENTWEB-950 (Fuzz.downloads): Whatever a server answers ends in a stored answer with element sets, or in one
-// short printable problem with what the cache has. What was stored before is never replaced by something without sets.
+// REQ-ELEMENTWEB-950 (Fuzz.downloads): Every answer of a server ends with a stored answer that has element sets, or
+// with one short printable problem while the cache is used. An earlier stored answer is never replaced by one without
+// sets.
 //
-// Here the answer goes through a socket and Qt's own reading of it. An answer without an end costs half a second, so
-// these are few. What Boresight makes of an answer is tried in answers.cpp.
+// Here the answer goes through a socket and Qt's own reading. An answer without an end costs half a second, so there
+// are few inputs. answers.cpp tests what Boresight does with an answer.
 #include "core/element_web/element_web.h"
 #include "tests/fakes/canned_web.h"
 #include "tests/fakes/hand_turned_timers.h"
@@ -25,7 +26,7 @@ namespace {
 
 using namespace boresight::orbit;
 
-// One server and one cache for all inputs, as one that is asked for years.
+// One server and one cache for all inputs, as after years of requests.
 class Downloads
 {
 public:
@@ -44,7 +45,7 @@ public:
         m_web.setAddresses({m_address});
         const UtcTime asked = m_clock.utc();
         while (m_web.isBusy()) {
-            // An answer that ends within the head of a chunk has no end for Qt. We give up after a silence.
+            // For Qt an answer that ends within the head of a chunk has no end. The download gives up after a silence.
             m_patience.start(kPatience);
             m_loop.exec();
             if (m_web.isBusy()) {
@@ -86,7 +87,7 @@ Grammar grammar()
     return answerGrammar();
 }
 
-// No other computer is asked.
+// No other computer is contacted.
 void feed(std::span<const std::uint8_t> input)
 {
     const std::string_view text = asText(input);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Element sets: any bytes to readElements(); what it accepts is an orbit that SGP4 can compute or refuse.
+// Element sets: gives any bytes to readElements(). An accepted set is an orbit that SGP4 can compute or refuse.
 #include "core/base/control_characters.h"
 #include "core/elements/element_check.h"
 #include "core/elements/element_reader.h"
@@ -55,7 +55,7 @@ constexpr std::string_view kSatdataText =
     "TLE1=1 25544U 98067A   24130.36689744  .00016024  00000+0  27777-3 0  9992\n"
     "TLE2=2 25544  51.6381 147.8590 0003466 150.4670 338.5502 15.51043222452521\nSTATUS=1\n";
 
-// The checksum of each line that has one. Gpredict's stand behind a key.
+// Corrects the checksum of each line that has one. In Gpredict's files the line follows a key.
 void sumLines(std::string& text)
 {
     constexpr std::string_view kKey = "TLE1=";
@@ -86,7 +86,7 @@ void checkProblems(const ElementList& list, int lines)
 
 void checkOrbit(const ElementSet& set)
 {
-    constexpr double kLeastRadius = 6378.0;  // km, below which a satellite has decayed
+    constexpr double kLeastRadius = 6378.0;  // km: a satellite below has decayed
     const Sgp4 orbit(set);
     for (const double minutes : {0.0, 1440.0, -100'000.0}) {
         const OrbitResult state = orbit.propagate(minutes);
@@ -184,7 +184,8 @@ Grammar grammar()
 void feed(std::span<const std::uint8_t> input)
 {
     const std::string_view text = asText(input);
-    const auto endsLine = [](char character) { return character == '\n' || character == '\r'; };  // both in XML
+    // in XML both end a line
+    const auto endsLine = [](char character) { return character == '\n' || character == '\r'; };
     const auto lines = static_cast<int>(std::ranges::count_if(text, endsLine)) + 1;
     const ElementList list = readElements(text);
     checkProblems(list, lines);

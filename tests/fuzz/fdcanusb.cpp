@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What an adapter says: any bytes through the line splitter, the line protocol and a real FdcanusbLink behind a
-// pseudo-terminal, which must count exactly what the lines hold.
+// The output of an adapter: gives any bytes to the line splitter, the line protocol and a real FdcanusbLink behind a
+// pseudo-terminal. The link must count exactly the contents of the lines.
 #include "core/base/control_characters.h"
 #include "core/can/fdcanusb_link.h"
 #include "core/can/fdcanusb_protocol.h"
@@ -28,7 +28,7 @@ namespace {
 
 using namespace boresight::fdcanusb;
 
-constexpr std::size_t kFdcanusbMaxInput = 1200;  // several lines, one of them overlong; far below what a terminal holds
+constexpr std::size_t kFdcanusbMaxInput = 1200;  // several lines, one of them too long; far less than a terminal holds
 constexpr std::array<std::uint8_t, 3> kLastWords{0x5a, 0xa5, 0x5a};
 
 struct Lines
@@ -82,7 +82,7 @@ void checkFrame(const CanFrame& frame)
     require(sent && *sent == expected, "a sent frame reads at the adapter as it was");
 }
 
-// Frames and unreadable lines in one input.
+// The number of frames and unreadable lines in one input.
 struct Tally
 {
     std::uint64_t frames = 0;
@@ -105,7 +105,7 @@ void checkLine(const std::string& line, Tally& tally)
     }
 }
 
-// One link for all inputs, as one adapter that talks on and on.
+// One link for all inputs, as for an adapter that sends all the time.
 class Adapter
 {
 public:
@@ -152,7 +152,7 @@ private:
         return frame;
     }
 
-    // The link speaks in whole lines and restarts the adapter's controller at most once a second.
+    // The link sends whole lines, and restarts the adapter's controller at most once a second.
     void checkWritten()
     {
         m_heard += m_terminal.takeWritten();
@@ -184,7 +184,7 @@ Adapter& adapter()
     return one;
 }
 
-// Each line that has a checksum gets the right one.
+// Corrects the checksum of each line that has one.
 void repairChecksums(std::string& text)
 {
     std::string repaired;

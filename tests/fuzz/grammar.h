@@ -6,18 +6,18 @@
 #include <string>
 #include <vector>
 
-// What the mutator knows of one kind of input. Bytes, text or not, are held as std::string.
+// The mutator's knowledge about one kind of input. Bytes of text and of binary inputs are in std::string.
 namespace boresight::fuzz {
 
 struct Grammar
 {
     std::vector<std::string> corpus;  // valid inputs, not empty
-    std::vector<std::string> tokens;  // words of the language, not empty; also numbers at their extremes
+    std::vector<std::string> tokens;  // words of the language, not empty; also extreme numbers
     std::string separators;           // bytes between words; empty for binary input
     std::size_t maxLength = 1024;
-    // Each further mutation of one input is this likely, in percent.
+    // The probability of each further mutation of an input, in percent.
     unsigned persistence = 50;
-    // Makes lengths and checksums right again, so that damage gets past them; most inputs are repaired.
+    // Corrects lengths and checksums, so that damaged inputs pass these checks. Most inputs are corrected.
     std::function<void(std::string&)> repair;
 };
 

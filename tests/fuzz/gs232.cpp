@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a box on a serial port says: any bytes through the conversation with it and the reading of its lines.
+// The output of a control box on a serial port: gives any bytes to the conversation with it and to the reading of its
+// lines.
 #include "core/base/control_characters.h"
 #include "core/gs232/box_reply.h"
 #include "core/gs232_mount/box_talk.h"
@@ -23,7 +24,7 @@ bool isPossible(const std::optional<Angle>& angle)
     return !angle || (std::isfinite(angle->degrees()) && angle->degrees() >= -180.0 && angle->degrees() <= 540.0);
 }
 
-// False: it was not understood.
+// Returns false if the line was not understood.
 bool checkLine(std::string_view line)
 {
     const Reply reply = parseReply(line);
@@ -37,7 +38,7 @@ bool checkLine(std::string_view line)
     return true;
 }
 
-// All lines of it.
+// Checks all lines.
 bool checkLines(std::string_view bytes)
 {
     bool understood = true;
@@ -60,7 +61,7 @@ void checkSent(const BoxTalk& talk, Proof before, const std::string& sent)
             "what is shown is printable and short");
 }
 
-// In pieces of this size, one each tick.
+// In pieces of this size, one in each tick.
 Proof talked(std::string_view bytes, std::size_t piece)
 {
     BoxTalk talk(Question::Both, 9600);

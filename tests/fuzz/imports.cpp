@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is brought in from other programs: any bytes to parseHorizon(), parseQth() and fromLocator(); what they accept
-// is fit for a profile.
+// Imports from other programs: gives any bytes to parseHorizon(), parseQth() and fromLocator(). An accepted result is
+// valid in a profile.
 #include "core/base/control_characters.h"
 #include "core/gpredict/gpredict_qth.h"
 #include "core/pointing/skyline.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The same harness under clang's libFuzzer, which finds its way by coverage (README.md).
+// The same harness under clang's libFuzzer, which is guided by code coverage (README.md).
 #include "tests/fuzz/harness.h"
 
 #include <cstddef>

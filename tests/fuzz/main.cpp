@@ -24,7 +24,8 @@
 namespace boresight::fuzz {
 namespace {
 
-// A campaign whose inputs are nearly all refused, or nearly all unharmed, tests little. Few inputs prove no share.
+// A campaign with nearly all inputs refused, or nearly all unharmed, tests little. Few inputs do not prove a
+// percentage.
 constexpr double kLeastAccepted = 5.0;  // percent
 constexpr double kMostAccepted = 60.0;
 constexpr std::size_t kEnoughForShare = 5'000;
@@ -96,7 +97,7 @@ int feedMany(const std::string& name, const Campaign& campaign)
 int main(int count, char** words)
 {
     using namespace boresight;
-    QLoggingCategory::setFilterRules(QStringLiteral("boresight.*=false"));  // a million inputs have much to say
+    QLoggingCategory::setFilterRules(QStringLiteral("boresight.*=false"));  // a million inputs would log too much
     const auto given = fuzz::options(count, words);
     if (!given) {
         return fuzz::usage();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The file of a mount's memory (turn journal and crash stops): any bytes to parseMemory(); what it accepts is written
-// and must read back equal, and no damage may change a value unnoticed.
+// The memory file of a mount (position journal and crash stops): gives any bytes to parseMemory(). An accepted file is
+// written and must read back equal, and no damage may change a value unnoticed.
 #include "core/base/control_characters.h"
 #include "core/memory/memory_text.h"
 #include "tests/fakes/text_of.h"
@@ -18,7 +18,7 @@ namespace {
 
 using namespace boresight::memory;
 
-constexpr std::size_t kMemoryMaxInput = 3000;  // a full file has some 1600 bytes
+constexpr std::size_t kMemoryMaxInput = 3000;  // a full file has about 1600 bytes
 
 void checkReason(const std::string& reason)
 {
@@ -45,7 +45,7 @@ void checkAccepted(const MountMemory& memory)
     require(toText(*again) == written, "writing it again changes nothing");
 }
 
-// One bit of the text, chosen by the text.
+// Changes one bit of the text, selected by the text itself.
 void checkDamage(QByteArray text, const MountMemory& memory)
 {
     const auto sum = std::accumulate(text.begin(), text.end(), std::size_t{0}, [](std::size_t hash, char byte) {
@@ -87,7 +87,7 @@ std::string textOf(const MountMemory& memory)
     return text->toStdString();
 }
 
-// The checksum is made right again, for otherwise it hides all that lies behind it.
+// Corrects the checksum, because otherwise no later check would be reached.
 void repairChecksum(std::string& text)
 {
     QJsonObject root = QJsonDocument::fromJson(QByteArray::fromStdString(text)).object();

@@ -7,8 +7,7 @@
 
 namespace boresight::fuzz {
 
-// The name of a folder that is made: in memory where this computer has such a place, because each answer is written to
-// a file.
+// The name of a new folder, in memory if this computer has such a place, because each answer is written to a file.
 [[nodiscard]] inline QString memoryFolder(const QString& name)
 {
     const QString memory = QStringLiteral("/dev/shm");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // REQ-MOTEUS-10 (Fuzz.moteus)
-// What drives answer: any frames to the codec, the console client and the station's control, whose next commands must
-// be as sound as if the drives had never lied.
+// The replies of drives: gives any frames to the codec, the console client and the station's control. The next commands
+// of the control must be as valid as with truthful drives.
 #include "core/base/hex.h"
 #include "core/moteus/codec.h"
 #include "core/moteus/diagnostic.h"
@@ -30,10 +30,10 @@ constexpr std::size_t kFrameBytes = 4 + 64;      // identifier and payload, see 
 constexpr std::uint32_t kFirstDriveId = 0x100;   // the reply of drive 1 to the host's motion commands
 constexpr std::uint32_t kSecondDriveId = 0x200;  // of drive 2
 constexpr std::uint32_t kConsoleId = 0x110;      // of drive 1 to the host's console
-constexpr unsigned kMovingBits = 0x0f;           // of the first byte: all zero lets the mount move
-constexpr unsigned kConsoleBit = 0x10;           // which console command is under way
+constexpr unsigned kMovingBits = 0x0f;           // of the first byte: if all are zero the mount may move
+constexpr unsigned kConsoleBit = 0x10;           // a console command is in progress
 
-// After a first byte that chooses the scene, each frame has a byte of length before it.
+// The first byte selects the scene. Then each frame is preceded by its length.
 std::vector<CanFrame> framesOf(std::span<const std::uint8_t> rest)
 {
     std::vector<CanFrame> frames;
@@ -54,7 +54,7 @@ std::string frameBytes(std::uint32_t id, std::span<const std::uint8_t> payload)
     return bytes.append(payload.begin(), payload.end());
 }
 
-// Empty where the frame is no reply or holds nothing.
+// Empty if the frame is no reply or contains nothing.
 std::optional<Reply> checkedReply(const CanFrame& frame)
 {
     const auto reply = decodeReply(frame);
@@ -140,7 +140,7 @@ void checkMotion(std::map<Register, double>& fields, const profile::AxisSettings
     const double speed = std::abs(axis.geometry.toMotor(axis.limits.speed).turns());
     const double fastest = 2.0 * speed;
     require(std::abs(fields[Register::CommandVelocity]) <= fastest, "a commanded velocity is one of the profile");
-    // No place ends it: the watchdog does, and the drive's own position limits.
+    // No position ends the motion: only the watchdog does, and the drive's own position limits.
     if (std::isnan(fields[Register::CommandPosition]) && fields[Register::CommandVelocity] != 0.0) {
         require(std::abs(fields[Register::CommandVelocity]) <= 1.000001 * speed,
                 "a velocity without a position is within the speed of the axis");
@@ -160,7 +160,7 @@ void checkOrders(StationRig& rig, bool asked)
     for (const CanFrame& frame : rig.mount.frames()) {
         require(legalCanLength(frame.size) == frame.size, "a command frame has a legal length");
         auto fields = writesOf(frame);
-        const bool orders = fields.count(Register::Mode) != 0;  // being told its place moves no axis
+        const bool orders = fields.count(Register::Mode) != 0;  // setting the position value of a drive moves no axis
         require(asked || !orders, "nothing is commanded before anybody asked");
         if (const auto mode = fields.find(Register::Mode); mode != fields.end()) {
             const bool moves = static_cast<Mode>(static_cast<int>(mode->second)) == Mode::Position;
@@ -178,7 +178,7 @@ void checkOrders(StationRig& rig, bool asked)
     }
 }
 
-// The replies reach a control that has its drives, and in some scenes moves them.
+// Gives the replies to a control that has its drives and moves them in some scenes.
 void tellStation(std::span<const CanFrame> frames, bool moving)
 {
     StationRig rig;

@@ -14,7 +14,7 @@ constexpr std::size_t kMaxKept = 256;
 constexpr int kMaxMutations = 16;
 constexpr unsigned kRepaired = 85;  // percent
 
-// What number readers have stumbled over.
+// Numbers that often cause errors in readers.
 constexpr std::array kNumbers{
     "0"sv,
     "-0"sv,
@@ -73,8 +73,8 @@ bool isNumberByte(char byte)
 
 Mutator::Mutator(Grammar grammar, std::uint64_t seed) : m_grammar(std::move(grammar)), m_random(seed) {}
 
-// The bias of the remainder does no harm here, and unlike std::uniform_int_distribution it is the same in every
-// library.
+// The small bias of the remainder does no harm here. Unlike std::uniform_int_distribution the result is the same with
+// every library.
 std::size_t Mutator::below(std::size_t count)
 {
     return count == 0 ? 0 : m_random() % count;
@@ -121,7 +121,7 @@ Mutator::Part Mutator::anyPart(const std::string& text, std::size_t longest)
     return {start, std::min(text.size() - start, 1 + below(longest))};
 }
 
-// The word around a random place; empty where a separator stands.
+// The word around a random place. Empty at a separator.
 Mutator::Part Mutator::anyWord(const std::string& text)
 {
     if (m_grammar.separators.empty()) {
@@ -169,14 +169,14 @@ void Mutator::mutateBytes(std::string& text)
         case 1:
             byte = static_cast<char>(below(256));
             return;
-        case 2: {  // a digit for a digit keeps most texts valid
+        case 2: {  // a digit replaced by a digit keeps most texts valid
             const Part number = anyNumber(text);
             if (number.size > 0) {
                 text[number.start + below(number.size)] = static_cast<char>('0' + below(10));
             }
             return;
         }
-        default: {  // over what is there: lengths and offsets stay as they are
+        default: {  // overwrites, so that lengths and offsets stay the same
             const std::string& token = anyToken();
             text.replace(below(text.size()), token.size(), token);
             return;
@@ -245,7 +245,7 @@ void Mutator::exchangeWords(std::string& text)
         std::swap(first, second);
     }
     if (first.start + first.size > second.start) {
-        return;  // the same one
+        return;  // both are the same
     }
     const std::string early = text.substr(first.start, first.size);
     const std::string late = text.substr(second.start, second.size);

@@ -7,9 +7,9 @@
 #include <random>
 #include <string>
 
-// Makes damaged, strange and still valid inputs out of valid ones: bits, bytes, words and numbers are changed, left
-// out, repeated, exchanged and taken from one another. The same grammar, seed and calls give the same inputs
-// everywhere.
+// Makes damaged, strange and valid inputs from valid ones. Bits, bytes, words and numbers are changed, left out,
+// repeated, exchanged, or taken from other inputs. The same grammar, seed and calls give the same inputs on every
+// computer.
 namespace boresight::fuzz {
 
 class Mutator
@@ -18,7 +18,7 @@ public:
     Mutator(Grammar grammar, std::uint64_t seed);
 
     [[nodiscard]] std::string next();
-    // `input` was accepted: later inputs may grow from it.
+    // `input` was accepted: later inputs may be derived from it.
     void keep(const std::string& input);
 
 private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// REQ-TABLES-925 (Fuzz.oem): Any bytes are an OEM or are refused with file, line and a short printable reason. What is
-// accepted leads to directions, or has none for a reason, and nothing outside its usable times.
+// REQ-TABLES-925 (Fuzz.oem): Any bytes are read as an OEM, or refused with file, line and a short printable reason. An
+// accepted OEM gives directions, or none with a reason, and nothing outside its usable times.
 #include "tests/fuzz/harness.h"
 #include "tests/fuzz/table_promises.h"
 

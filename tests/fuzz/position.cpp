@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Positions of a balloon: any bytes to readPosition(); what it accepts is a place on or above the Earth.
+// Positions of a balloon: gives any bytes to readPosition(). An accepted position is a place on or above the Earth.
 #include "core/base/control_characters.h"
 #include "core/position/position_text.h"
 #include "tests/fuzz/harness.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Profile files: any bytes to parseProfile(); what it accepts is written and must read back as the same profile.
+// Profile files: gives any bytes to parseProfile(). An accepted profile is written and must read back as the same
+// profile.
 #include "core/profile/profile_file.h"
 #include "core/profile/setting.h"
 #include "tests/fakes/text_of.h"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the other end of a connection to a rotctld says: any bytes through the conversation with it and the reading of
-// its answers.
+// The replies of a rotctld: gives any bytes to the conversation with it and to the reading of its replies.
 #include "core/base/control_characters.h"
 #include "core/rotctl/reply_reader.h"
 #include "core/rotctld_mount/rotctld_talk.h"
@@ -38,7 +37,7 @@ void checkReply(Question question, const Reply& reply)
     }
 }
 
-// True: all lines of it are answers to this question.
+// Returns true if all lines are replies to this query.
 bool checkLines(std::string_view bytes, Question question, Form form)
 {
     bool understood = true;
@@ -70,7 +69,7 @@ void checkSent(Proof before, const std::string& sent)
     } else if (before == Proof::Unknown) {
         require(isQuestion, "before an answer nothing but questions is sent");
     } else {
-        // A rotator that cannot stop is sent to where it stands.
+        // A rotator that cannot stop is sent to its present position.
         const bool isPlace = sent.starts_with("+\\set_pos ") || sent.starts_with("P ");
         require(isQuestion || isPlace || std::ranges::find(kCommands, sent) != kCommands.end(),
                 "only our commands are sent");
@@ -78,7 +77,7 @@ void checkSent(Proof before, const std::string& sent)
     }
 }
 
-// In pieces of this size, one each tick. The beginning makes a rotctld of it, or not.
+// In pieces of this size, one in each tick. The beginning may or may not be that of a rotctld.
 void talked(std::string_view beginning, std::string_view bytes, std::size_t piece)
 {
     RotctldTalk talk;

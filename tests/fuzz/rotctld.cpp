@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a client sends: any bytes to a rotctld Session in pieces of any size, with a rotator that believes nothing.
+// The data of a client: gives any bytes to a rotctld Session in pieces of any size, with a rotator that checks every
+// request.
 #include "core/rotctld/session.h"
 #include "tests/fakes/manual_clock.h"
 #include "tests/fuzz/harness.h"
@@ -23,7 +24,7 @@ using namespace boresight::rotctld;
 
 constexpr std::size_t kRotctldMaxInput = 600;
 constexpr std::size_t kMaxReply = 4096;    // the longest are the help text and the capabilities, below 2000 bytes
-constexpr std::size_t kShownCommand = 40;  // what ClientHabits::lastCommand() shows of a command
+constexpr std::size_t kShownCommand = 40;  // length of a command in ClientHabits::lastCommand()
 constexpr double kFloatRounding = 1.0 / (1 << 23);
 
 bool isPrintable(unsigned char byte)
@@ -36,7 +37,7 @@ bool isPrintableOrBlank(unsigned char byte)
     return isPrintable(byte) || byte == '\n' || byte == '\r' || byte == '\t';
 }
 
-// Holds every request of a session against the client's own words, read by the C library.
+// Compares every request of a session with the client's own words, as read by the C library.
 class DoubtingRotator final : public Rotator
 {
 public:
@@ -88,7 +89,7 @@ public:
 
     const Session* session = nullptr;
     bool refuses = false;
-    bool shownAsSent = true;  // ClientHabits::lastCommand() replaces what is not printable
+    bool shownAsSent = true;  // ClientHabits::lastCommand() replaces unprintable characters
 
 private:
     [[nodiscard]] Result<> outcome() const
@@ -97,7 +98,7 @@ private:
                        : Result<>();
     }
 
-    // That word of the client's command; nothing where the session shows the command cut off or altered.
+    // This word of the client's command. Nothing if the session shows the command cut or changed.
     [[nodiscard]] std::optional<std::string> word(int index) const
     {
         const std::string shown = session->habits().lastCommand().toStdString();
@@ -151,7 +152,7 @@ void checkReply(std::string_view reply)
     }
 }
 
-// A default reply is numbers, names and codes; a client that reads "inf" as a number would believe it.
+// A default reply consists of numbers, names and codes. A client would take "inf" for a number.
 void checkNumbers(const Session& session, std::string_view reply)
 {
     const std::string command = session.habits().lastCommand().toStdString();
@@ -170,7 +171,7 @@ struct Conversation
     int answered = 0;
     bool refused = false;
 
-    // One step; false when there is nothing more to do now.
+    // One step. Returns false when there is nothing more to do.
     bool step()
     {
         const std::uint64_t oddBefore = session.habits().oddCommands();
@@ -209,7 +210,7 @@ struct Conversation
     }
 };
 
-// After any nonsense a client that is still connected and not in the middle of a command is served.
+// After any invalid data a client that is still connected, and not in the middle of a command, is served.
 void checkStillServed(Conversation& talk)
 {
     talk.say("\n");
@@ -247,7 +248,7 @@ std::vector<std::string> recorded()
 
 }  // namespace
 
-// The first byte of an input says how the rest is cut into pieces, and whether the rotator refuses.
+// The first byte of an input selects how the rest is cut into pieces, and whether the rotator refuses.
 Grammar grammar()
 {
     Grammar grammar;

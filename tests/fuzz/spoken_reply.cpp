@@ -17,7 +17,7 @@ bool leadsElsewhere(int status)
 
 }  // namespace
 
-// As lenient as it can be: what a server says wrongly comes to Boresight.
+// As tolerant as possible, so that wrong answers of a server reach Boresight.
 SpokenAnswer readAnswer(const QByteArray& bytes)
 {
     const qsizetype empty = bytes.indexOf("\r\n\r\n");
@@ -137,7 +137,7 @@ qint64 SpokenReply::readData(char* data, qint64 most)
 
 QNetworkReply* SpokenNetwork::createRequest(Operation, const QNetworkRequest& request, QIODevice*)
 {
-    return new SpokenReply(request, m_answer, m_isSilent, this);  // as in Qt, whoever asked deletes it
+    return new SpokenReply(request, m_answer, m_isSilent, this);  // as in Qt, the caller deletes it
 }
 
 }  // namespace boresight::fuzz

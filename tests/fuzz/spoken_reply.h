@@ -5,9 +5,8 @@
 #include <QNetworkAccessManager>
 #include <QNetworkReply>
 
-// A network in which one answer is known beforehand: each question gets it, without a socket and without waiting. What
-// the network classes of Qt report of an answer, this one reports in the same order: the head, the content in pieces,
-// the end.
+// A network with one prepared answer: each request receives it, without a socket and without waiting. It reports the
+// same as Qt's network classes, in the same order: the head, the content in pieces, the end.
 namespace boresight::fuzz {
 
 struct SpokenAnswer
@@ -16,9 +15,9 @@ struct SpokenAnswer
     {
         Comes,
         IsCut,     // the connection closes before the content is complete
-        Never,     // the server says nothing more
-        NoServer,  // its name is not known
-        GoesOn     // with spaces, for ever
+        Never,     // the server sends nothing more
+        NoServer,  // the name of the server is unknown
+        GoesOn     // sends spaces for ever
     };
 
     int status = 200;
@@ -29,13 +28,13 @@ struct SpokenAnswer
     End end = End::Comes;
 };
 
-// Of the bytes of an answer: its first line, its header lines, an empty line, its content.
+// Splits the bytes of an answer: its first line, its header lines, an empty line, its content.
 [[nodiscard]] SpokenAnswer readAnswer(const QByteArray& bytes);
 
 class SpokenReply : public QNetworkReply
 {
 public:
-    // `isSilent` becomes true when nothing more comes, though it is not the end. It outlives this.
+    // `isSilent` becomes true when nothing more comes although the answer has not ended. It must outlive this object.
     SpokenReply(const QNetworkRequest& request, const SpokenAnswer& answer, bool& isSilent, QObject* parent);
 
     void abort() override;
@@ -56,9 +55,9 @@ private:
 
     SpokenAnswer m_answer;
     bool& m_isSilent;
-    qsizetype m_said = 0;  // of the content
-    QByteArray m_ready;    // was said last
-    qsizetype m_read = 0;  // of it
+    qsizetype m_said = 0;  // sent part of the content
+    QByteArray m_ready;    // sent last
+    qsizetype m_read = 0;  // read part of it
 };
 
 class SpokenNetwork : public QNetworkAccessManager

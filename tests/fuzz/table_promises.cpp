@@ -17,7 +17,7 @@ namespace {
 using namespace boresight::tables;
 
 const orbit::Observer kSite({.latitude = 38.757_deg, .longitude = -9.117_deg, .heightMetres = 80.0});
-constexpr std::size_t kMostSpans = 20;  // that are looked at
+constexpr std::size_t kMostSpans = 20;  // number of time spans that are checked
 
 void checkReason(const std::string& reason)
 {

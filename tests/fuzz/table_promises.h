@@ -5,7 +5,7 @@
 
 namespace boresight::fuzz {
 
-// Holds readTable() and TablePath to what they promise of any text. Accepts a text that is a table.
+// Checks the promises of readTable() and TablePath for any text. Accepts a text that is a table.
 void feedTable(std::string_view text);
 
 }  // namespace boresight::fuzz

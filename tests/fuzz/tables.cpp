@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// REQ-TABLES-914 (Fuzz.tables): Any bytes are a tracking table or are refused with file, line and a short printable
-// reason. What is accepted leads to directions, and to nothing outside its rows.
+// REQ-TABLES-914 (Fuzz.tables): Any bytes are read as a tracking table, or refused with file, line and a short
+// printable reason. An accepted table gives directions, and nothing outside its rows.
 #include "tests/fuzz/harness.h"
 #include "tests/fuzz/table_promises.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Two threads that exchange values as the station and the window do: by queued signals and queued calls only. Under the
-// tsan preset it must end without a report. With the argument "race" both threads also touch one plain variable, and
-// ThreadSanitizer must report that one: what qt_event_order.cpp and tsan.supp allow has to stay narrow.
+// Two threads exchange values as the station and the window do: only by queued signals and queued calls. Under the tsan
+// preset this must end without a report. With the argument "race" both threads also access one plain variable, and
+// ThreadSanitizer must report it: what qt_event_order.cpp and tsan.supp allow must stay narrow.
 
 #include <QtCore/QCoreApplication>
 #include <QtCore/QString>
@@ -28,7 +28,7 @@ struct Values
 
 Values makeValues(int number)
 {
-    // Longer than the small-string buffer, so that the text lives on the heap.
+    // Longer than the small-string buffer, so that the text is on the heap.
     return {.number = double(number),
             .path = std::vector<double>(20, number),
             .text = std::string(40, 'x'),
@@ -91,7 +91,7 @@ private:
         QMetaObject::invokeMethod(
             &m_station, [station = &m_station, values] { station->take(values); }, Qt::QueuedConnection);
         if (m_race) {
-            m_sum += g_unguarded;  // after the last event to the other thread, so that nothing orders it
+            m_sum += g_unguarded;  // after the last event to the other thread, so that nothing orders this access
         }
         if (++m_shown == kExchanges) {
             QCoreApplication::quit();

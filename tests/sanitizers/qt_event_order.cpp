@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Tells ThreadSanitizer what Qt's event queue already guarantees; linked into every program of the tsan preset.
+// Tells ThreadSanitizer about the ordering that Qt's event queue guarantees. Linked into every program of the tsan
+// preset.
 //
-// The distribution's Qt is not instrumented, and its mutexes are futexes which ThreadSanitizer cannot see. Without help
-// each queued call between two threads is reported as a race: 54 reports in a clean program of two threads and 1000
-// queued signals. Here each event is ordered on its own address: Qt releases it when it is allocated by the sender and
-// acquires it when it is delivered by, or freed in, the receiver; and what a thread did before it ended is ordered
-// before the return of QThread::wait(); and what a thread did before it gave work to a QThreadPool is ordered before
-// that work; and what a thread of a pool did before it ended is ordered before the end of the pool. Nothing else is, so
-// a value shared outside of events is still reported. Arguments of queued signals are copied after the allocation:
-// tsan.supp names those. Painting is kept on the thread that asks for it: what Qt Gui's pool of threads does is ordered
-// by semaphores that nobody sees either.
+// The Qt of the distribution is not instrumented, and its mutexes are futexes, which ThreadSanitizer cannot see.
+// Without help each queued call between two threads is reported as a race: 54 reports in a correct program of two
+// threads and 1000 queued signals. Here each event is ordered on its own address: Qt releases it when the sender
+// allocates it, and acquires it when the receiver gets or frees it. Three more orderings are known. What a thread did
+// before it ended comes before the return of QThread::wait(). What a thread did before it gave work to a QThreadPool
+// comes before that work. What a thread of a pool did before it ended comes before the end of the pool. Nothing else is
+// ordered, so a value shared outside events is still reported. Arguments of queued signals are copied after the
+// allocation: tsan.supp names those. Painting stays on the requesting thread, because Qt Gui's pool of threads is
+// ordered by semaphores that ThreadSanitizer cannot see either.
 
 #include <QtCore/QCoreApplication>
 #include <QtCore/QDeadlineTimer>
@@ -49,7 +50,7 @@ struct CodeRange
     }
 };
 
-// The libraries that post events to other threads: a looked-up host name comes from Qt Network.
+// The libraries that post events to other threads. (A resolved host name comes from Qt Network.)
 struct SenderCode
 {
     const char* library;
@@ -86,8 +87,8 @@ int findSenders(dl_phdr_info* library, std::size_t /*size*/, void* /*unused*/)
     return 0;
 }
 
-// Lives in each thread that has received an event or work of a pool. Qt destroys it when the thread ends, after the
-// deferred deletions and before it wakes whoever waits for the thread.
+// Exists in each thread that has received an event or work of a pool. Qt destroys it when the thread ends, after the
+// deferred deletions and before it wakes a waiting thread.
 struct ThreadEnd
 {
     static inline char s_order = 0;
@@ -130,8 +131,8 @@ void freeBlock(void* block, const void* caller)
 
 }  // namespace
 
-// The linker sends our calls of QThread::wait() here (--wrap, BoresightOptions.cmake). When the thread has already
-// ended Qt returns after a look at its state, which ThreadSanitizer cannot see.
+// The linker redirects our calls of QThread::wait() to this function (--wrap, BoresightOptions.cmake). If the thread
+// has already ended, Qt returns after reading its state, which ThreadSanitizer cannot see.
 extern "C" bool __real__ZN7QThread4waitE14QDeadlineTimer(QThread* thread, QDeadlineTimer deadline);
 extern "C" bool __wrap__ZN7QThread4waitE14QDeadlineTimer(QThread* thread, QDeadlineTimer deadline)
 {
@@ -142,8 +143,8 @@ extern "C" bool __wrap__ZN7QThread4waitE14QDeadlineTimer(QThread* thread, QDeadl
     return ended;
 }
 
-// Likewise work for a pool: a thread of the pool that is there already takes it by a mutex of Qt's own. It must not
-// look into the work before it is ordered, so it does not receive a std::function.
+// The same for the work of a pool: an existing thread of the pool takes it under a mutex of Qt. This must not access
+// the work before it is ordered, so it does not receive a std::function.
 namespace {
 
 class PoolWork : public QRunnable
@@ -171,7 +172,7 @@ extern "C" void __wrap__ZN11QThreadPool5startESt8functionIFvvEEi(QThreadPool* po
     pool->start(new PoolWork(std::move(work)), priority);
 }
 
-// A pool frees what its threads have allocated in it: the list of those that wait for work.
+// A pool frees memory that its threads have allocated in it: the list of the threads waiting for work.
 extern "C" void __real__ZN11QThreadPoolD1Ev(QThreadPool* pool);
 extern "C" void __wrap__ZN11QThreadPoolD1Ev(QThreadPool* pool)
 {
@@ -180,8 +181,8 @@ extern "C" void __wrap__ZN11QThreadPoolD1Ev(QThreadPool* pool)
     __real__ZN11QThreadPoolD1Ev(pool);
 }
 
-// A call that is posted is freed by whoever is last, the thread that posts it or the one that carries it out; Qt counts
-// that where nobody sees it. Posting writes nothing else.
+// A posted call is freed by the last user, either the thread that posts it or the one that executes it. ThreadSanitizer
+// cannot see how Qt counts the users. Posting writes nothing else.
 extern "C" void AnnotateIgnoreWritesBegin(const char* file, int line);
 extern "C" void AnnotateIgnoreWritesEnd(const char* file, int line);
 extern "C" bool
@@ -204,15 +205,15 @@ __wrap__ZN11QMetaObject16invokeMethodImplEP7QObjectPN9QtPrivate15QSlotObjectBase
     return done;
 }
 
-// Qt Gui asks this before it shares out the painting of a large area, and paints by itself on a thread of the pool. No
-// code of ours asks.
+// Qt Gui asks this before it splits the painting of a large area. On a thread of the pool it paints without splitting.
+// No code of ours calls it.
 bool QThreadPool::contains(const QThread* /*thread*/) const
 {
     return true;
 }
 
 // Qt starts a program by a clone that shares its memory, which clang's own clone() does not expect. Until the program
-// is executed, the child does nothing that is worth watching.
+// is executed the child does nothing of interest.
 extern "C" int clone(int (*run)(void*), void* stack, int flags, void* argument, ...)
 {
     using Clone = int (*)(int (*)(void*), void*, int, void*, pid_t*, void*, pid_t*);
@@ -226,8 +227,8 @@ extern "C" int clone(int (*run)(void*), void* stack, int flags, void* argument, 
     return ours(run, stack, flags, argument, parent, threadData, child);
 }
 
-// Qt makes room in the list of the events that wait for a thread by moving them, under a lock of its own. It does so
-// wherever an event is posted. What our own code moves, also in the templates of Qt, is still watched.
+// Qt makes room in the list of waiting events of a thread by moving them, under its own lock, wherever an event is
+// posted. What our own code moves, also in templates of Qt, is still checked.
 extern "C" __attribute__((disable_sanitizer_instrumentation)) void* memmove(void* to, const void* from,
                                                                             std::size_t size)
 {

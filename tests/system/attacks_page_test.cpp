@@ -8,7 +8,7 @@
 #include <set>
 #include <string>
 
-// The pages name tests; a test that was renamed or removed shows nothing any more.
+// The pages name tests. A test that was renamed or removed no longer shows what the page says.
 namespace boresight::system_test {
 namespace {
 
@@ -20,7 +20,7 @@ std::string textOf(const fs::path& path)
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-// "Suite.Name" of each match, whose first two groups are these.
+// The names "Suite.Name" of all matches. The first two groups of the pattern are suite and name.
 std::set<std::string> names(const std::string& text, const std::regex& pattern)
 {
     std::set<std::string> found;

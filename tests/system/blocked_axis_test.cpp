@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a drive does against an obstacle, after the mount was stopped because of it: the integrators of the simulated
-// drives wind up to all the torque allowed, as those of real ones do.
+// What a drive does against an obstacle after the mount was stopped because of it. The integrators of the simulated
+// drives wind up to the allowed torque, as those of real drives do.
 #include "tests/system/simulated_station.h"
 
 #include <gmock/gmock.h>
@@ -14,7 +14,7 @@ namespace {
 
 using sim::FaultKind;
 
-// More than friction takes while the elevation moves, less than it takes to break away.
+// More than the friction of a moving elevation axis, less than its breakaway friction.
 constexpr double kUnbalance = 6.5;  // Nm
 
 sim::PairSettings unbalanced()
@@ -29,7 +29,7 @@ class BlockedAxis : public ::testing::TestWithParam<Axis>
 protected:
     [[nodiscard]] bool fault() const { return rig.status().state == StationState::Fault; }
 
-    // On its way to 40° farther on, where something is in the way after 15°.
+    // A motion of 40°, with an obstacle after 15°.
     void runIntoAnObstacle()
     {
         const AxisPosition from = rig.truth();
@@ -40,7 +40,7 @@ protected:
         ASSERT_TRUE(rig.runUntil([this] { return fault(); }, Seconds(10.0)));
     }
 
-    // The largest torque of the drive from now on.
+    // The largest torque of the drive during the coming `time`, in Nm.
     [[nodiscard]] double mostTorque(Seconds time)
     {
         double most = 0.0;
@@ -60,8 +60,8 @@ INSTANTIATE_TEST_SUITE_P(Of, BlockedAxis, ::testing::Values(Axis::Azimuth, Axis:
     return of.param == Axis::Azimuth ? std::string("Azimuth") : std::string("Elevation");
 });
 
-// Story: the window said that both axes had come to rest, and for 19 s, until the obstacle went and through a re-arm,
-// the drive pushed with all the torque allowed: the integrator never unwound.
+// Story: the window said that both axes stood still. For 19 s, through a re-arm and until the obstacle went, the drive
+// pushed with the full allowed torque. The integrator never unwound.
 // REQ-AXES-19d (BlockedAxis.*)
 TEST_P(BlockedAxis, IsNotPushedOnAfterTheStopNorAfterTheRearm)
 {
@@ -115,7 +115,7 @@ TEST_P(BlockedAxis, IsStoppedAgainEachTimeThatItIsSentIntoTheObstacle)
     }
 }
 
-// A STOP in the 0.8 s before the obstacle is found leaves a set-point that the axis does not reach.
+// A STOP in the 0.8 s before the obstacle is detected leaves a set-point that the axis does not reach.
 TEST_P(BlockedAxis, IsNotPushedOnAfterAStopJustBeforeItWasFound)
 {
     const double at = rig.truth(axis) + 15.0;
@@ -129,7 +129,7 @@ TEST_P(BlockedAxis, IsNotPushedOnAfterAStopJustBeforeItWasFound)
     EXPECT_LT(mostTorque(Seconds(10.0)), weight + 3.0);
 }
 
-// Story: a bent mast, ice, a ladder that leans: nobody was told what the standing antenna had to hold.
+// Story: a bent mast, ice or a leaning ladder loads the standing antenna, and nobody saw how much torque held it.
 TEST_P(BlockedAxis, TorqueAtRestIsToldInNewtonMetres)
 {
     ASSERT_EQ(rig.ask(request::PointAxes{{110_deg, 40_deg}}), "");

@@ -6,14 +6,14 @@
 #include <algorithm>
 #include <cmath>
 
-// Scenario 12: the cable is about to end while a client's target is followed.
+// Scenario 12: the cable is about to end while a client's target is tracked.
 namespace boresight::system_test {
 namespace {
 
 class CableEndTest : public ::testing::Test
 {
 protected:
-    // The mount stands on the last turn, and a client streams clockwise from there.
+    // The mount stands on the last wrap of the cable, and a client streams clockwise from there.
     void prepare(SimulatedStation& rig, Angle azimuth)
     {
         ASSERT_EQ(rig.ask(request::PointAxes{{azimuth, 30_deg}}), "");
@@ -23,7 +23,7 @@ protected:
         m_client = rig.connect();
     }
 
-    // One point per second along 30° of elevation, 1°/s.
+    // One target per second along 30° of elevation, at 1°/s.
     void stream(SimulatedStation& rig, double fromDegrees, int seconds)
     {
         for (int second = 0; second < seconds; ++second) {
@@ -43,7 +43,7 @@ protected:
     }
 
     double farthest = -1e9;
-    std::optional<double> toldAt;  // azimuth of the target when the warning came
+    std::optional<double> toldAt;  // azimuth of the target when the warning appeared
 
 private:
     std::unique_ptr<fakes::TcpPeer> m_client;

@@ -8,7 +8,7 @@
 #include <array>
 #include <cmath>
 
-// The crash-stop test on drives with all their physics: what it reports is what the antenna really did.
+// The crash-stop test on drives with all their physics: its report agrees with the motion of the real antenna.
 namespace boresight::system_test {
 namespace {
 
@@ -17,11 +17,11 @@ using ::testing::HasSubstr;
 class CrashStop : public ::testing::Test
 {
 protected:
-    // How each axis really runs out: from the last moment at speed until it stands.
+    // The real run-out of each axis: from the last moment at speed until it stands still.
     struct Truth
     {
         double fastest = 0.0;   // °/s
-        double farthest = 0.0;  // degrees from where the proof began
+        double farthest = 0.0;  // degrees from where the test began
     };
 
     void place(double azimuth, double elevation)
@@ -44,14 +44,14 @@ protected:
         return rig.runUntil([this] { return !rig.status().drives->proofRunning; }, Seconds(20.0));
     }
 
-    // While nobody but we looks: a setting that a survey would refuse, changed behind its back.
+    // Changes a setting unseen by Boresight. A drive check would refuse it.
     void setQuietly(Axis axis, const std::string& command)
     {
         const std::string text = command + '\n';
         rig.link->pair().drive(axis).receiveText(1, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
     }
 
-    // Friction that hides nothing: an azimuth that is let go runs on.
+    // An azimuth axis with little friction: without torque it runs on.
     static sim::PairSettings easyAzimuth()
     {
         sim::PairSettings pair = sim::commissionedPair();
@@ -79,7 +79,7 @@ TEST_F(CrashStop, ReportsWhatTheAntennaDid)
         ASSERT_TRUE(drive->crashStop);
         EXPECT_EQ(drive->crashStop->rate, 3_deg_s);
         EXPECT_EQ(drive->crashStop->drive, drive->identity.uuid);
-        // At least the watchdog's 0.1 s at 3°/s, and the ramp of the drive's own limit behind it.
+        // At least the watchdog time of 0.1 s at 3°/s, followed by the ramp of the drive's own limit.
         EXPECT_GT(drive->crashStop->angle, 0.3_deg);
         EXPECT_LT(drive->crashStop->angle, 1_deg);
         EXPECT_GT(drive->crashStop->time, std::chrono::milliseconds(100));
@@ -88,7 +88,7 @@ TEST_F(CrashStop, ReportsWhatTheAntennaDid)
     for (const Truth& axis : truth) {
         EXPECT_NEAR(axis.fastest, 3.0, 0.4);
     }
-    // Run-up of 1.5 s with its ramp, then the stop that was reported.
+    // A run-up of 1.5 s with its ramp, then the reported stop.
     EXPECT_LT(truth[0].farthest, 3.0 * 1.5 + drives.azimuth.crashStop->angle.degrees() + 0.3);
     EXPECT_EQ(rig.status().state, StationState::Hold);
     const AxisPosition rest = rig.truth();

@@ -13,10 +13,10 @@
 #include <random>
 #include <string>
 
-// A tenth of all replies is edited on the wire: false, unset, infinite, missing, stale, doubled, exchanged, under
-// another id, without voltage or temperature. The antenna stands, goes where a client sends it, follows a stream and is
-// jogged, for BORESIGHT_EDITED_MINUTES of mount time (by default an hour, with the sanitizers less). It is judged in
-// every tick by where it really is. What is edited, and what is asked, depends on one seed.
+// One in ten replies is changed on the wire: wrong, unset, infinite, missing, stale, doubled, exchanged, under another
+// id, without voltage or temperature. The antenna stands, goes to a client's target, tracks a stream and is jogged.
+// This lasts BORESIGHT_EDITED_MINUTES of mount time (by default an hour, less with the sanitizers). Every tick is
+// judged by the true position of the antenna. One seed determines the changes and the requests.
 namespace boresight::system_test {
 namespace {
 
@@ -26,7 +26,7 @@ constexpr double kUsualMinutes = 10.0;
 constexpr double kUsualMinutes = 60.0;
 #endif
 constexpr double kShare = 0.1;
-constexpr Seconds kPoint{1.0};  // of the client's stream
+constexpr Seconds kPoint{1.0};  // between two targets of the client's stream
 constexpr Seconds kCatchUp{8.0};
 constexpr Seconds kKeepAlive{0.1};
 constexpr Angle kOutside = Angle::fromDegrees(0.2);
@@ -69,7 +69,7 @@ protected:
         EXPECT_LT(abs((rig.truth().azimuth - place.azimuth).wrapped180()), kArrives);
         EXPECT_LT(abs(rig.truth().elevation - place.elevation), kArrives);
     }
-    // A straight path through the sky, away from the ends of the travel.
+    // A straight path across the sky, away from the ends of the travel.
     void stream(Seconds time)
     {
         const AxisPosition from{.azimuth = degrees(120.0, 240.0), .elevation = degrees(30.0, 60.0)};

@@ -19,20 +19,21 @@ const std::vector<Moment> kEverywhereAndAtTheEnds{Moment::AtRest,       Moment::
                                                   Moment::WhileEnabling};
 const std::vector<Moment> kFast{Moment::InSlew, Moment::InTrack};
 
-// What an axis without power needs to coast to rest from full speed, by friction alone.
+// The time in which an axis without power coasts from full speed to standstill, by friction alone.
 constexpr Seconds kCoasting{2.6};
-// What a blocked axis is known by: that it was ordered to move for 0.8 s, after a way to the obstacle.
+// The time until a blocked axis is detected: the way to the obstacle, then 0.8 s with a commanded motion.
 constexpr Seconds kBlockedKnown{1.1};
 
-// An axis that was pushed against something, when that gives way: the drive's integrator is wound up.
+// How far an axis springs when the obstacle gives way: the integrator of the drive is wound up.
 constexpr Angle kWoundUp = Angle::fromDegrees(0.3);
 
-// Its drive follows its encoder, and no program sees by how much that is wrong within a turn of the rotor.
+// How far a slipping axis may move: its drive trusts the encoder, and no program can see an error within one turn of
+// the rotor.
 constexpr Angle kSlips = Angle::fromDegrees(2.3);
 constexpr Angle kWindBends = Angle::fromDegrees(1.5);
-constexpr Angle kStormTurns = Angle::fromDegrees(25.0);  // its drive gives up at 10°
+constexpr Angle kStormTurns = Angle::fromDegrees(25.0);  // the drive gives up at 10°
 
-// Unbalance, wind and friction of an axis that stands.
+// The torque against unbalance, wind and friction of an axis that stands still.
 constexpr double kHolds = 15.0;  // Nm
 
 struct Group
@@ -51,7 +52,7 @@ Hurt hurt(Axis axis)
     return axis == Axis::Azimuth ? Hurt::Azimuth : Hurt::Elevation;
 }
 
-// A frame of another program, heard by one drive; its answer is not for us.
+// A frame of another program that one drive receives. Boresight does not receive its reply.
 void order(SimulatedStation& rig, Axis axis, const moteus::Command& command)
 {
     const auto frame =
@@ -60,7 +61,7 @@ void order(SimulatedStation& rig, Axis axis, const moteus::Command& command)
     static_cast<void>(rig.link->pair().exchange(*frame, rig.link->pair().now()));
 }
 
-// Something that an axis runs into 0.1° farther on.
+// An obstacle that the axis meets 0.1° farther on.
 void jamAhead(SimulatedStation& rig, Axis axis)
 {
     const sim::AxisTruth now = rig.link->truth(axis);
@@ -136,7 +137,7 @@ std::vector<Group> roughLines()
     };
 }
 
-// What one drive answers is not what is true; it does what it is told. One such reply changes nothing.
+// The position in the replies of one drive is wrong, but the drive obeys. One such reply changes nothing.
 std::vector<Group> falsePositions()
 {
     std::vector<Group> groups;
@@ -312,7 +313,8 @@ std::vector<Group> mechanics()
                        {{.kind = FaultKind::Wind, .axis = Axis::Azimuth, .duration = Seconds(1.0), .value = -60.0}},
                    .hurt = Hurt::Azimuth,
                    .alarm = "azimuth",
-                   .alarmWithin = Seconds(1.1),  // the 10 Nm too much need so long to push it 10° away (fault 49)
+                   // the excess of 10 Nm needs this time to push the axis 10° away (fault 49)
+                   .alarmWithin = Seconds(1.1),
                    .stillWithin = Seconds(3.0),
                    .strays = kStormTurns},
          .moments = {Moment::AtRest, Moment::InTrack}},
@@ -331,7 +333,7 @@ std::vector<Group> mechanics()
                                     .hurt = hurt(axis),
                                     .alarm = "The " + name(axis) + " does not move",
                                     .alarmWithin = kBlockedKnown,
-                                    .stillWithin = Seconds(0.3),  // it goes on 0.1° first
+                                    .stillWithin = Seconds(0.3),  // the axis moves on by 0.1° first
                                     .othersStillWithin = Seconds(2.5),
                                     .pushesOn = kHolds,
                                     .springsBack = kWoundUp},

@@ -8,27 +8,27 @@
 #include <string>
 #include <vector>
 
-// What is put out of order and when, and what must come of it: the rows of FAULTS.md. Plain values.
+// The faults, their moments and the expected results: the rows of FAULTS.md. Plain values.
 namespace boresight::system_test {
 
 enum class Moment
 {
-    AtRest,         // holding where a client has sent it
+    AtRest,         // holding where a client has sent the mount
     InSlew,         // at full speed, 14° before the upper end of azimuth
     WhileBraking,   // of the same slew, 4° before the end
     AtLowerEnd,     // the last 0.4° before the lower ends of both travels
-    InTrack,        // following Gpredict through a pass
-    InJog,          // an operator holds the keys, towards the upper end of azimuth
+    InTrack,        // following Gpredict during a pass
+    InJog,          // an operator jogs by keys towards the upper end of azimuth
     WhileEnabling,  // the first ticks of the first motion
 };
 
 enum class Outcome
 {
-    Latches,  // nothing moves before somebody re-arms
-    GoesOn,   // the mount does what it was asked to
+    Latches,  // nothing moves before a re-arm
+    GoesOn,   // the mount completes the requested motion
 };
 
-// The axes whose drive was hurt; the others are healthy and hold.
+// The axes with the faulty drive. The other axes are healthy and hold.
 enum class Hurt
 {
     None,
@@ -44,21 +44,22 @@ inline constexpr Seconds kFiveReplies = 5.5 * SimulatedStation::kTick;
 struct Fault
 {
     std::string name;
-    std::vector<sim::Injection> injections{};  // from the moment on; without a duration of their own for kFaultLasts
+    // they start at the moment of the fault; without their own duration they last for kFaultLasts
+    std::vector<sim::Injection> injections{};
     std::function<void(SimulatedStation&)> once{};
-    std::function<void(SimulatedStation&)> eachTick{};  // another program at work, for kFaultLasts
-    Seconds stall{0.0};                                 // this computer does nothing for so long
+    std::function<void(SimulatedStation&)> eachTick{};  // another program acts, for kFaultLasts
+    Seconds stall{0.0};                                 // this computer stalls for this time
     Outcome outcome = Outcome::Latches;
     Hurt hurt = Hurt::Both;
-    std::string alarm{};        // words of the alarm; empty: there need not be one
+    std::string alarm{};        // words of the alarm; empty if no alarm is required
     Seconds alarmWithin{0.25};  // 0.3 s on the screen, which is updated every 0.05 s
-    Seconds stillWithin{0.2};   // the hurt axes
+    Seconds stillWithin{0.2};   // the faulty axes
     Seconds othersStillWithin{2.0};
-    Angle beyond = Angle::fromDegrees(0.2);        // the travel
-    std::optional<double> pushesOn{};              // Nm: at most so much on a blocked axis, when the fault ends
-    Angle strays = Angle::fromDegrees(0.3);        // from where it stood, at rest, until somebody re-arms
-    Angle arrives = Angle::fromDegrees(0.1);       // this near to its next target
-    Angle springsBack = Angle::fromDegrees(0.03);  // when the fault is over: backlash, and the drive coming to rest
+    Angle beyond = Angle::fromDegrees(0.2);        // outside the travel
+    std::optional<double> pushesOn{};              // Nm: the largest torque on a blocked axis when the fault ends
+    Angle strays = Angle::fromDegrees(0.3);        // from the place where it stood still, until the re-arm
+    Angle arrives = Angle::fromDegrees(0.1);       // distance to its next target
+    Angle springsBack = Angle::fromDegrees(0.03);  // after the end of the fault: backlash, and the drive settling
 };
 
 struct FaultCase

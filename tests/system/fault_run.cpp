@@ -12,14 +12,14 @@ namespace boresight::system_test {
 namespace {
 
 constexpr Seconds kLook{0.001};
-// The drives have been on for a while: else the journal can not prove that they kept their power.
+// The drives have been on for this time. Otherwise the journal cannot prove that they kept their power.
 constexpr Seconds kOn{15.0};
 constexpr Seconds kAskPeriod{0.8};  // of a client's stream
 constexpr std::chrono::milliseconds kFirstAsk{1000};
 constexpr Seconds kKeysHeldOn{0.5};  // until the operator has understood
-constexpr Seconds kReturn{5.0};      // for a new survey of the drives
-// More than Coulomb friction (5.5 Nm) and less than it takes to break away (7 Nm): an elevation that moves is not
-// stopped by friction alone as soon as gravity helps, and one that stands stays.
+constexpr Seconds kReturn{5.0};      // for a new drive check
+// More than the Coulomb friction (5.5 Nm) and less than the breakaway friction (7 Nm). Friction alone does not stop a
+// moving elevation axis that gravity pulls along, but holds an axis that stands still.
 constexpr double kFaultRunUnbalance = 6.5;
 
 AxisPosition startOf(Moment moment, const SatellitePass& pass, Seconds passTime)
@@ -68,7 +68,7 @@ FaultRun::FaultRun(const FaultCase& faultCase)
       rig(lastMoves(), unbalanced(startOf(faultCase.moment, m_pass, m_passTime))),
       m_client(rig.connect())
 {
-    // A little wind, always: 2 Nm on azimuth, 1 Nm on elevation with gravity.
+    // There is always a little wind: 2 Nm on azimuth, 1 Nm on elevation in the direction of gravity.
     rig.link->inject({.kind = sim::FaultKind::Wind, .axis = Axis::Azimuth, .value = 2.0});
     rig.link->inject({.kind = sim::FaultKind::Wind, .axis = Axis::Elevation, .value = -1.0});
     rig.run(kOn);
@@ -137,7 +137,7 @@ void FaultRun::breakDown()
     if (m_case.fault.once) {
         m_case.fault.once(rig);
     }
-    // Nobody looks at the bus meanwhile; what comes is found afterwards.
+    // During the stall nobody reads the bus. The frames are read afterwards.
     for (Seconds stalled{0.0}; stalled < m_case.fault.stall; stalled += SimulatedStation::kTick) {
         watchUntilTick();
         rig.clock.advance(SimulatedStation::kTick);
@@ -229,7 +229,7 @@ void FaultRun::tick()
     look(sinceFault());
 }
 
-// Between the ticks nothing reaches the drives: the mount goes on ahead of the clock.
+// Between two ticks nothing reaches the drives. The simulated mount moves ahead of the clock.
 void FaultRun::watchUntilTick()
 {
     if (!m_faulty) {
@@ -289,7 +289,7 @@ void FaultRun::noteAlarm()
     if (m_outcome.alarm || m_case.fault.alarm.empty()) {
         return;
     }
-    // Where the motion is ended for good it is the alarm that says so, not an amber hint before it.
+    // If the motion ends for good, an alarm must report it. A warning before it does not count.
     const bool latches = m_case.fault.outcome == Outcome::Latches;
     const auto tells = [latches](Severity severity) {
         return latches ? severity == Severity::Alarm : severity != Severity::Advisory;

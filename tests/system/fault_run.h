@@ -9,30 +9,30 @@
 #include <optional>
 #include <string>
 
-// One row of FAULTS.md: brings a mount to the moment, puts it out of order, and looks where the antenna really is until
-// it was re-armed and has moved again. Meanwhile clients go on asking for motion. Times are seconds from the fault.
+// One row of FAULTS.md: brings a mount to the moment, causes the fault, and records where the antenna really is until
+// it was re-armed and has moved again. Meanwhile clients keep asking for motion. Times are seconds from the fault.
 namespace boresight::system_test {
 
 struct FaultOutcome
 {
-    std::optional<Seconds> alarm;    // empty: none with the expected words
-    std::array<Seconds, 2> still{};  // azimuth, elevation: the last motion
+    std::optional<Seconds> alarm;    // empty if no alarm had the expected words
+    std::array<Seconds, 2> still{};  // azimuth, elevation: the end of the last motion
     std::array<Angle, 2> beyond{};   // the farthest outside the travel
-    std::array<Angle, 2> strayed{};  // the farthest from where it stood when the fault began
+    std::array<Angle, 2> strayed{};  // the farthest from where it stood still when the fault began
     std::array<double, 2> torque{};  // Nm, when the fault ends
-    std::array<Angle, 2> moved{};    // from where it stood when the fault was over, until re-armed
-    std::array<bool, 2> off{};       // its drive gives no torque then
-    bool stoppedByThen = false;      // both axes, before the fault was over
-    std::string state;               // the word, just before the re-arming
-    std::string text;                // of the alarm
-    std::string again;               // what it took to move again; empty: it did not
+    std::array<Angle, 2> moved{};    // from where it stood still at the end of the fault, until the re-arm
+    std::array<bool, 2> off{};       // the drive gives no torque then
+    bool stoppedByThen = false;      // both axes, before the end of the fault
+    std::string state;               // the state word just before the re-arm
+    std::string text;                // the text of the alarm
+    std::string again;               // what was needed to move again; empty if it did not move
     Angle movedByRearming;
 };
 
 class FaultRun
 {
 public:
-    static constexpr Seconds kAfter{5.0};  // clients ask, nobody re-arms
+    static constexpr Seconds kAfter{5.0};  // clients ask for motion, nobody re-arms
 
     explicit FaultRun(const FaultCase& faultCase);
     [[nodiscard]] FaultOutcome run();
@@ -47,7 +47,7 @@ private:
     void tick();
     void watchUntilTick();
     void look(Seconds sinceFault);
-    void ask();  // what clients and operator do in this tick
+    void ask();  // requests of clients and operator in this tick
     void jog();
     void noteAlarm();
     [[nodiscard]] Seconds sinceFault() const { return rig.clock.now() - m_began; }
@@ -63,7 +63,7 @@ private:
     AxisPosition m_stood;
     SteadyTime m_nextAsk{};
     bool m_faulty = false;
-    bool m_left = false;  // to itself: nobody has re-armed, or asked for something new
+    bool m_left = false;  // nobody has re-armed or asked for something new
     bool m_keysHeld = false;
     FaultOutcome m_outcome;
 };

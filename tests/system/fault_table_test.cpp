@@ -14,8 +14,8 @@
 #include <set>
 #include <string>
 
-// Faults of every kind at every moment, with clients that go on asking, judged by where the antenna really is. Prints
-// the rows of FAULTS.md; with BORESIGHT_FAULT_TABLE set, writes them there.
+// Faults of every kind at every moment, with clients that keep asking for motion, judged by the true position of the
+// antenna. Prints the rows of FAULTS.md. With BORESIGHT_FAULT_TABLE set, writes them into that file.
 namespace boresight::system_test {
 namespace {
 
@@ -60,7 +60,7 @@ std::map<std::string, std::string>& rows()
 struct Page
 {
     std::string introduction{};
-    std::string rest{};  // from the first heading after the table on
+    std::string rest{};  // from the first heading after the table
 };
 
 Page read(const char* path)
@@ -144,7 +144,7 @@ std::string testName(const ::testing::TestParamInfo<FaultCase>& info)
     return text;
 }
 
-// The figures in the committed copy may be of yesterday; its rows may not.
+// The figures in the committed copy may be older. Its rows must be the rows of this test.
 TEST(FaultTableFile, HasTheRowsOfThisTest)
 {
     std::multiset<std::string> written;

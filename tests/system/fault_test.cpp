@@ -5,18 +5,18 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-// What goes wrong beside the mast, with a client that goes on asking: the antenna stops, the operator is told what
-// happened, what Boresight did and what to do, and nothing moves by itself afterwards. Judged by where the antenna
-// really is. The clock is turned by hand.
+// Faults at the mast, with a client that keeps asking for motion. The antenna stops. The operator reads what happened,
+// what Boresight did and what to do. Nothing moves by itself afterwards. Judged by the true position of the antenna.
+// The clock is turned by hand.
 namespace boresight::system_test {
 namespace {
 
-constexpr Angle kStill = Angle::fromDegrees(0.03);  // backlash, and the drive coming to rest on the other side of it
+constexpr Angle kStill = Angle::fromDegrees(0.03);  // backlash: the drive settles on the other side of it
 
 const char* const kFar = "P 200 60\n";
 const char* const kFarther = "P 230 40\n";
 
-// A mount that is on its way, and its client.
+// A mount that is moving, and its client.
 class FaultTest : public ::testing::Test
 {
 protected:
@@ -27,7 +27,7 @@ protected:
         EXPECT_GT(abs(rig.link->truth(Axis::Azimuth).rate), 5_deg_s);
     }
 
-    // The client asks on, as Gpredict would; the antenna must stay.
+    // The client keeps asking as Gpredict would. The antenna must stay where it is.
     void expectNothingMovesFor(Seconds time, const std::string& answer)
     {
         const AxisPosition here = rig.truth();
@@ -59,7 +59,7 @@ protected:
 TEST_F(FaultTest, ASilentBusStopsTheMountAndNothingMovesWhenItIsBack)
 {
     const auto cut = inject(sim::FaultKind::LostCommand, {}, 1.0);
-    rig.run(Seconds(0.2));  // the watchdog of 0.1 s, and the drive's own ramp
+    rig.run(Seconds(0.2));  // the watchdog time of 0.1 s and the drive's own ramp
     const AxisPosition stopped = rig.truth();
     rig.run(Seconds(0.2));
     EXPECT_TRUE(rig.alarmSays(QStringLiteral("Neither drive replies")));
@@ -87,7 +87,7 @@ TEST_F(FaultTest, ASilentBusStopsTheMountAndNothingMovesWhenItIsBack)
 TEST_F(FaultTest, ADriveThatTimedOutHoldsAndIsReArmedByTheOperator)
 {
     const auto deaf = inject(sim::FaultKind::LostCommand, Axis::Elevation, 1.0);
-    rig.run(Seconds(0.16));  // shorter than what counts as silence: the drive comes back in its time-out mode
+    rig.run(Seconds(0.16));  // shorter than a silence: the drive comes back in its time-out mode
     end(deaf);
     rig.run(Seconds(2.0));
     EXPECT_TRUE(rig.alarmSays(QStringLiteral("elevation drive timed out")));
@@ -100,13 +100,14 @@ TEST_F(FaultTest, ADriveThatTimedOutHoldsAndIsReArmedByTheOperator)
     expectMotionAgain();
 }
 
-// Story: re-arming left the drive in mode 0, and an elevation with too light a counterweight fell to its stop. What
-// remains is the 13 ms that a drive needs to enable.
+// Story: re-arming left the drive in mode 0, and an elevation axis with too light a counterweight fell to its stop. The
+// drive still needs 13 ms to enable.
 TEST(UnbalancedElevation, DoesNotFallWhenItIsReArmed)
 {
     sim::PairSettings pair = sim::commissionedPair({.azimuth = 0_deg, .elevation = 0_deg});
-    pair.elevation.plant.gravityTorque = 15.0;           // twice what friction can hold
-    pair.elevation.plant.stopMax = -0.25 + 1.0 / 360.0;  // it waits for the program on a stop 1° below its travel
+    pair.elevation.plant.gravityTorque = 15.0;  // twice what friction can hold
+    // it rests on a stop 1° below its travel until the program starts
+    pair.elevation.plant.stopMax = -0.25 + 1.0 / 360.0;
     SimulatedStation rig(anyPort(), pair);
     const auto client = rig.connect();
     ASSERT_EQ(client->ask("P 10 45\n"), "RPRT 0\n");
@@ -166,7 +167,8 @@ INSTANTIATE_TEST_SUITE_P(Code, DriveFault, ::testing::ValuesIn(faultCodes()));
 
 TEST_F(FaultTest, AfterALossOfPowerNothingIsPointedUntilThePositionIsKnown)
 {
-    // Somebody turns azimuth by hand meanwhile: the drive wakes up on another turn of its rotor and cannot know.
+    // Somebody turns the azimuth by hand meanwhile: the drive wakes up on another turn of its rotor and cannot know
+    // this.
     const double turned = rig.truth(Axis::Azimuth) + 50.0;
     const auto off = inject(sim::FaultKind::PowerLoss, Axis::Azimuth, turned);
     rig.run(Seconds(3.0));
@@ -181,7 +183,7 @@ TEST_F(FaultTest, AfterALossOfPowerNothingIsPointedUntilThePositionIsKnown)
     EXPECT_THAT(rig.ask(request::PointAxes{{.azimuth = 230_deg, .elevation = 40_deg}}),
                 ::testing::HasSubstr("The cable wrap of the azimuth drive is unknown"));
 
-    // A hand on the jog keys moves it, although the drive woke up outside its own position bounds.
+    // The jog keys move it, although the drive woke up outside its own position bounds.
     const AxisPosition here = rig.truth();
     for (int i = 0; i < 10; ++i) {
         EXPECT_EQ(rig.ask(request::Jog{{.elevation = 1_deg_s}}), "");
@@ -191,7 +193,7 @@ TEST_F(FaultTest, AfterALossOfPowerNothingIsPointedUntilThePositionIsKnown)
     EXPECT_NE(rig.status().state, StationState::Fault);
     EXPECT_NEAR((rig.truth().elevation - here.elevation).degrees(), 1.0, 0.3);
 
-    // The operator has looked.
+    // The operator has looked at the mount.
     for (const Axis axis : {Axis::Azimuth, Axis::Elevation}) {
         EXPECT_EQ(rig.ask(request::ChooseTurn{axis, Angle::fromDegrees(rig.truth(axis))}), "");
         rig.run(Seconds(0.5));
@@ -202,8 +204,8 @@ TEST_F(FaultTest, AfterALossOfPowerNothingIsPointedUntilThePositionIsKnown)
     expectMotionAgain();
 }
 
-// The profile's written policy for a station without an operator: it re-arms, and moves nothing. What the output off
-// does to an axis has happened before; the re-arming itself leaves the drive off.
+// Recovery settings for a station without an operator: the mount is re-armed, and nothing moves. The fault has already
+// switched the output off. The re-arm leaves the drive off.
 TEST(Recovery, ReArmsByTheProfileAndMovesNothing)
 {
     profile::Profile profile = anyPort();
@@ -252,12 +254,12 @@ TEST_F(FaultTest, AGustBendsThePathAndEndsWithoutHarm)
 
 TEST_F(FaultTest, EveryStartOfAMotionIsExplained)
 {
-    // Of a resolution of 0.0055°.
+    // Azimuth is resolved to 0.0055°, so either text is right.
     EXPECT_TRUE(rig.logSays(QStringLiteral("moves the mount from 0.00° 10.00°: P 200.00° 60.00°")) ||
                 rig.logSays(QStringLiteral("moves the mount from 359.99° 10.00°: P 200.00° 60.00°")));
 }
 
-// What the operator reads first must be the cause, in each order of things, also after an acknowledgement.
+// The first alarm that the operator reads must be the cause, in every order of events, also after an acknowledgement.
 class RootCauseTest : public FaultTest
 {
 protected:

@@ -8,11 +8,11 @@
 namespace boresight::system_test {
 namespace {
 
-constexpr Seconds kDecisionPeriod{0.5};  // a cycle of 1 s, which a doubled timer of this version halves
+constexpr Seconds kDecisionPeriod{0.5};  // the cycle is 1 s, but this version has a doubled timer that halves it
 constexpr Seconds kPause{0.7};
 constexpr Seconds kBeforeRead{0.1};
 constexpr Seconds kFinestLead{0.25};    // a quarter of the cycle
-constexpr std::size_t kReadSize = 128;  // of its one recv
+constexpr std::size_t kReadSize = 128;  // Gpredict receives with one recv of this size
 
 }  // namespace
 
@@ -28,7 +28,7 @@ bool GpredictClient::apart(const SatellitePass::Look& one, const SatellitePass::
 
 void GpredictClient::tick(Seconds now)
 {
-    if (!m_nextRead) {  // just engaged: `p` first
+    if (!m_nextRead) {  // just engaged: `p` comes first
         m_nextDecision = now;
         m_nextRead = now + kBeforeRead;
         m_nextTarget = *m_nextRead + kPause;
@@ -50,7 +50,7 @@ void GpredictClient::tick(Seconds now)
 void GpredictClient::decide(Seconds now)
 {
     SatellitePass::Look wanted = m_pass.at(now);
-    if (wanted.elevation < Angle()) {  // before it rises and after it set: there, on the horizon
+    if (wanted.elevation < Angle()) {  // before the rise and after the set: that point of the horizon
         const Seconds edge = now < Seconds(0.0) ? -m_pass.halfDuration() : m_pass.halfDuration();
         wanted = {.azimuth = m_pass.at(edge).azimuth, .elevation = Angle()};
     }
@@ -59,7 +59,7 @@ void GpredictClient::decide(Seconds now)
     }
 }
 
-// Halves its steps until they are finer than it cares for.
+// Searches the lead by halving its steps, as Gpredict does, down to kFinestLead.
 SatellitePass::Look GpredictClient::leading(Seconds now) const
 {
     const Seconds untilSet = m_pass.halfDuration() - now;
@@ -112,7 +112,7 @@ std::string GpredictClient::exchange(const std::string& command, int lines)
 {
     const std::size_t before = m_peer->segments().size();
     m_peer->send(command);
-    const auto whole = [lines](const std::string& bytes) {  // an error is one line, whatever was asked
+    const auto whole = [lines](const std::string& bytes) {  // an error is one line for every command
         return std::ranges::count(bytes, '\n') >= (bytes.starts_with("RPRT") ? 1 : lines);
     };
     const std::string reply = m_peer->receive(whole, std::chrono::milliseconds(0), std::chrono::seconds(5));

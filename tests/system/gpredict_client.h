@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-// Gpredict's antenna control, byte for byte and in its rhythm, as recorded from Debian's 2.3: `p` 0.1 s after an answer
-// to `P` or into a cycle, the next cycle 0.7 s later; a target is due when satellite and last position read differ by
-// more than the threshold, and then leads to the point where the satellite will leave the threshold. It takes each
-// answer with one recv of at most 128 bytes.
+// Gpredict's antenna control, byte for byte and with its timing, as recorded from Debian's version 2.3. It sends `p`
+// 0.1 s after a reply to `P` or after the start of a cycle, and the next cycle starts 0.7 s later. A target is due when
+// the satellite and the last position reading differ by more than the threshold. The target is then the point where the
+// satellite will leave the threshold. Each reply is received with one recv of at most 128 bytes.
 namespace boresight::system_test {
 
 class GpredictClient
@@ -23,9 +23,9 @@ public:
 
     GpredictClient(std::unique_ptr<fakes::TcpPeer> peer, const SatellitePass& pass, Angle threshold = kThreshold);
 
-    // Says what is due; time is that of the pass.
+    // Sends what is due. The time is that of the pass.
     void tick(Seconds now);
-    void disengage();  // S, then q
+    void disengage();  // sends S, then q
     void setThreshold(Angle threshold) { m_threshold = threshold; }
 
     [[nodiscard]] int exchanges() const { return m_exchanges; }

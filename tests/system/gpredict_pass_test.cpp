@@ -11,8 +11,8 @@
 #include <cmath>
 #include <vector>
 
-// The main job: Gpredict turns the mount through a pass of ten minutes which crosses north at 80°, clockwise and
-// counter-clockwise, the clock turned by hand through all of it.
+// The main task: Gpredict moves the mount through a pass of ten minutes that crosses north at 80°, clockwise and
+// counterclockwise. The clock is turned by hand.
 namespace boresight::system_test {
 namespace {
 
@@ -21,7 +21,7 @@ struct PassCase
     const char* name;
     SatellitePass::Sense sense;
     Angle culmination;
-    Angle standsAt;  // the mount, before Gpredict comes: which turn is the nearest follows from it
+    Angle standsAt;  // where the mount stands before Gpredict connects: this decides which wrap is the nearest
 };
 
 const PassCase kClockwise{"Clockwise", SatellitePass::Sense::Clockwise, 350_deg, 200_deg};
@@ -33,7 +33,7 @@ SatellitePass passOf(const PassCase& passCase)
     return SatellitePass({.maxElevation = 80_deg, .culmination = passCase.culmination, .sense = passCase.sense});
 }
 
-// Station and Gpredict, engaged a minute before the satellite rises.
+// Station and Gpredict, which engages a minute before the satellite rises.
 struct Tracking
 {
     explicit Tracking(const PassCase& passCase)
@@ -63,7 +63,7 @@ struct Tracking
             tick();
         }
     }
-    // From `S` until the antenna is where it stays, within its backlash.
+    // The time from `S` until the antenna stays in place, within its backlash.
     Seconds disengage()
     {
         gpredict.disengage();
@@ -93,7 +93,7 @@ std::string inDegrees(double value)
     return QString::number(value, 'f', 4).toStdString();
 }
 
-// Between the beam and the satellite, while it is more than 5° high.
+// Angle between the beam and the satellite, while the satellite is above 5°.
 struct PointingError
 {
     void look(const AxisPosition& beam, const SatellitePass::Look& satellite)
@@ -120,7 +120,7 @@ protected:
     void expectFollowing(const AxisWatch& axis, const tracking::MotionLimits& limits, const TravelRange& travel,
                          const std::string& name)
     {
-        constexpr double kRounding = 1e-6;  // the differences of doubles
+        constexpr double kRounding = 1e-6;  // rounding of double differences
         EXPECT_LE(axis.fastest(), limits.speed.degrees() * (1.0 + kRounding)) << name;
         EXPECT_LE(axis.hardest(), limits.acceleration.degrees() * (1.0 + kRounding)) << name;
         EXPECT_GE(axis.lowest(), travel.min.degrees() - 0.2) << name;
@@ -180,8 +180,8 @@ TEST_P(GpredictPass, IsFollowedThroughNorthWithoutUnwinding)
 INSTANTIATE_TEST_SUITE_P(AtEightyDegrees, GpredictPass, ::testing::Values(kClockwise, kCounterClockwise),
                          [](const auto& passCase) { return std::string(passCase.param.name); });
 
-// At 1 °/s the mount stands 0.3 s after the command. Where azimuth races past the zenith it needs its ramp:
-// speed / acceleration, twice acceleration / jerk for the rounding, one tick until the command counts.
+// At 1°/s the mount stands 0.3 s after the command. Where the azimuth turns fast near the zenith it needs its ramp:
+// speed / acceleration, twice acceleration / jerk for the rounding, and one tick until the command takes effect.
 TEST(GpredictDisengage, StopsAsFastAsTheLimitsAllow)
 {
     Tracking run(kClockwise);

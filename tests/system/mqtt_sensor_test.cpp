@@ -10,8 +10,8 @@
 
 #include <algorithm>
 
-// The orientation sensor on a simulated mount speaks by a real mosquitto to a whole station, and the broker goes away
-// and comes back. The clock stands still while messages are on their way.
+// The orientation sensor of a simulated mount sends through a real mosquitto to a whole station. The broker goes away
+// and comes back. The clock stands still while messages are under way.
 namespace boresight::system_test {
 namespace {
 
@@ -26,7 +26,7 @@ profile::Profile heardBy(const fakes::MqttBroker& broker)
     return profile;
 }
 
-// The box on the antenna: reads each 0.2 s, publishes about once a second.
+// The sensor box on the antenna: it measures every 0.2 s and publishes about once a second.
 class PublishingSensor
 {
 public:
@@ -49,13 +49,13 @@ public:
         }
     }
 
-    // Both have found the broker, and the station listens.
+    // Both are connected to the broker, and the station has subscribed.
     [[nodiscard]] bool isHeard() const
     {
         return m_client.isConnected() && m_rig.status().broker.connected &&
                m_broker.count("Sending SUBACK to boresight-") >= 3;
     }
-    // Time goes on until they have; each attempt is brought to its end before the next one.
+    // Advances the time until both are connected. Each attempt is completed before the next one.
     [[nodiscard]] bool findBroker(Seconds limit)
     {
         return m_rig.runUntil(
@@ -70,7 +70,7 @@ public:
             limit);
     }
 
-    // The station is connected, or waits for the time of its next attempt.
+    // The station is connected, or waits for its next attempt.
     [[nodiscard]] static bool isSettled(const StationStatus& status)
     {
         return status.broker.connected || status.broker.retryIn.value_or(Seconds(0.0)) > Seconds(0.0);
@@ -97,7 +97,7 @@ class MqttSensorTest : public fakes::MqttTest
 protected:
     void prepare() override { broker = std::make_unique<fakes::MqttBroker>(); }
 
-    // A mount that does not know its north, half a minute into its swing.
+    // A mount that does not know north, half a minute into its swing.
     void swing()
     {
         ASSERT_TRUE(broker->start());
@@ -178,7 +178,7 @@ TEST_F(MqttSensorTest, ASwingEndsWithTheReasonWhereTheBrokerStaysAway)
     EXPECT_EQ(rig->ask(request::StartSwing{}), "");
 }
 
-// Where the antenna is while a client tracks for half a minute.
+// The positions of the antenna while a client tracks for half a minute.
 std::vector<AxisPosition> tracked(SimulatedStation& rig)
 {
     const auto client = rig.connect();
@@ -192,11 +192,11 @@ std::vector<AxisPosition> tracked(SimulatedStation& rig)
     return places;
 }
 
-// REQ-STATION-43: A broker that is not there at the start is one line of the log. The tracking is the same to the last
+// REQ-STATION-43: A broker that is missing at the start is one line in the log. The tracking is the same to the last
 // digit.
 TEST_F(MqttSensorTest, ABrokerThatIsNotThereAtTheStartIsOneLineAndTheTrackingDoesNotMindIt)
 {
-    rig = std::make_unique<SimulatedStation>(heardBy(*broker));  // nobody has started it
+    rig = std::make_unique<SimulatedStation>(heardBy(*broker));  // the broker was not started
     ASSERT_TRUE(fakes::waitUntil([this] { return PublishingSensor::isSettled(rig->status()); }));
     const auto places = tracked(*rig);
     const QString trouble = QStringLiteral("MQTT broker 127.0.0.1:");

@@ -3,11 +3,11 @@
 
 #include <gtest/gtest.h>
 
-// This computer stalls more than once, or while drives are taken over, with drives that have all their physics.
+// This computer stalls more than once, or while drives are taken over. The drives have all their physics.
 namespace boresight::system_test {
 namespace {
 
-// A mount on its way, which has to arrive whatever happens.
+// A mount on its way that must arrive whatever happens.
 class Way
 {
 public:
@@ -27,7 +27,8 @@ private:
     SimulatedStation rig;
 };
 
-// Story: a stall of more than a second while a drive was taken over counted as a second in which it did not obey.
+// Story: this computer stalled for more than a second while a drive was taken over. The stall counted as a second in
+// which the drive did not obey.
 // REQ-CONTROL-06a (OwnStalls.*)
 TEST(OwnStalls, WhileDrivesAreTakenOverTheyDoNotCountAsDisobedience)
 {
@@ -56,8 +57,8 @@ TEST(OwnStalls, ASecondOneMayMeetTheResumption)
     }
 }
 
-// Story: each stall of a row judged where the axes stood by set-points that had run on, and the sixth was one too many.
-// A busy machine stalls in rows.
+// Story: in a row of stalls each one compared the axes with set-points that had run on, and the sixth exceeded the
+// limit. A busy computer stalls several times in a row.
 TEST(OwnStalls, ARowOfThemDoesNotEndTheMotion)
 {
     struct Row

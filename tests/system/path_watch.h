@@ -8,8 +8,8 @@
 #include <cmath>
 #include <optional>
 
-// What one axis does, tick by tick: largest speed and acceleration of its set-points by finite differences, how far the
-// antenna really is from them, and how far it turned in all and backwards.
+// Records one axis tick by tick: the largest speed and acceleration of its set-points by finite differences, the error
+// of the true antenna from the set-points, and how far it turned in all and backwards.
 namespace boresight::system_test {
 
 class AxisWatch
@@ -38,7 +38,7 @@ public:
 
     [[nodiscard]] double fastest() const { return m_fastest.degrees(); }  // °/s
     [[nodiscard]] double hardest() const { return m_hardest.degrees(); }  // °/s²
-    [[nodiscard]] double worst() const { return m_worst; }                // °, of the error
+    [[nodiscard]] double worst() const { return m_worst; }                // °, the largest error
     [[nodiscard]] double rms() const { return std::sqrt(m_squares / std::max(m_count, 1)); }
     [[nodiscard]] double turned() const { return m_turned.degrees(); }
     [[nodiscard]] double lowest() const { return m_lowest->degrees(); }

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-// The operator leaves the bus to another tool, which changes a drive, and takes it back.
+// The operator releases the bus to another tool, which changes a drive, and takes the bus back.
 namespace boresight::system_test {
 namespace {
 
@@ -95,7 +95,7 @@ TEST_F(ReleasedBus, TakenBackTheDrivesAreReadAnewAndNothingMovesAtFirst)
     EXPECT_LT(rig.farthestFrom({.azimuth = 10_deg, .elevation = 20_deg}), 0.1_deg);
 }
 
-// tview moves the axis and lets it go: the drive counts on, and so does Boresight.
+// tview moves the axis and switches it off. The drive keeps counting, so Boresight knows the position.
 TEST_F(ReleasedBus, MovedByTheOtherToolTheMountIsKnownToStandElsewhere)
 {
     ASSERT_EQ(rig.ask(request::ReleaseBus{}), "");
@@ -108,8 +108,8 @@ TEST_F(ReleasedBus, MovedByTheOtherToolTheMountIsKnownToStandElsewhere)
     EXPECT_NEAR(rig.status().azimuth.actual->degrees(), there, 0.1);
 }
 
-// Whoever moves the axis and sets the drive back to the number it had before leaves nothing to see but the origin of
-// its count.
+// A tool that moves the axis and then sets the old position value leaves only one trace: the origin of the drive's
+// count.
 TEST_F(ReleasedBus, MovedAndSetBackByTheOtherToolTheOperatorIsAsked)
 {
     const auto reported = rig.link->pair().drive(Axis::Azimuth).reportedPosition();

@@ -6,12 +6,12 @@
 
 #include <gtest/gtest.h>
 
-// A roof, a valley between hills and a mast: whatever is asked, where the antenna really is never lies more than 0.2°
-// inside of what is forbidden.
+// A roof, a valley between hills and a mast. Whatever is requested, the true position of the antenna is never more than
+// 0.2° inside a forbidden area.
 namespace boresight::system_test {
 namespace {
 
-// Hills of 25° all round, open to the ground between azimuth 214° and 262°; the mast stands in the north-west.
+// Hills of 25° all round, with the horizon at 0° between azimuth 214° and 262°. The mast stands in the north-west.
 profile::Profile roof()
 {
     profile::Profile profile = anyPort();
@@ -92,7 +92,7 @@ TEST_F(RoofTest, JogsIntoItAreHeldAtFullSpeed)
     jog(6.0, 0.0, 50);
     EXPECT_EQ(m_rig.status().azimuth.state, AxisState::Limit);
     EXPECT_NEAR(m_rig.truth(Axis::Azimuth), 300.0, 0.1);
-    jog(6.0, 4.0, 60);  // up along its side and over it
+    jog(6.0, 4.0, 60);  // up along the side of the mast and over it
     EXPECT_GT(m_rig.truth(Axis::Azimuth), 301.0);
     jog(0.0, -6.0, 80);
     EXPECT_NEAR(m_rig.truth(Axis::Elevation), 40.0, 0.1);

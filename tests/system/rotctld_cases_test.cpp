@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-// Every exchange recorded with Hamlib's rotctld and its dummy rotator, played over TCP against the running station with
-// the simulated drives behind it, set up like the dummy by tests/data/dummy-like.toml.
+// Every exchange recorded with Hamlib's rotctld and its dummy rotator is played over TCP against the running station
+// with simulated drives. tests/data/dummy-like.toml gives the station the settings of the dummy.
 namespace boresight::system_test {
 namespace {
 
@@ -16,7 +16,7 @@ const profile::Profile& dummyLike()
     return *loaded;
 }
 
-// The reference mount with the travel of the dummy, and light enough for its profile: 4 kg m² at 300 °/s² are 21 Nm.
+// The reference mount with the travel of the dummy, and light enough for its profile: 4 kg m² at 300°/s² are 21 Nm.
 sim::PairSettings lightPair()
 {
     sim::PairSettings pair = sim::commissionedPair();

@@ -6,8 +6,7 @@
 
 #include <cmath>
 
-// Several rotctld clients over real sockets, and an operator between them: who moves the antenna, judged by where it
-// really turns.
+// Several rotctld clients over real sockets, and an operator: who moves the antenna, judged by its true motion.
 namespace boresight::system_test {
 namespace {
 
@@ -24,7 +23,7 @@ protected:
         rig.onTick = [this] { watchReversals(); };
     }
 
-    // Both send a target each second; returns what they heard in the last one.
+    // Both clients send a target each second. Returns their last replies.
     std::pair<std::string, std::string> bothAsk(int seconds)
     {
         std::pair<std::string, std::string> heard;
@@ -38,7 +37,7 @@ protected:
     }
     [[nodiscard]] ClientStatus statusOf(std::size_t number) const { return rig.status().clients.at(number); }
     [[nodiscard]] double azimuth() const { return rig.truth(Axis::Azimuth); }
-    // How often the antenna itself turned round.
+    // Counts how often the real antenna reversed its direction.
     void watchReversals()
     {
         const AngularRate rate = rig.link->truth(Axis::Azimuth).rate;
@@ -94,7 +93,7 @@ TEST_F(ClientsTest, ADriverThatVanishesIsReleasedAfterTenSeconds)
 {
     EXPECT_EQ(bothAsk(10).first, kDone);
     EXPECT_EQ(one->ask("P 201 50\n"), kDone);
-    rig.run(Seconds(9.5));  // its computer is gone: no FIN, no word
+    rig.run(Seconds(9.5));  // its computer failed: no FIN, no data
     EXPECT_EQ(rig.status().state, StationState::Hold);
     EXPECT_NEAR(azimuth(), 201.0, 0.1);
     EXPECT_EQ(other->ask("P 160 40\n"), kRefused);
@@ -139,7 +138,7 @@ TEST_F(ClientsTest, AProgramThatConnectsForEachCommandKeepsTheLead)
     EXPECT_EQ(one->ask("P 160 40\n"), kDone);
 }
 
-// Each step of the profile's choice, with the same two clients.
+// Each rule of the profile, with the same two clients.
 // REQ-CONTROL-27 (ClientsByProfile.*)
 TEST(ClientsByProfile, LastAsHamlibAndLocked)
 {
@@ -185,8 +184,8 @@ TEST(ClientsByProfile, TheRuleAndWhoMayConnectChangeWhileRunning)
     EXPECT_TRUE(rig.logSays(QStringLiteral("refused: its address is not permitted (rotctld.allow)")));
 }
 
-// Story: the profile said "in force now" of the number of clients, and the server kept the number of its start.
-// REQ-CONTROL-500: The number of clients in the profile is in force at once. Whoever is connected stays served.
+// Story: the profile showed the number of clients as "in force now", but the server kept the number of its start.
+// REQ-CONTROL-500: The number of clients in the profile applies at once. Clients that are connected stay served.
 TEST(ClientsByProfile, TheNumberOfClientsChangesWhileRunning)
 {
     SimulatedStation rig;
@@ -208,8 +207,9 @@ TEST(ClientsByProfile, TheNumberOfClientsChangesWhileRunning)
     EXPECT_NE(rig.connect()->ask("p\n", 2), "");
 }
 
-// As Gpredict is delivered, with a Threshold of 5°, and after its user has followed the advice.
-// REQ-CONTROL-28 (ClientsAdvice.*): A Gpredict that leaps gets advice on what to set, until it no longer leaps.
+// Gpredict as delivered, with a threshold of 5°, and again after its user has followed the advice.
+// REQ-CONTROL-28 (ClientsAdvice.*): A Gpredict whose targets jump gets advice on what to set, until they no longer
+// jump.
 TEST(ClientsAdvice, AGpredictThatLeapsIsToldWhatToSet)
 {
     const SatellitePass pass({.maxElevation = 40_deg, .culmination = 180_deg});

@@ -18,12 +18,12 @@ SatellitePass::SatellitePass(const Shape& shape)
 {
     const double elevation = shape.maxElevation.radians();
     m_offset = std::acos(kEarthRadius / m_radius * std::cos(elevation)) - elevation;
-    const double horizon = kEarthRadius / m_radius;  // cosine of the angle at which it touches the horizon
+    const double horizon = kEarthRadius / m_radius;  // cosine of the angle at which the track touches the horizon
     m_halfDuration = Seconds(std::acos(horizon / std::cos(m_offset)) / m_angularRate);
 }
 
-// The station is on the z axis; the track crosses the plane towards the culmination (x) at the offset from it, at right
-// angles; y is 90° clockwise from x.
+// The station is on the z axis. The track crosses the plane of the culmination (x) at right angles, at the offset from
+// the station. y is 90° clockwise from x.
 SatellitePass::Look SatellitePass::at(Seconds fromCulmination) const
 {
     const double along = m_angularRate * fromCulmination.count();

@@ -4,8 +4,8 @@
 #include "core/base/clock.h"
 #include "core/units/sky.h"
 
-// A satellite on a circular orbit over a round Earth that does not turn: enough for a pass with the true shape of a low
-// one. Times are seconds from culmination.
+// A satellite on a circular orbit around a spherical Earth that does not rotate. This gives the true shape of a low
+// pass. Times are seconds from culmination.
 namespace boresight::system_test {
 
 class SatellitePass
@@ -20,12 +20,12 @@ public:
     {
         double heightKm = 400.0;
         Angle maxElevation;
-        Angle culmination;  // azimuth there
+        Angle culmination;  // azimuth of the culmination
         Sense sense = Sense::Clockwise;
     };
     struct Look
     {
-        Angle azimuth;  // unwrapped: goes on through north
+        Angle azimuth;  // unwrapped: it goes on through north
         Angle elevation;
     };
 
@@ -38,7 +38,7 @@ private:
     Shape m_shape;
     double m_radius;       // of the orbit, km
     double m_angularRate;  // rad/s along it
-    double m_offset;       // rad at the Earth's centre, from the station to the track
+    double m_offset;       // rad at the centre of the Earth, from the station to the track
     Seconds m_halfDuration{};
 };
 

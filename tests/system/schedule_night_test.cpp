@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Nights of the schedule on the simulated mount: every pass from its rise to its set, by the elements of a file.
+// Nights with the schedule on the simulated mount: every pass from its rise to its set, with the elements from a file.
 #include "core/elements/julian_date.h"
 #include "core/night/tracked_pass.h"
 #include "core/station/station_elements.h"
@@ -30,11 +30,11 @@ constexpr int kSatellites = 6;
 constexpr int kFirstNumber = 90'001;
 constexpr int kPasses = 20;
 constexpr Seconds kLead{60.0};
-constexpr auto kBefore = 63s;         // the program before AOS, and the lead, begin later
-constexpr Angle kFromTheEnd = 2_deg;  // of the cable
-constexpr Seconds kReported{1.5};     // what a report may differ by from what was seen
+constexpr auto kBefore = 63s;         // the program before AOS and the lead start later
+constexpr Angle kFromTheEnd = 2_deg;  // distance of the cable from its end
+constexpr Seconds kReported{1.5};     // allowed difference between the report and the observation
 
-// On orbits of their own, so that passes come all night, some at the same time.
+// Satellites on different orbits, so that passes come all night, and some at the same time.
 std::vector<orbit::ElementSet> satellites(UtcTime epoch)
 {
     std::vector<orbit::ElementSet> sets;
@@ -133,7 +133,7 @@ protected:
         EXPECT_NE(found, chosen.end());
         return found == chosen.end() ? WatchedPass{} : *found;
     }
-    // Nothing moves any more: the time until then is left out of the night.
+    // Skips the time in which nothing moves, up to the next pass.
     void goToNext()
     {
         EXPECT_TRUE(rig->settle());
@@ -149,7 +149,7 @@ protected:
             rig->tick();
         }
     }
-    // Until it is over, whatever comes in its middle.
+    // Runs until the pass is over. `inItsMiddle` is called halfway.
     PassRecord track(const std::function<void()>& inItsMiddle = {})
     {
         goToNext();
@@ -171,7 +171,7 @@ protected:
     {
         return m_sets.at(static_cast<std::size_t>(number - kFirstNumber));
     }
-    // What the programs have written, when they are through.
+    // The lines that the programs of the profile have written, when all have ended.
     [[nodiscard]] std::vector<std::string> hooks(std::size_t count) const
     {
         std::vector<std::string> lines;
@@ -191,7 +191,7 @@ protected:
 
     std::unique_ptr<SimulatedStation> rig;
     std::unique_ptr<fakes::HandTurnedTimers> timers;
-    std::optional<TrackedPass> seen;  // by where the antenna really is
+    std::optional<TrackedPass> seen;  // by the true position of the antenna
 
 private:
     void look()
@@ -227,8 +227,8 @@ void expectLikeTruth(const PassRecord& reported, const PassRecord& truth)
 }
 
 // REQ-SCHEDULE-930: In a night of 20 passes each is tracked from its rise to its set, within 1 dB of the beam. The
-// report says what really was. The cable is never at its end, the antenna never below the horizon. The programs of the
-// profile run at each moment.
+// report agrees with the true motion. The cable never reaches its end, and the antenna never goes below the horizon.
+// The programs of the profile run at each of their moments.
 TEST_F(ScheduleNight, TwentyPassesAreTracked)
 {
     EXPECT_FALSE(night().plan.conflicts.empty());
@@ -253,9 +253,9 @@ TEST_F(ScheduleNight, TwentyPassesAreTracked)
     EXPECT_EQ(hooks(3 * kPasses).size(), 3U * kPasses);
 }
 
-// REQ-SCHEDULE-931: In a night with a fault of a drive, a pulled bus, a clock that is set, and elements that go
-// missing, what is lost is what was lost: each is in the report and in the log, the mount waits for the operator where
-// it must, and the next pass is tracked.
+// REQ-SCHEDULE-931: A night has a drive fault, an unplugged bus, a clock that is set, and elements that disappear. Only
+// the passes hit by them are lost. Each of these events is in the report and in the log, the mount waits for the
+// operator where it must, and the next pass is tracked.
 TEST_F(ScheduleNight, ANightOfTroublesGoesOn)
 {
     const auto onceMore = [&] {

@@ -14,7 +14,7 @@
 namespace boresight::system_test {
 namespace {
 
-constexpr Seconds kReading{10.0};  // of the drives' protections, over their consoles
+constexpr Seconds kReading{10.0};  // to read the safety settings of the drives over their consoles
 constexpr AngularRate kSimulatedStationStill = AngularRate::fromDegrees(0.01);
 
 void turnEventLoop()
@@ -62,7 +62,7 @@ void SimulatedStation::tick()
     clock.advance(step);
     link->deliver();
     station->tick();
-    link->deliver();  // replies that are not late come back within the tick
+    link->deliver();  // replies that are not late arrive within the tick
     turnEventLoop();
     if (onTick) {
         onTick();

@@ -12,9 +12,9 @@
 #include <functional>
 #include <memory>
 
-// The whole path in one process: TCP → rotctld → station → bus → simulated drives with all their physics. Time is
-// turned by hand in ticks, so a pass of ten minutes takes seconds and each run is the same. Angles are those
-// of the profile's axes; truth is where the antenna really is.
+// The complete chain in one process: TCP → rotctld → station → bus → simulated drives with all their physics. Time is
+// turned by hand in ticks, so a pass of ten minutes takes seconds and each run is the same. Angles are those of the
+// profile's axes. "Truth" is the real position of the antenna.
 namespace boresight::system_test {
 
 // The built-in profile on a free port.
@@ -23,39 +23,39 @@ namespace boresight::system_test {
 class SimulatedStation
 {
 public:
-    static constexpr Seconds kTick{0.02};  // of the built-in profile
+    static constexpr Seconds kTick{0.02};  // as in the built-in profile
 
-    // Drives surveyed, fit and standing where they say.
+    // The drives are checked and fit, and they stand where they report.
     explicit SimulatedStation(const profile::Profile& profile = anyPort(),
                               const sim::PairSettings& pair = sim::commissionedPair());
 
     void tick();
     void run(Seconds time);
-    // False when the time is over first.
+    // Returns false when the time limit is reached first.
     [[nodiscard]] bool runUntil(const std::function<bool()>& condition, Seconds limit);
-    [[nodiscard]] bool ready() const;                           // the mount may be pointed, but for latches
-    [[nodiscard]] bool settle(Seconds limit = Seconds(120.0));  // until the set-points and the antenna rest
+    [[nodiscard]] bool ready() const;                           // the mount may be pointed, apart from latches
+    [[nodiscard]] bool settle(Seconds limit = Seconds(120.0));  // until the set-points and the antenna stand still
 
-    // A client, whose patience costs no mount time: the clock stands still while it waits.
+    // A client. Its waiting costs no mount time: the clock stands still meanwhile.
     [[nodiscard]] std::unique_ptr<fakes::TcpPeer> connect() const;
     [[nodiscard]] fakes::CaseTarget caseTarget();
-    // As the operator; empty when accepted, else why not.
+    // Sends a request of the operator. Returns an empty text when accepted, else the reason.
     [[nodiscard]] std::string ask(const Request& request);
 
     [[nodiscard]] StationStatus status() const { return station->status(); }
     [[nodiscard]] double truth(Axis axis) const { return link->truth(axis).angle.degrees(); }
     [[nodiscard]] AxisPosition truth() const;
-    [[nodiscard]] Angle farthestFrom(const AxisPosition& place) const;  // of the worse axis
-    // An active or unacknowledged alarm with all three parts whose `what` contains the words, in either case.
+    [[nodiscard]] Angle farthestFrom(const AxisPosition& place) const;  // of the axis that is farther away
+    // Whether an active or unacknowledged alarm with all three parts contains these words in `what`, ignoring case.
     [[nodiscard]] bool alarmSays(const QString& words) const;
     [[nodiscard]] bool logSays(const QString& words);
 
     fakes::ManualClock clock;
     SimulatedLink* link = nullptr;
-    const Seconds step;  // of the clock in one tick, by the profile
+    const Seconds step;  // what the clock advances in one tick, by the profile
     std::unique_ptr<Station> station;
     std::vector<LogEntry> log;
-    std::function<void()> onTick;  // looks on after each tick
+    std::function<void()> onTick;  // is called after each tick
 
 private:
     void collectLog();

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <vector>
 
-// The time that is shown of a slew, against the time that the simulated antenna takes.
+// The remaining time shown for a slew, compared with the time that the simulated antenna takes.
 namespace boresight::system_test {
 namespace {
 

@@ -18,16 +18,16 @@ namespace boresight::system_test {
 namespace {
 
 constexpr double kLostReply = 1e-4;
-// Drives stop by their watchdog of 0.1 s, and the station calls 0.25 s silence; what lies near them is left out, so
-// that it is clear what each trouble must lead to.
+// The drives stop after their watchdog time of 0.1 s, and for the station a silence begins at 0.25 s. Troubles near
+// these limits are left out, so that each trouble has one expected result.
 constexpr int kShortCut = 3;  // ticks
 constexpr int kLongCut = 7;
 constexpr int kShortSilence = 8;
 constexpr int kLongSilence = 16;
 constexpr int kLongest = 150;
-constexpr Seconds kBraking{2.0};  // from full speed by the drive's own ramp, and the arm coming to rest
+constexpr Seconds kBraking{2.0};  // from full speed by the drive's own ramp, until the arm stands still
 constexpr Seconds kOperatorPeriod{0.5};
-constexpr Seconds kCalm{5.0};  // armed for so long, before there is trouble again
+constexpr Seconds kCalm{5.0};  // armed for this time before the next trouble
 constexpr Seconds kLeadIn{90.0};
 constexpr Seconds kHour{3600.0};
 
@@ -40,7 +40,7 @@ profile::Profile soakProfile()
 {
     profile::Profile profile;
     profile.rotctld.listen.port = 0;
-    profile.bus = "socketcan:soak";  // any real one: the place of the built-in simulated mount is not journalled
+    profile.bus = "socketcan:soak";  // any real bus: the position of the built-in simulated mount is not journalled
     return profile;
 }
 
@@ -52,7 +52,7 @@ std::size_t bytesInUse()
 
 }  // namespace
 
-// The bus outlives the program, as a real one does.
+// The bus outlives the program, as a real bus does.
 class Soak::LentLink final : public CanLink
 {
 public:
@@ -119,7 +119,7 @@ void Soak::start(const std::optional<EnteredPlace>& standingAt)
     QObject::connect(m_station.get(), &Station::updated,
                      [this](const StationUpdate& update) { m_answers = update.answers; });
     m_station->openAll();
-    wait(Seconds(10.0));  // the drives are surveyed
+    wait(Seconds(10.0));  // until the drive check is done
 }
 
 void Soak::restart()
@@ -249,7 +249,7 @@ void Soak::operate(const StationStatus& status)
     }
 }
 
-// The operator has looked at the mount; the drive knows the rest.
+// The operator has looked at the mount and answers. The drive knows the position within its wrap.
 void Soak::tellTurns(const StationStatus& status)
 {
     const AxisPosition seen = truth();
@@ -296,7 +296,7 @@ void Soak::trouble()
 
 void Soak::beginOutage()
 {
-    m_cut = chance(0.6);  // else the drives hear, but cannot answer
+    m_cut = chance(0.6);  // else the drives receive, but cannot reply
     m_cutAxis = chance(0.5) ? std::nullopt : std::optional(chance(0.5) ? Axis::Azimuth : Axis::Elevation);
     const bool matters = chance(0.6);
     const int shortest = m_cut ? kShortCut : kShortSilence;
@@ -319,7 +319,7 @@ void Soak::endOutage()
     }
 }
 
-// The computer does nothing for a while. After up to 2 s the motion is resumed.
+// This computer stalls. After a stall of up to 2 s the motion is resumed.
 void Soak::stall()
 {
     const bool matters = chance(0.5);
@@ -332,7 +332,8 @@ void Soak::stall()
 
 void Soak::planPass()
 {
-    // One connection for each pass; the peer also remembers each of its reads, which is not the station's memory.
+    // One connection for each pass, because the peer keeps a record of its reads, which would count as memory of the
+    // station.
     m_client = std::make_unique<fakes::TcpPeer>("127.0.0.1", m_port, &turnLoop);
     m_pass.emplace(SatellitePass::Shape{
         .heightKm = random(400.0, 1200.0),
@@ -345,7 +346,7 @@ void Soak::planPass()
     ++m_counts.passes;
 }
 
-// Once a second, like any tracking program; between passes the mount holds or is parked.
+// Sends a target once a second, like any tracking program. Between passes the mount holds or is parked.
 void Soak::stream()
 {
     if (m_time < m_nextPoint) {

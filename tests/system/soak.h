@@ -18,38 +18,38 @@
 #include <string>
 #include <vector>
 
-// Days of work in minutes: a station with its journal on disk, a client that streams satellite passes, a bus that loses
-// replies and breaks now and then, a computer that stalls and whose UTC is set, and an operator who re-arms. The mount
-// is simulated with all its physics; only the clock is turned by hand, in ticks of 20 ms. What happens depends on the
-// seed alone. Every tick is judged by where the antenna really is.
+// Days of work in minutes. A station with its journal on disk, a client that streams satellite passes, a bus that loses
+// replies and fails from time to time, a computer that stalls and whose UTC is set, and an operator who re-arms. The
+// mount is simulated with all its physics. Only the clock is turned by hand, in ticks of 20 ms. The seed alone
+// determines the events. Every tick is judged by the true position of the antenna.
 namespace boresight::system_test {
 
 struct SoakCounts
 {
     std::uint64_t ticks = 0;
     std::uint64_t frames = 0;     // sent by the station
-    std::uint64_t questions = 0;  // of these, to a drive and with a reply wanted
-    std::uint64_t unheard = 0;    // of the questions: sent while the cable was cut
+    std::uint64_t questions = 0;  // of these, queries to a drive that want a reply
+    std::uint64_t unheard = 0;    // of these queries, the ones sent while the cable was cut
     std::uint64_t received = 0;   // replies that reached the station
     std::uint64_t passes = 0;
     std::uint64_t points = 0;         // `P` answered with RPRT 0
     std::uint64_t refusedPoints = 0;  // while the mount was not armed
-    std::uint64_t shortTroubles = 0;  // outages and stalls that must not matter
-    std::uint64_t longTroubles = 0;   // that must each stop the mount once
+    std::uint64_t shortTroubles = 0;  // outages and stalls that must have no effect
+    std::uint64_t longTroubles = 0;   // outages and stalls that must each stop the mount once
     std::uint64_t clockSteps = 0;
-    std::uint64_t losses = 0;      // told by the station
-    std::uint64_t recoveries = 0;  // to an armed mount
-    std::uint64_t rearms = 0;      // asked for and accepted
-    std::uint64_t turnsTold = 0;   // by the operator, where the clocks left no proof
+    std::uint64_t losses = 0;      // reported by the station
+    std::uint64_t recoveries = 0;  // back to an armed mount
+    std::uint64_t rearms = 0;      // requested and accepted
+    std::uint64_t turnsTold = 0;   // wraps entered by the operator where the clocks left no proof
 };
 
-// The worst that was seen, and what must never be.
+// The worst values seen, and what must never happen.
 struct SoakFindings
 {
-    Angle outside;                    // beyond the travel, of the worse axis
-    double fastest = 0.0;             // of the worse axis, in parts of its speed limit
-    Angle astray;                     // told by the station as known, away from the truth
-    Angle movedUnarmed;               // between coming to rest after a loss and the re-arm
+    Angle outside;                    // outside the travel, of the worse axis
+    double fastest = 0.0;             // of the worse axis, as a part of its speed limit
+    Angle astray;                     // difference between a position reported as known and the truth
+    Angle movedUnarmed;               // between standing still after a loss and the re-arm
     std::vector<std::size_t> memory;  // bytes in use at the end of each hour
 };
 
@@ -62,10 +62,10 @@ public:
     ~Soak();
 
     void run(Seconds time);
-    void comeToRest();  // the client stops the mount; no more troubles
-    // The program ends as if killed, and is started again on the same state folder.
+    void comeToRest();  // the client stops the mount, and there is no more trouble
+    // The program ends as if it was killed, and starts again with the same state folder.
     void restart();
-    void powerCycle();  // of the mount, while no program runs; then as restart()
+    void powerCycle();  // power cycle of the mount while no program runs, then as restart()
 
     [[nodiscard]] const SoakCounts& counts() const { return m_counts; }
     [[nodiscard]] const SoakFindings& findings() const { return m_findings; }
@@ -108,14 +108,14 @@ private:
     std::uint16_t m_port = 0;
 
     bool m_troubles = false;
-    Seconds m_time{0.0};  // of the mount
+    Seconds m_time{0.0};  // mount time
     Seconds m_nextTrouble{60.0};
     Seconds m_nextClockStep{100.0};
     std::optional<sim::FaultSchedule::Handle> m_outage;
     std::optional<Axis> m_cutAxis;
     bool m_cut = false;
     Seconds m_outageEnd{0.0};
-    bool m_lost = false;  // the station has told a loss, and is not re-armed yet
+    bool m_lost = false;  // the station has reported a loss and is not re-armed yet
     Seconds m_lostSince{0.0};
     std::optional<AxisPosition> m_restingAt;
     Seconds m_armedSince{0.0};
@@ -123,7 +123,7 @@ private:
 
     std::optional<SatellitePass> m_pass;
     Seconds m_culmination{0.0};
-    Seconds m_passEnd{0.0};  // and of the pause after it
+    Seconds m_passEnd{0.0};  // end of the pass and of the pause after it
     Seconds m_nextPoint{0.0};
     bool m_rests = false;
 };

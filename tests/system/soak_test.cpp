@@ -8,14 +8,14 @@
 #include <cstdio>
 #include <cstdlib>
 
-// How much of the soak is run: BORESIGHT_SOAK_HOURS of mount time, else what fits into a run of all tests. SOAK.md has
-// the figures of a whole day.
+// The length of the soak: BORESIGHT_SOAK_HOURS of mount time, or by default what fits into a run of all tests. SOAK.md
+// has the figures of a whole day.
 namespace boresight::system_test {
 namespace {
 
 constexpr double kUsualHours = 0.75;
 
-// The log of events fills up to its 2000 entries, which takes some hours.
+// The event log fills up to its 2000 entries, which takes some hours.
 constexpr std::size_t kMemoryBound = 256 * 1024;
 
 double hours()

@@ -3,8 +3,8 @@
 
 #include "core/units/quantity.h"
 
-// When the tests of faults say that an axis stands: what is faster counts as motion. Below it the drive only pulls the
-// axis the last hundredths of a degree to its place, against friction.
+// The limit above which the fault tests count an axis as moving. Below it the drive only pulls the axis over the last
+// hundredths of a degree, against friction.
 namespace boresight::system_test {
 
 inline constexpr AngularRate kStandingStill = AngularRate::fromDegrees(0.3);

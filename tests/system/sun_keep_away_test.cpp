@@ -10,8 +10,8 @@
 #include <algorithm>
 #include <string>
 
-// The Sun is a place of the sky, the drives count from anywhere: on a mount whose azimuth begins 37.4° from north and
-// whose mast leans, a client leads the beam across the Sun, and where the antenna really is decides.
+// The Sun has a place in the sky, but the drives count from an arbitrary angle. On a mount whose azimuth zero is 37.4°
+// from north and whose mast leans, a client moves the beam across the Sun. The true direction of the beam decides.
 namespace boresight::system_test {
 namespace {
 
@@ -32,7 +32,7 @@ profile::Profile sunny()
     return profile;
 }
 
-// At noon: the Sun stands in the south, 31° high.
+// At noon: the Sun stands in the south, at 31° elevation.
 class SunKeepAway : public testing::Test
 {
 protected:
@@ -61,7 +61,8 @@ protected:
     Angle nearest = 180_deg;
 };
 
-// REQ-CONTROL-44 (SunKeepAway.*): The Sun's keep-out holds for the true direction of the beam, however the axes count.
+// REQ-CONTROL-44 (SunKeepAway.*): The keep-out of the Sun applies to the true direction of the beam, whatever the axis
+// angles are.
 TEST_F(SunKeepAway, HoldsForTheTrueDirectionOfTheBeam)
 {
     sun = sunNow();
@@ -79,14 +80,14 @@ TEST_F(SunKeepAway, HoldsForTheTrueDirectionOfTheBeam)
     EXPECT_LT(angleBetween(beam(), {.azimuth = sunNow().azimuth + 50_deg, .elevation = sun.elevation + 1_deg}), 1_deg);
 }
 
-// Story: at 1 January 2000 the beam went into the Sun without a word. Now a client is refused from every place where
-// the Sun may be, and what it is led to is none of them.
+// Story: with the clock at 1 January 2000 the beam went into the Sun without an alarm. A client must be refused every
+// place where the Sun may be, and must not be led to one of them.
 // REQ-CONTROL-39a
 TEST_F(SunKeepAway, WithoutASynchronisedClockTheBeamStaysAwayFromItToo)
 {
     rig.clock.setSynchronised(false);
     rig.clock.stepUtc(-std::chrono::hours(24 * 9456));
-    sun = {.azimuth = 180_deg, .elevation = 31_deg};  // where it really is
+    sun = {.azimuth = 180_deg, .elevation = 31_deg};  // the true direction of the Sun
     const auto client = rig.connect();
     for (double azimuth = 60.0; azimuth <= 300.0; azimuth += 5.0) {
         client->ask(pointAt(Angle::fromDegrees(azimuth), 31_deg));
@@ -97,7 +98,7 @@ TEST_F(SunKeepAway, WithoutASynchronisedClockTheBeamStaysAwayFromItToo)
     EXPECT_NE(rig.ask(request::PointSky{sun}).find("the clock is not synchronised"), std::string::npos);
 }
 
-// There the azimuth axis shows what the Sun's true azimuth is.
+// At this place the axis angle of the azimuth equals the true azimuth of the Sun.
 TEST_F(SunKeepAway, LeavesFreeWhereOnlyTheAxisCountsLikeTheSun)
 {
     sun = sunNow();

@@ -11,8 +11,8 @@
 #include <set>
 #include <string>
 
-// A second pair of supervisors looks over the shoulder of the whole station, by its status alone, while it does what it
-// is there for: in a whole satellite pass, slews at full speed and jogs there is nothing to find.
+// A second pair of supervisors checks the whole station by its status alone. During a complete satellite pass, slews at
+// full speed and jogs they must find nothing.
 namespace boresight::system_test {
 namespace {
 

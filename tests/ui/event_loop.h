@@ -6,23 +6,24 @@
 
 #include <functional>
 
-// What a test leaves to the event loop of the window. No wait has a fixed length: each ends with what it waits for.
+// The work that a test leaves to the event loop of the window. No wait has a fixed length: each ends with its
+// condition.
 namespace boresight::ui {
 
-inline constexpr int kPatienceMs = 60'000;  // only a failing test needs as much
+inline constexpr int kPatienceMs = 60'000;  // only a failing test waits this long
 
-// Until nothing is left to do: laid out, drawn, deleted.
+// Runs until everything is laid out, drawn and deleted.
 inline void settle()
 {
-    constexpr int kAnimatedMs = 2'000;  // what is animated is never done
+    constexpr int kAnimatedMs = 2'000;  // an animation never ends
 
-    for (int round = 0; round < 2; ++round) {  // what is deleted may leave something to be laid out
+    for (int round = 0; round < 2; ++round) {  // a deletion may cause another layout
         QCoreApplication::processEvents(QEventLoop::AllEvents, kAnimatedMs);
         QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
     }
 }
 
-// What a thread or a file dialog brings about.
+// For the results of a thread or a file dialog.
 [[nodiscard]] inline bool comesTrue(const std::function<bool()>& condition)
 {
     return QTest::qWaitFor(condition, kPatienceMs);

@@ -13,11 +13,10 @@
 #include <stdexcept>
 #include <string>
 
-// Finds what an operator finds: a widget by the name that a screen reader says, words that are seen, and the file
-// dialog that is open.
+// Finds what an operator finds: a widget by its name for a screen reader, visible words, and the open file dialog.
 namespace boresight::ui {
 
-// A hidden one only where none is seen: panels may each have one of this name.
+// Returns a hidden widget only if none is visible, because several panels may have one with this name.
 template <class T>
 T* findNamed(const QWidget& in, const char* name)
 {
@@ -31,7 +30,7 @@ T* findNamed(const QWidget& in, const char* name)
     return found;
 }
 
-// For a test that cannot go on without it.
+// For a test that cannot continue without it.
 template <class T>
 T& findSeen(const QWidget& in, const char* name)
 {
@@ -42,7 +41,7 @@ T& findSeen(const QWidget& in, const char* name)
     return *found;
 }
 
-// In time.
+// Waits until the words are shown.
 inline bool says(const QWidget& in, const char* words)
 {
     return comesTrue([&] {
@@ -55,7 +54,7 @@ inline bool says(const QWidget& in, const char* words)
     });
 }
 
-// Where its name is typed.
+// The field for the file name.
 inline QLineEdit* fileNameField(const QWidget& in)
 {
     const auto* const dialog = in.findChild<QFileDialog*>();

@@ -20,7 +20,7 @@ struct View
     int scale;
 };
 
-// The smallest window, the usual one, and the smallest on a screen with twice the dots.
+// The smallest window, the usual one, and the smallest one on a screen with twice the resolution.
 constexpr View kViews[] = {{"1024x700", {1024, 700}, 1}, {"200", {1024, 700}, 2}, {"1280x800", {1280, 800}, 1}};
 
 constexpr Seconds kPast{400.0};
@@ -65,7 +65,7 @@ std::string editionName(const ::testing::TestParamInfo<Edition>& test)
 
 InAnEdition::InAnEdition() : m_translation(QLatin1String(GetParam().language)) {}
 
-// The window begins with the theme of its settings.
+// The window starts with the theme of its settings.
 PictureBook::PictureBook() : mustBeWhole(headerAndAxes(window))
 {
     applyTheme(GetParam().theme);
@@ -102,7 +102,7 @@ void PictureBook::take(const QString& scene)
         SCOPED_TRACE(scene.toStdString() + " " + view.name);
         window.resize(view.size);
         settle();  // laid out
-        // Buttons and labels have the room they ask for, or the window would have had to grow.
+        // Buttons and labels have the room they need. Otherwise the window would have grown.
         EXPECT_EQ(window.width(), view.size.width());
         EXPECT_EQ(window.height(), view.size.height());
         judge();

@@ -8,9 +8,9 @@
 
 #include <ostream>
 
-// Pictures of the window for the eye, and what a program can judge of them. A test puts a scene on the screen once and
-// takes it: at every size and scale, into pictures/SCENE-EDITION-VIEW.png of the folder it runs in. An edition (a
-// theme, or Portuguese) is a test of its own, so that they run side by side.
+// Pictures of the window to look at, and the checks that a program can do on them. A test puts a scene on the screen
+// once and takes it at every size and scale, into pictures/SCENE-EDITION-VIEW.png of its working folder. An edition (a
+// theme, or Portuguese) is a separate test, so that editions run in parallel.
 namespace boresight::ui {
 
 struct Edition
@@ -31,7 +31,7 @@ inline const auto kThemesAndPortuguese =
 
 [[nodiscard]] std::string editionName(const ::testing::TestParamInfo<Edition>& test);
 
-// The language is in force before the window is made.
+// The language applies before the window is made.
 class InAnEdition : public ::testing::WithParamInterface<Edition>
 {
 protected:
@@ -47,12 +47,13 @@ protected:
     PictureBook();
     ~PictureBook() override;
 
-    // This status after a pass, so that there are a path in the sky, charts and a log; and the panel of this key.
+    // Shows this status after a pass, so that there are a path in the sky, charts and a log, and opens the panel with
+    // this key.
     void show(const StationStatus& status, char panel);
     void take(const QString& scene);
 
-    // What may never be cut off while it is seen: all of the header and the axes but their long sentences, and what a
-    // test adds.
+    // The labels that may never be cut off while they are visible: all in the header and the axes except their long
+    // sentences, and those that a test adds.
     QList<const ValueLabel*> mustBeWhole;
 
 private:

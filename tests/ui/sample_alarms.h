@@ -23,7 +23,7 @@ namespace boresight::samples {
             .help = entry.help};
 }
 
-// This one alone, on a mount that is well else.
+// Only this alarm, on a mount that is otherwise well.
 [[nodiscard]] inline StationStatus alarmed(const AlarmEntry& entry)
 {
     StationStatus status = idle();

@@ -74,7 +74,7 @@ SwingPlan swingPlan()
         .obstacle = {}};
 }
 
-// Where the Sun is in a day of June, with what a model without the offset misses of it.
+// The Sun during a day in June, with its residual for a model without the offset.
 PointStatus pointAt(int index, bool isUsed, UtcTime when)
 {
     const double step = index - 2.5;
@@ -259,7 +259,7 @@ StationStatus followingSun()
     calibration.following = true;
     calibration.warning = QStringLiteral(
         "The antenna points at the Sun. Do not look along it, nor through a sight tube without a solar filter. Watch "
-        "the heat at the feed");  // as the station says it: it has to fit
+        "the heat at the feed");  // in the words of the station: it must fit
     for (int index = 0; index < 3; ++index) {
         calibration.points.push_back(pointAt(index, true, status.utc));
     }

@@ -51,7 +51,7 @@ Permissions inMotion(Permissions may)
 
 StationStatus judged(StationStatus status)
 {
-    // A station without a calibration desk permits what one that knows nothing permits.
+    // A station without a calibration desk has the permissions of one without any calibration.
     const auto known = status.calibration;
     if (!known) {
         status.calibration = std::make_shared<const CalibrationStatus>();

@@ -3,19 +3,19 @@
 
 #include "core/messages/station_status.h"
 
-// What the stations of the samples permit: everything but what is forbidden here in one sentence. No rules: those are
-// tested where they are, in tests/core/control/permissions_test.cpp. The window only shows them.
+// The permissions of the sample stations: everything except what is forbidden here in one sentence. They follow no
+// rules: tests/core/control/permissions_test.cpp tests the rules. The window only shows the permissions.
 namespace boresight::samples {
 
 [[nodiscard]] Permissions permitted();
-// Nothing that moves the mount but Hold; nor Hold; only what points it somewhere.
+// Forbids all motion except Hold; all motion and Hold; only pointing.
 [[nodiscard]] Permissions withoutMoves(const QString& why, Permissions may = permitted());
 [[nodiscard]] Permissions withoutMotion(const QString& why, Permissions may = permitted());
 [[nodiscard]] Permissions withoutPointing(const QString& why, Permissions may = permitted());
-// Nothing that needs a mount at rest: it moves.
+// Forbids what needs a mount that stands still.
 [[nodiscard]] Permissions inMotion(Permissions may = permitted());
 
-// With what the calibration permits, and where the beam is: both as a station works it out.
+// Adds the permissions of the calibration and the direction of the beam, as a station computes them.
 [[nodiscard]] StationStatus judged(StationStatus status);
 
 }  // namespace boresight::samples

@@ -30,7 +30,7 @@ AxisStatus axis(Angle at, TravelRange travel)
     return axis;
 }
 
-// Rises at 285°, culminates at 62° in the north, sets at 75°: azimuth goes on through north to 435°.
+// Rises at 285°, culminates at 62° in the north, sets at 75°: the azimuth goes on through north to 435°.
 AxisPosition passAt(double seconds)
 {
     const double phase = std::clamp(seconds / kPassLength, 0.0, 1.0);
@@ -68,7 +68,7 @@ void addAlarm(StationStatus& status, const AlarmKey& key, Severity severity, con
                              .since = kUtc - std::chrono::seconds(7)});
 }
 
-// One object for all statuses, as the station sends it.
+// One object for all statuses, as a station sends it.
 const std::shared_ptr<const profile::Profile>& sampleProfile()
 {
     static const auto profile = [] {

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-// The button of a step in the row of the guide. The last page has a line of each step besides.
+// The button of a step in the row of the guide. (The last page also has a line for each step.)
 namespace boresight::ui {
 
 inline StepButton& stepButtonOf(const QWidget& window, GuideStep step)

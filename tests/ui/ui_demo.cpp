@@ -105,7 +105,7 @@ int main(int argc, char* argv[])
     QObject::connect(&window, &ui::MainWindow::closeRequested, &window, [&] { window.closeNow(); });
 
     std::uint64_t ticks = 0;
-    SteadyTime sampled = clock.now() - std::chrono::minutes(12);  // the charts begin with a past
+    SteadyTime sampled = clock.now() - std::chrono::minutes(12);  // the charts start with past data
     QTimer tick;
     QObject::connect(&tick, &QTimer::timeout, &window, [&] {
         StationUpdate update = samples::update(scene(options.value(QStringLiteral("scene")), double(ticks) * 0.05));
@@ -130,7 +130,7 @@ int main(int argc, char* argv[])
         QTimer::singleShot(2000, &window, [&] { begin = processorSeconds(); });
         QTimer::singleShot(2000 + seconds * 1000, &window, [&] {
             out << "processor " << 100.0 * (processorSeconds() - begin) / seconds << " % of one core" << Qt::endl;
-            QApplication::exit();  // quit() would ask the window to close, and that asks the operator
+            QApplication::exit();  // quit() would close the window, which asks the operator
         });
     }
     return QApplication::exec();

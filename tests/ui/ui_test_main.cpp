@@ -18,7 +18,7 @@ void setUnlessSet(const char* name, const char* value)
 
 }  // namespace
 
-// Real widgets without a display: the offscreen platform, and one font on every machine.
+// Real widgets without a display: the offscreen platform, and the same font on every computer.
 int main(int argc, char* argv[])
 {
     setUnlessSet("QT_QPA_PLATFORM", "offscreen");

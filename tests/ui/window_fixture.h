@@ -19,8 +19,8 @@
 #include <utility>
 #include <vector>
 
-// A shown and active window at 1024×700 with a clock turned by hand, and everything it asks of the station. Its beat,
-// its dead-man and what else it times run by that clock, too.
+// A visible and active window at 1024×700 with a hand-turned clock, and all its requests to the station. Its beat, its
+// dead-man switch and its other timers use this clock, too.
 namespace boresight::ui {
 
 class WindowFixture : public ::testing::Test
@@ -41,12 +41,12 @@ protected:
 
     static WindowSettings settings() { return {.rotators = rotatorOffers()}; }
 
-    // By its key, Ctrl+digit.
+    // Opens a panel by its key, Ctrl+digit.
     void openPanel(char digit) { QTest::keyClick(&window, digit, Qt::ControlModifier); }
-    // The keys of all panels that are always there.
+    // The keys of all panels that are always present.
     static constexpr std::string_view kPanels = "123456789T";
 
-    // With the verdicts on the directions that the window has asked about.
+    // Adds the verdicts on the directions that the window has asked about.
     void give(StationUpdate update)
     {
         for (const NumberedRequest& one : std::exchange(questions, {})) {
@@ -81,7 +81,7 @@ protected:
     fakes::ManualClock clock;
     std::vector<NumberedRequest> requests;   // without the questions
     std::vector<NumberedRequest> questions;  // not answered yet
-    // What the station says to a question.
+    // The answer of the station to a question.
     std::function<DirectionVerdict(const SkyPointing&)> judge = [](const SkyPointing&) { return DirectionVerdict{}; };
     MainWindow window;
     fakes::HandTurnedTimers timers{window, clock};

@@ -7,7 +7,7 @@
 
 class QVBoxLayout;
 
-// The place of the charts among the panels, as long as they do not stand beside the panels.
+// The panel with the charts, while they are not shown beside the panels.
 namespace boresight::ui {
 
 class StripCharts;
@@ -19,7 +19,7 @@ class ChartsPanel : public QWidget
 public:
     explicit ChartsPanel(const Clock& clock, QWidget* parent = nullptr);
 
-    // They may be lent to another place, and come back by takeBack().
+    // They may be shown in another place, and come back by takeBack().
     [[nodiscard]] StripCharts& charts() { return *m_charts; }
     void takeBack();
 

@@ -8,7 +8,7 @@ namespace boresight::ui {
 
 namespace {
 
-// Includes nothing, and is included without a trace.
+// An empty range: it contains nothing, and including it in another range changes nothing.
 constexpr PeakRange kNothing{std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity()};
 
 bool holds(const PeakRange& range)
@@ -16,7 +16,7 @@ bool holds(const PeakRange& range)
     return range.min <= range.max;
 }
 
-// Rounding towards the past, also of negative numbers.
+// Rounds down, also for negative numbers.
 std::int64_t floorOf(std::int64_t dividend, std::int64_t divisor)
 {
     const std::int64_t quotient = dividend / divisor;
@@ -36,7 +36,7 @@ std::int64_t PeakGrid::firstBin(std::int64_t column) const
     return floorOf(column * bins, columns);
 }
 
-// The last column that begins at this bin or before it.
+// The last column that begins at this bin or earlier.
 std::int64_t PeakGrid::columnOf(std::int64_t bin) const
 {
     return floorOf((bin + 1) * columns - 1, bins);
@@ -75,7 +75,7 @@ void PeakRing::begin(std::int64_t bin)
     m_last = bin;
 }
 
-// Empties the nodes that are entered: they still hold what was there one round of the ring ago.
+// Clears the nodes that are entered, because they still hold the values of the last round of the ring.
 void PeakRing::moveTo(std::int64_t bin)
 {
     for (int level = 0; level < kLevels; ++level) {
@@ -107,7 +107,7 @@ void PeakRing::add(std::int64_t bin, float value)
     }
 }
 
-// From left to right by the widest nodes that lie within.
+// From left to right, using the widest nodes that lie within the range.
 std::optional<PeakRange> PeakRing::range(std::int64_t first, std::int64_t end) const
 {
     PeakRange sum = kNothing;

@@ -8,10 +8,10 @@
 #include <optional>
 #include <vector>
 
-// One quantity over the last half hour, kept so that any part of it is drawn at once without losing a peak: least and
-// greatest value of each bin of time, above that of each two bins, each four and so on (a min/max pyramid). Bins are
-// counted by the owner; where no value came for more than kJoin bins there is a gap, and what lies on either side of
-// it is never one line. Pure; 1.5 MB, allocated with the first value.
+// One quantity over the last half hour, stored so that any part of it can be drawn at once without losing a peak: the
+// least and greatest value of each time bin, and above that of two bins, four bins and so on (a min/max pyramid). The
+// owner numbers the bins. More than kJoin bins without a value are a gap, and a line never crosses a gap. Pure. 1.5 MB,
+// allocated with the first value.
 namespace boresight::ui {
 
 struct PeakRange
@@ -23,18 +23,19 @@ struct PeakRange
     bool operator==(const PeakRange&) const = default;
 };
 
-// What one column of pixels shows. A column that holds a gap comes twice: what was before it, and what came after.
+// The contents of one column of pixels. A column with a gap in it comes twice: the part before the gap and the part
+// after.
 struct PeakColumn
 {
     std::int64_t column = 0;
     PeakRange range;
-    bool joined = false;  // to the column before
+    bool joined = false;  // connected to the column before
 
     bool operator==(const PeakColumn&) const = default;
 };
 
-// Columns of equal width, `bins` of time in `columns` pixels: a column is found at the same bins whatever part of the
-// time is shown, so that a picture that moves on does not flicker.
+// Columns of equal width, with `bins` of time in `columns` pixels. A column always begins at the same bins, whatever
+// part of the time is shown, so that a moving picture does not flicker.
 struct PeakGrid
 {
     std::int64_t bins = 1;
@@ -49,16 +50,16 @@ class PeakRing
 public:
     static constexpr int kLevels = 13;
     static constexpr std::int64_t kBins = 23 << (kLevels - 1);  // 94,208: at 20 ms half an hour and 84 s to spare
-    static constexpr std::int64_t kJoin = 5;                    // so many bins may stay empty within a line
+    static constexpr std::int64_t kJoin = 5;                    // this many bins may be empty within a line
 
-    // Into this bin, or the newest one if that is later.
+    // Adds to this bin, or to the newest one if that is later.
     void add(std::int64_t bin, float value);
 
-    // Over the bins [first, end); empty if there is nothing.
+    // The range over the bins [first, end). Empty if there is no value.
     [[nodiscard]] std::optional<PeakRange> range(std::int64_t first, std::int64_t end) const;
-    // The columns [first, end) that hold something, oldest first.
+    // The non-empty columns of [first, end), oldest first.
     [[nodiscard]] std::vector<PeakColumn> columns(const PeakGrid& grid, std::int64_t first, std::int64_t end) const;
-    // The last value not later than `bin` and not across a gap from it.
+    // The last value at or before `bin`, if there is no gap in between.
     [[nodiscard]] std::optional<PeakRange> at(std::int64_t bin) const;
 
     [[nodiscard]] static std::size_t bytes();
@@ -79,7 +80,7 @@ private:
     std::array<std::vector<PeakRange>, kLevels> m_levels;
     std::deque<Gap> m_gaps;
     std::int64_t m_first = 0;  // bin of the first value ever
-    std::int64_t m_last = -1;  // of the newest; below m_first: nothing yet
+    std::int64_t m_last = -1;  // bin of the newest value; below m_first: no value yet
 };
 
 }  // namespace boresight::ui

@@ -56,21 +56,21 @@ StripChart::~StripChart() = default;
 
 void StripChart::setUpPlot()
 {
-    m_plot->setAutoDelete(false);  // the items are ours
+    m_plot->setAutoDelete(false);  // the plot owns these items itself
     m_plot->setAttribute(Qt::WA_TransparentForMouseEvents);
     m_plot->setMinimumSize(1, 1);
-    m_plot->setAxisVisible(QwtAxis::XBottom, false);  // TimeAxis: one for all strips
+    m_plot->setAxisVisible(QwtAxis::XBottom, false);  // TimeAxis draws one axis for all strips
     m_plot->setAxisScaleDraw(QwtAxis::YLeft, m_labels);
     m_plot->setAxisMaxMinor(QwtAxis::YLeft, 0);
     m_plot->setAxisFont(QwtAxis::YLeft, fonts::label());
     m_plot->axisWidget(QwtAxis::YLeft)->setMargin(0);
-    // The same room for the labels in every strip, so that one time lies below the other.
+    // The same room for the labels in every strip, so that equal times are below each other.
     m_labels->setMinimumExtent(QFontMetrics(fonts::label()).horizontalAdvance(QStringLiteral("-0.005")) + 14);
     m_labels->enableComponent(QwtAbstractScaleDraw::Backbone, false);
     m_plot->plotLayout()->setCanvasMargin(0);
     auto* const canvas = new QwtPlotCanvas;
     canvas->setFrameStyle(QFrame::NoFrame);
-    canvas->setPaintAttribute(QwtPlotCanvas::BackingStore, false);  // it is never painted twice alike
+    canvas->setPaintAttribute(QwtPlotCanvas::BackingStore, false);  // the same picture is never painted twice
     m_plot->setCanvas(canvas);
     m_traces->setFrame(m_frame);
     m_marks->setFrame(m_frame);
@@ -171,7 +171,8 @@ QString StripChart::caption() const
     return text;
 }
 
-// The legend with the values in it. Where it is too long, the words go: lines and bands still tell which is which.
+// The legend with the values. If it is too long the words are left out, because lines and bands still identify the
+// curves.
 void StripChart::paintEvent(QPaintEvent*)
 {
     const bool words = paintCaption(nullptr, true) <= width();
@@ -179,7 +180,7 @@ void StripChart::paintEvent(QPaintEvent*)
     paintCaption(&painter, words);
 }
 
-// Returns its width; without a painter it is only measured.
+// Returns the width. Without a painter the caption is only measured.
 int StripChart::paintCaption(QPainter* painter, bool words) const
 {
     const Theme& colours = currentTheme();

@@ -11,8 +11,8 @@
 class QwtPlot;
 class QwtPlotGrid;
 
-// One strip: a caption that is legend and readout in one, and below it the curves over the time. Passive: it paints the
-// frame it is given, and tells where the cursor is put. Beside the polar plot the only place that touches Qwt.
+// One strip: a caption that is legend and readout in one, and the curves over time below it. Passive: it paints the
+// given frame and reports the place of the cursor. Apart from the polar plot the only user of Qwt.
 namespace boresight::ui {
 
 class MarksItem;
@@ -37,7 +37,7 @@ public:
     [[nodiscard]] const StripFrame& frame() const { return m_frame; }
     [[nodiscard]] const StripScale& scale() const { return m_scale; }
     [[nodiscard]] QString caption() const;  // as text: "Position °  commanded 12.30  actual 12.28"
-    [[nodiscard]] QPointF pixel(int column, double value) const;  // for the test of what is painted
+    [[nodiscard]] QPointF pixel(int column, double value) const;  // for the test of the painting
 
     [[nodiscard]] QSize minimumSizeHint() const override { return {200, 70}; }
     [[nodiscard]] QSize sizeHint() const override { return {300, 90}; }

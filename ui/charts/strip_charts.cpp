@@ -158,7 +158,7 @@ void StripCharts::chooseWindow(std::chrono::seconds window)
     m_time->setWindow(window);
     for (StripChart* const chart : m_strips) {
         chart->setWindow(window);
-        chart->setForm(chart->form());  // what was shown so far says nothing about the new scale
+        chart->setForm(chart->form());  // the present contents do not tell the new scale
     }
     refresh();
 }
@@ -322,7 +322,7 @@ void StripCharts::focusOutEvent(QFocusEvent* event)
     update();
 }
 
-// The focus is seen.
+// Shows the focus.
 void StripCharts::paintEvent(QPaintEvent*)
 {
     if (hasFocus()) {

@@ -16,11 +16,11 @@ class QButtonGroup;
 class QComboBox;
 class QGridLayout;
 
-// The charts of one axis, one above the other: position, error, and a quantity of its drive; with the buttons that
-// choose what is shown. Now is at the right end; paused, the picture stands still and the data are collected on.
-// Where nothing came from the drives, nothing is drawn. A mount without drives that report has no third chart. They
-// stand in their panel or, in a wide window, beside it. More than 15 members: the widgets that it composes, and what
-// they show.
+// The charts of one axis, one above the other: position, error, and a quantity of its drive, with the buttons that
+// choose the contents. The present is at the right end. When paused, the picture stands still and data are still
+// collected. Where the drives reported nothing, nothing is drawn. A mount without such drives has no third chart. The
+// charts are in their panel or, in a wide window, beside it.
+// More than 15 members: the widgets that it composes, and their contents.
 namespace boresight::ui {
 
 class ChoiceButton;
@@ -33,7 +33,7 @@ class StripCharts : public QWidget
     Q_OBJECT
 
 public:
-    // The clock outlives the charts; the samples' times are its times.
+    // The clock must outlive the charts. The times of the samples are from this clock.
     explicit StripCharts(const Clock& clock, QWidget* parent = nullptr);
 
     void add(const std::vector<TickSample>& samples);
@@ -41,7 +41,7 @@ public:
 
     [[nodiscard]] StripChart& strip(Strip strip) { return *m_strips[static_cast<std::size_t>(strip)]; }
     [[nodiscard]] const ChartChoice& choice() const { return m_choice; }
-    void choose(const ChartChoice& choice);  // what is not offered is passed over
+    void choose(const ChartChoice& choice);  // ignores a choice that is not offered
     [[nodiscard]] const TelemetryStore& store() const { return *m_store; }
 
 protected:
@@ -76,7 +76,7 @@ private:
     QButtonGroup* m_windows;
     QButtonGroup* m_axes;
     QComboBox* m_quantity;
-    // Of the status that was shown last: the cursor draws the limits again between two of them.
+    // From the status that was shown last, because the cursor redraws the limits between two status values.
     ChartLimits m_limits;
     std::array<bool, 2> m_turnKnown{true, true};  // by Axis
     std::optional<SteadyTime> m_pausedAt;

@@ -15,8 +15,8 @@ class StripTexts
     Q_DECLARE_TR_FUNCTIONS(StripTexts)
 };
 
-// Shares of the beam's width that are drawn beside the error, the widest that fits. A tenth of the half-power width
-// off the axis costs 0.1 dB, half of it 3 dB.
+// Parts of the beam width that are drawn beside the error. The widest that fits is used. An error of a tenth of the
+// half-power width costs 0.1 dB, half the width costs 3 dB.
 constexpr double kBeamShares[] = {50.0, 10.0, 1.0};  // percent
 
 Trace trace(const QString& word, TraceLine line, const PeakRing& ring, const ChartSpan& span)
@@ -29,7 +29,7 @@ Trace trace(const QString& word, TraceLine line, const PeakRing& ring, const Cha
     }
     const std::int64_t column = first + *span.cursor;
     trace.value = ring.range(span.grid.firstBin(column), span.grid.firstBin(column + 1));
-    if (!trace.value) {  // more pixels than values
+    if (!trace.value) {  // there are more pixels than values
         trace.value = ring.at(span.grid.firstBin(column));
     }
     return trace;

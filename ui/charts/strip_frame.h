@@ -12,8 +12,8 @@
 #include <optional>
 #include <vector>
 
-// What a strip shows now, as plain values: cut from the store for the chosen axis and time, to be painted by
-// StripChart. Pure. A column is one pixel of the screen, counted from the beginning of time; the last one is now.
+// The present contents of a strip as plain values, taken from the store for the chosen axis and time. StripChart paints
+// them. Pure. A column is one pixel of the screen, counted from the start of time. The last column is the present.
 namespace boresight::ui {
 
 enum class Strip
@@ -23,7 +23,7 @@ enum class Strip
     Drive
 };
 
-// What the strip of the drive shows.
+// The quantity in the strip of the drive.
 enum class DriveQuantity
 {
     Torque,
@@ -35,7 +35,7 @@ enum class DriveQuantity
 enum class TraceLine
 {
     Line,
-    Band  // broad and pale, lies under the line
+    Band  // broad and pale, below the line
 };
 
 struct Trace
@@ -43,10 +43,10 @@ struct Trace
     QString word;
     TraceLine line = TraceLine::Line;
     std::vector<PeakColumn> columns;
-    std::optional<PeakRange> value;  // under the cursor, else the newest
+    std::optional<PeakRange> value;  // at the cursor, otherwise the newest value
 };
 
-// A level that means something: a limit, a share of the beam.
+// A level with a meaning: a limit, or a part of the beam width.
 struct ReferenceLine
 {
     double value = 0.0;
@@ -62,7 +62,7 @@ struct StripFrame
     std::optional<int> cursor;  // columns from the left
 };
 
-// What does not change while the same thing is shown.
+// The part that does not change while the same contents are shown.
 struct StripForm
 {
     QString title;
@@ -87,13 +87,13 @@ struct ChartSpan
     std::optional<int> cursor;  // columns from the left
 
     [[nodiscard]] std::int64_t firstColumn() const { return grid.columnOf(newestBin) + 1 - grid.columns; }
-    // In the middle of the column under the cursor.
+    // The time in the middle of the column under the cursor.
     [[nodiscard]] std::optional<SteadyTime> cursorTime() const;
 };
 
 [[nodiscard]] ChartSpan spanOf(std::chrono::seconds window, int columns, SteadyTime newest, std::optional<int> cursor);
 [[nodiscard]] StripForm formOf(Strip strip, DriveQuantity quantity);
-// What the lines of reference show.
+// The values for the reference lines.
 struct ChartLimits
 {
     std::shared_ptr<const profile::Profile> profile = std::make_shared<const profile::Profile>();
@@ -102,7 +102,7 @@ struct ChartLimits
 [[nodiscard]] StripFrame frameOf(const TelemetryStore& store, Strip strip, const ChartChoice& choice,
                                  const ChartSpan& span, const ChartLimits& limits);
 [[nodiscard]] QString name(DriveQuantity quantity);
-// "12.30" or, of a column that holds more than can be told apart, "12.10…12.50"; "–" without a value.
+// "12.30", or "12.10…12.50" for a column with a range, or "–" without a value.
 [[nodiscard]] QString valueText(const std::optional<PeakRange>& value, int decimals);
 // In words, for screen readers: "Position: commanded 12.30°, in between 10.00…12.30°; actual …".
 [[nodiscard]] QString describe(const StripForm& form, const StripFrame& frame);

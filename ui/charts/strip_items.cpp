@@ -26,15 +26,15 @@ QColor mixed(const QColor& colour, const QColor& ground, double share)
     return {part(colour.red(), ground.red()), part(colour.green(), ground.green()), part(colour.blue(), ground.blue())};
 }
 
-struct Edges  // of a curve in one column: upper and lower, in pixels from above
+struct Edges  // upper and lower edge of a curve in one column, in pixels from above
 {
     double x = 0.0;
     double upper = 0.0;
     double lower = 0.0;
 };
 
-// A curve as the area between its edges, one pixel wide steps in time: several times quicker than a pen that goes to
-// and fro between the peaks, and as smooth, since the edges lie between the pixels.
+// A curve as the area between its edges, in time steps of one pixel. This is several times faster than a pen that moves
+// between the peaks, and equally smooth, because the edges are not rounded to pixels.
 void fillPiece(QPainter& painter, std::span<const Edges> piece, double columnWidth, double halfWidth)
 {
     QPolygonF area;
@@ -49,8 +49,8 @@ void fillPiece(QPainter& painter, std::span<const Edges> piece, double columnWid
     painter.drawPolygon(area, Qt::WindingFill);
 }
 
-// In pieces, because Qt's rasteriser seeks its cells along the whole row: the time grows with the square of the width.
-// They overlap by a column, so that no seam is seen where a column is not a whole pixel.
+// In pieces, because the time of Qt's rasteriser grows with the square of the width: it searches its cells along the
+// whole row. The pieces overlap by a column, so that no seam is visible where a column is not a whole pixel.
 void fillRun(QPainter& painter, std::span<const Edges> run, double columnWidth, double halfWidth)
 {
     for (std::size_t first = 0; first < run.size(); first += kPiece) {
@@ -58,7 +58,7 @@ void fillRun(QPainter& painter, std::span<const Edges> run, double columnWidth, 
     }
 }
 
-// One area for each run without a gap. A column reaches to the one before it, so that a jump is a line.
+// One area for each run without a gap. A column reaches back to the one before it, so a jump becomes a line.
 void drawTrace(QPainter& painter, const Trace& trace, const StripFrame& frame, const QwtScaleMap& valueMap,
                const QRectF& canvas)
 {

@@ -6,15 +6,15 @@
 #include <qwt_plot_item.h>
 #include <qwt_scale_draw.h>
 
-// What lies in a strip, as Qwt items. Included by strip_chart.cpp only, so that Qwt stays in one place. A column of the
-// frame is one pixel of the screen.
+// The contents of a strip as Qwt items. Only strip_chart.cpp includes this file, so that Qwt stays in one place. A
+// column of the frame is one pixel of the screen.
 namespace boresight::ui {
 
-// The traces: bands first, lines above them.
+// The traces: bands first, lines on top of them.
 class TracesItem final : public QwtPlotItem
 {
 public:
-    void setFrame(const StripFrame& frame) { m_frame = &frame; }  // outlives the item
+    void setFrame(const StripFrame& frame) { m_frame = &frame; }  // must outlive the item
 
     void draw(QPainter* painter, const QwtScaleMap& timeMap, const QwtScaleMap& valueMap,
               const QRectF& canvasRect) const override;
@@ -36,7 +36,7 @@ private:
     const StripFrame* m_frame = nullptr;
 };
 
-// Labels that all have the same decimals.
+// Labels with the same number of decimals.
 class ValueScaleDraw final : public QwtScaleDraw
 {
 public:
@@ -47,7 +47,7 @@ private:
     int m_decimals = 0;
 };
 
-// As in the strip: for the legend beside its word.
+// The pen of a trace, also used in the legend.
 [[nodiscard]] QPen tracePen(TraceLine line);
 
 }  // namespace boresight::ui

@@ -8,11 +8,11 @@ namespace boresight::ui {
 
 namespace {
 
-constexpr double kHeadroom = 0.05;         // of the span, above and below
-constexpr double kShrinkBelow = 0.35;      // of the span shown: less than this is shown larger
-constexpr double kStripScaleLabels = 3.0;  // about so many steps fit a low strip
+constexpr double kHeadroom = 0.05;         // as a part of the span, above and below
+constexpr double kShrinkBelow = 0.35;      // a curve smaller than this part of the span is enlarged
+constexpr double kStripScaleLabels = 3.0;  // approximate number of label steps in a low strip
 
-// 1, 2 or 5 times a power of ten, not less than `wanted`.
+// 1, 2 or 5 times a power of ten, at least `wanted`.
 double roundStep(double wanted)
 {
     const double power = std::pow(10.0, std::floor(std::log10(wanted)));
@@ -49,7 +49,7 @@ void StripScale::set(double least, double greatest)
     const double middle = (least + greatest) / 2.0;
     const double half = std::max(greatest - least, m_leastSpan) * (0.5 + kHeadroom);
     m_step = roundStep(2.0 * half / kStripScaleLabels);
-    // The ends may lie half a step beside the labels: whole steps would waste a third of a low strip.
+    // The ends may lie half a step beside the labels, because whole steps would waste a third of a low strip.
     const double grain = m_step / 2.0;
     m_lower = std::floor((middle - half) / grain) * grain;
     m_upper = std::ceil((middle + half) / grain) * grain;

@@ -3,9 +3,9 @@
 
 #include <optional>
 
-// The vertical scale of a strip: holds all that is shown, on round numbers, and never less than a span that has a
-// meaning, so that the noise of a standing axis does not fill the strip. It grows at once and shrinks only when the
-// curve has become much smaller, so that it does not dance. Pure, in the unit of the strip.
+// The vertical scale of a strip. It includes everything that is shown, with round numbers, and has at least a
+// meaningful span, so that the noise of an axis that stands still does not fill the strip. It grows at once and shrinks
+// only when the curve has become much smaller, so that it does not change all the time. Pure, in the unit of the strip.
 namespace boresight::ui {
 
 enum class ScaleForm
@@ -23,8 +23,8 @@ public:
 
     [[nodiscard]] double lower() const { return m_lower; }
     [[nodiscard]] double upper() const { return m_upper; }
-    [[nodiscard]] double step() const { return m_step; }  // of the labels
-    [[nodiscard]] int decimals() const;                   // that tell the labels apart
+    [[nodiscard]] double step() const { return m_step; }  // between two labels
+    [[nodiscard]] int decimals() const;                   // enough to distinguish the labels
 
 private:
     void set(double least, double greatest);

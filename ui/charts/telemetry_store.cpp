@@ -9,8 +9,8 @@ namespace boresight::ui {
 
 namespace {
 
-// How far from the middle of the next bin a sample may be and still be counted as the next one, in bins: ticks come
-// some milliseconds early and late, and would else leave one bin empty and put two samples into another.
+// How far a sample may be from the middle of the next bin and still count for it, in bins. Ticks come some milliseconds
+// early or late. Without this tolerance one bin would be empty and another would have two samples.
 constexpr double kSteady = 0.9;
 
 double binsOf(SteadyTime time)

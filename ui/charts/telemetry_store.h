@@ -10,14 +10,14 @@
 #include <cstdint>
 #include <vector>
 
-// What both axes did over the last half hour, for the charts: a PeakRing for each quantity of each axis. Values are
-// kept in the units they are drawn in. Time is cut into bins of one tick at 50 Hz; faster ticks share a bin and keep
-// their peaks, slower ones leave some empty. Gui thread; at most 24 MB.
+// The data of both axes over the last half hour, for the charts: a PeakRing for each quantity of each axis. Values are
+// stored in the units of the drawing. A bin is one tick at 50 Hz. Faster ticks share a bin and keep their peaks, slower
+// ticks leave some bins empty. Gui thread. At most 24 MB.
 namespace boresight::ui {
 
 enum class Channel
 {
-    Commanded,  // degrees, mechanical: azimuth is continuous
+    Commanded,  // degrees, axis angles: the azimuth is continuous
     Actual,
     Error,             // commanded minus actual, of the same tick
     Torque,            // Nm
@@ -38,7 +38,7 @@ public:
     [[nodiscard]] const PeakRing& ring(Axis axis, Channel channel) const;
 
     [[nodiscard]] static std::int64_t binOf(SteadyTime time);
-    [[nodiscard]] static SteadyTime timeOf(std::int64_t bin);  // its middle
+    [[nodiscard]] static SteadyTime timeOf(std::int64_t bin);  // the time in the middle of the bin
     [[nodiscard]] static std::size_t bytes() { return 2 * kChannels * PeakRing::bytes(); }
 
 private:

@@ -79,7 +79,7 @@ QRect TimeAxis::labelBox(double x, const QString& text) const
     return {QPoint(left, kTimeAxisTick + 1), size};
 }
 
-// What the cursor says stands before the labels of the axis.
+// The text of the cursor has priority over the labels of the axis.
 void TimeAxis::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);

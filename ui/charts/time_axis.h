@@ -5,7 +5,7 @@
 
 #include <chrono>
 
-// The time axis below the strips: "now" at the right end, or when the charts were paused, and how long ago before it.
+// The time axis below the strips: "now", or the time of the pause, at the right end, and the age before it.
 namespace boresight::ui {
 
 class TimeAxis : public QWidget
@@ -18,7 +18,7 @@ public:
     void setWindow(std::chrono::seconds window);
     void setNewest(const QString& text);         // "now"
     void setCanvas(int left, int width);         // where the strips draw
-    void setCursor(int x, const QString& text);  // the text that stands below the cursor; empty: none
+    void setCursor(int x, const QString& text);  // the text below the cursor; empty: no cursor
 
     [[nodiscard]] const QString& cursorText() const { return m_cursorText; }
     [[nodiscard]] QSize sizeHint() const override;
@@ -38,7 +38,7 @@ private:
     int m_width = 1;
 };
 
-// Between two lines of the grid, and as a label: "2 s", "15 s", "5 min".
+// The step between two lines of the grid, and its label: "2 s", "15 s", "5 min".
 [[nodiscard]] std::chrono::seconds timeStep(std::chrono::seconds window);
 [[nodiscard]] QString timeText(std::chrono::seconds time);
 

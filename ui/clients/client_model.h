@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
-// The connections of the rotctld server as a table, in the order in which they came. What a client may do is a word,
-// and what wants to be looked at has a shape.
+// The connections of the rotctld server as a table, in the order of their arrival. The permission of a client is a
+// word, and anything that needs attention has a symbol.
 namespace boresight::ui {
 
 class ClientModel : public TableModel
@@ -42,6 +42,6 @@ private:
 };
 
 [[nodiscard]] QString roleWord(const ClientStatus& client);
-[[nodiscard]] QStringList roleWords();  // all there are
+[[nodiscard]] QStringList roleWords();  // all possible words
 
 }  // namespace boresight::ui

@@ -25,7 +25,7 @@
 namespace boresight::ui {
 
 namespace {
-constexpr int kCellMargins = 10;  // px beside the text of a cell, both together
+constexpr int kCellMargins = 10;  // px beside the text of a cell, on both sides together
 const QString kWidestCommand = QStringLiteral("P 000.00 -00.00");
 const QString kWidestProgram = QStringLiteral("boresightctl");
 
@@ -118,7 +118,7 @@ QTableView* ClientsPanel::makeTable()
     table->verticalHeader()->setDefaultSectionSize(metrics.lineSpacing() + 8);
     QHeaderView* const header = table->horizontalHeader();
     header->setSectionResizeMode(QHeaderView::Stretch);
-    // A header measures its contents when rows come and go, not when their words change: these have room for any.
+    // A header measures its contents only when rows are added or removed, so the widths here leave room for all words.
     const auto reserve = [&](ClientModel::Column column, QStringList texts) {
         texts << m_model->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
         header->setSectionResizeMode(column, QHeaderView::Fixed);
@@ -132,8 +132,8 @@ QTableView* ClientsPanel::makeTable()
     return table;
 }
 
-// The name of a program is whole. Where there is no room beside it, the last command is in the line of the selected
-// client and in the tooltip.
+// The name of a program is shown completely. If there is no room beside it, the last command is in the line of the
+// selected client and in the tooltip.
 void ClientsPanel::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
@@ -205,7 +205,7 @@ void ClientsPanel::showStatus(const StationStatus& status)
     m_model->show(status.clients);
     const int row = m_selected ? m_model->rowOf(*m_selected).value_or(-1) : -1;
     if (row >= 0 && row != m_table->currentIndex().row()) {
-        m_table->selectRow(row);  // who came or left has moved the rows
+        m_table->selectRow(row);  // the rows have moved when clients came or left
     }
     m_gpredict->setValue(gpredictInBrief(status), Tone::Secondary);
     showRules();
@@ -248,7 +248,7 @@ void ClientsPanel::showAccess()
     m_access->setValue(text, Tone::Secondary);
 }
 
-// Nothing of it while nobody needs one.
+// Hidden while nothing uses a broker.
 void ClientsPanel::showBroker()
 {
     const BrokerStatus& broker = m_status.broker;
@@ -266,7 +266,7 @@ void ClientsPanel::showBroker()
     }
 }
 
-// The advice of a client that needs one stands there also while nothing is selected.
+// Without a selection the line shows the advice for the client that needs it.
 void ClientsPanel::showSelected()
 {
     const ClientStatus* const client = selected();
@@ -297,7 +297,7 @@ void ClientsPanel::showSelected()
     }
 }
 
-// What others are about to change in the profile is not applied along with the rule.
+// Edits of other settings must not be applied along with the rule.
 QString ClientsPanel::whyNoChange() const
 {
     const auto ours = [](const std::string& key) { return key == "rotctld.lead" || key == "rotctld.locked_to"; };
@@ -328,7 +328,7 @@ void ClientsPanel::choose(profile::Lead lead, const std::string& lockedTo)
                                error ? Symbol::Warning : Symbol::None);
         });
     }
-    showRules();  // as the station has it until it answers
+    showRules();  // the rule of the station, until it answers
 }
 
 void ClientsPanel::copySettings() const

@@ -10,8 +10,8 @@
 
 class QTableView;
 
-// The rotctld clients: who is connected, who of them moves the mount and by which rule, and what the operator can do
-// about each; below, the MQTT broker, if there is to be one. The rule is a setting of the profile and applied at once.
+// The rotctld clients: which are connected, which one moves the mount and by which rule, and the operator's actions for
+// each. Below them the MQTT broker, if one is used. The rule is a setting of the profile and applies at once.
 // More than 15 members: the widgets that it composes.
 namespace boresight::ui {
 
@@ -65,7 +65,7 @@ private:
     CommandButton* m_readOnly;
     CommandButton* m_disconnect;
     CommandButton* m_lock;
-    std::optional<std::uint64_t> m_selected;  // id; the row may change
+    std::optional<std::uint64_t> m_selected;  // id, because the row may change
 };
 
 }  // namespace boresight::ui

@@ -12,7 +12,7 @@ class GpredictSettings
     Q_DECLARE_TR_FUNCTIONS(GpredictSettings)
 };
 
-// A server that listens on all addresses is reached by whichever of them the other computer sees.
+// A server that listens on all addresses is reached at whichever address the other computer can use.
 QString host(const StationStatus& status)
 {
     const QString listening = status.listening.section(QLatin1Char(':'), 0, -2);
@@ -30,7 +30,7 @@ bool aroundNorth(const StationStatus& status)
     return status.profile->rotctld.azimuth == profile::AzimuthConvention::PlusMinus180;
 }
 
-// As Gpredict's dialog writes it.
+// As written in Gpredict's dialog.
 QString azimuthType(const StationStatus& status)
 {
     return aroundNorth(status) ? QStringLiteral("-180° → 0° → +180°") : QStringLiteral("0° → 180° → 360°");

@@ -5,7 +5,7 @@
 
 #include <QString>
 
-// What a Gpredict must be told to use this mount, by the names of its own dialogs, ready to be copied.
+// The settings that Gpredict needs to use this mount, with the names in its dialogs, ready to be copied.
 namespace boresight::ui {
 
 [[nodiscard]] QString gpredictSettings(const StationStatus& status);  // several lines

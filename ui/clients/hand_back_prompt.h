@@ -4,8 +4,8 @@
 #include "core/messages/station_status.h"
 #include "ui/kit/prompt_bar.h"
 
-// Over the plot, after an act of the operator that took the control from clients which still want it: one press gives
-// it back. Dismiss is remembered until the control is taken again.
+// Shown over the plot after an act of the operator that took control from clients which still want it: one press hands
+// it back. Dismiss applies until control is taken again.
 namespace boresight::ui {
 
 class CommandButton;

@@ -15,7 +15,7 @@ QString hostOf(const ClientStatus& client)
     return client.address.section(QLatin1Char(':'), 0, -2);
 }
 
-// The host, or what tells it from another client there.
+// The host, or the part that distinguishes it from another client on the same host.
 QString shortName(const StationStatus& status, const ClientStatus& client)
 {
     const auto sameHost = [&](const ClientStatus& one) { return hostOf(one) == hostOf(client); };
@@ -30,7 +30,7 @@ QString question(const QString& name)
 }  // namespace
 
 LeadPrompt::LeadPrompt(RequestDesk& desk, QWidget* parent)
-    // The host above what it wants, so that little of the sky is covered.
+    // The host above the request, so that little of the sky is covered.
     : PromptBar(tr("A client asks for control"), {question(QStringLiteral("192.168.100.100"))}, 2, parent),
       m_give(new CommandButton(tr("Allow control"),
                                tr("This client moves the mount from now on (panel Clients, Ctrl+4)"), desk, notice(),
@@ -52,7 +52,7 @@ void LeadPrompt::ignore()
 void LeadPrompt::showStatus(const StationStatus& status)
 {
     const auto asks = [this](const ClientStatus& client) { return client.wanting && !m_ignored.contains(client.id); };
-    // Who is asked about stays in the text, whoever else comes: nobody shall press Give for another one.
+    // The client in the text does not change when others come, so that nobody allows the wrong one.
     auto found = std::ranges::find_if(status.clients, [&](const auto& one) { return one.id == m_asking && asks(one); });
     if (found == status.clients.end()) {
         found = std::ranges::find_if(status.clients, asks);

@@ -6,8 +6,8 @@
 
 #include <set>
 
-// Over the plot, whichever panel is open: a client that goes on asking for motions while another one leads. Give makes
-// it the leader; Ignore is remembered for as long as it stays connected.
+// Shown over the plot with every panel: a client keeps asking for motions while another one has control. Allow gives it
+// control. Ignore applies while it stays connected.
 namespace boresight::ui {
 
 class CommandButton;

@@ -32,7 +32,7 @@ QString known(const QString& text)
     return text.isEmpty() ? QStringLiteral("---") : text;
 }
 
-// The first and the last digits tell two drives apart; the whole is in the tooltip.
+// The first and last digits distinguish two drives. The complete number is in the tooltip.
 QString shortened(const QString& uuid)
 {
     return uuid.size() > 12 ? uuid.left(8) + QStringLiteral("…") + uuid.right(4) : known(uuid);

@@ -7,8 +7,8 @@
 
 class QDoubleSpinBox;
 
-// The drives themselves: who they are, whether they are fit to move the mount, leaving the bus to other tools, and the
-// proof of how each axis stops when nobody feeds it.
+// The drives: their identity, whether they are fit to move the mount, releasing the bus to other tools, and the
+// crash-stop test.
 namespace boresight::ui {
 
 class DrivesPanel : public AskingPanel

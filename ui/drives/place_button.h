@@ -3,8 +3,8 @@
 
 #include <QRadioButton>
 
-// A radio button whose ring is seen in every theme: the style draws it in a shade of the ground, which is invisible on
-// black.
+// A radio button whose ring is visible in every theme. The style would draw it in a shade of the background, invisible
+// on black.
 namespace boresight::ui {
 
 class PlaceButton : public QRadioButton

@@ -21,7 +21,7 @@ struct Label
     const char* text;
 };
 
-// What the drives' settings are called by people; the keys are those of the moteus firmware.
+// The names of the drive settings on the screen. The keys are those of the moteus firmware.
 constexpr Label kLabels[] = {
     {"id.id", QT_TRANSLATE_NOOP("boresight::ui::ProtectionModel", "Bus address")},
     {"servopos.position_min", QT_TRANSLATE_NOOP("boresight::ui::ProtectionModel", "Lower limit")},
@@ -43,7 +43,7 @@ constexpr Label kLabels[] = {
     {"motor_position.rotor_to_output_ratio", QT_TRANSLATE_NOOP("boresight::ui::ProtectionModel", "Gear ratio")},
 };
 
-// The operator's way round: what the lower bound of a reversed drive guards is the upper end of the axis.
+// The operator's view: the lower bound of a reversed drive limits the upper end of the axis.
 QString labelOf(const ProtectionLine& line)
 {
     const QString lower = QStringLiteral("servopos.position_min");
@@ -76,7 +76,7 @@ ShownLine shown(Verdict verdict)
     return {ProtectionModel::tr("unread"), Tone::Secondary};
 }
 
-// A setting that is not read yet may be anything: it weighs more than one that is right.
+// A setting that is not read yet may have any value, so it is more important than one that is right.
 int weight(Verdict verdict)
 {
     return verdict == Verdict::Right ? -1 : static_cast<int>(verdict);
@@ -131,7 +131,8 @@ void ProtectionModel::show(const DrivesStatus& drives)
     }
 }
 
-// Values come one by one while the drives are read, and lines rise and sink with them: the selection goes along.
+// Values arrive one by one while the drives are read, and the lines change their places. The selection follows its
+// line.
 void ProtectionModel::reorder(std::vector<Row> rows)
 {
     Q_EMIT layoutAboutToBeChanged();
@@ -163,13 +164,13 @@ std::vector<ProtectionModel::Row> ProtectionModel::arranged() const
             row.label += alone ? QLatin1Char(' ') + shortName(axis) : QString();
         }
     }
-    // What must be mended stands above what is right.
+    // Settings to be corrected are above those that are right.
     std::stable_sort(rows.begin(), rows.end(),
                      [](const Row& a, const Row& b) { return weight(verdictOf(a)) > weight(verdictOf(b)); });
     return rows;
 }
 
-// The axes share a row where they want the same; else the second stands below the first.
+// The axes share a row if they want the same value. Otherwise the second axis is below the first.
 ProtectionModel::Row& ProtectionModel::rowFor(Axis axis, const ProtectionLine& line, std::vector<Row>& rows)
 {
     const QString label = labelOf(line);
@@ -254,7 +255,7 @@ QString ProtectionModel::text(const Row& row, int column) const
     }
 }
 
-// There is room for a few characters. The whole text is in the tooltip.
+// There is room for a few characters. The complete text is in the tooltip.
 QString ProtectionModel::briefText(const Row& row, int column) const
 {
     switch (column) {
@@ -276,7 +277,7 @@ Verdict ProtectionModel::verdictOf(const Row& row)
                                 : (azimuth ? azimuth : elevation)->verdict;
 }
 
-// The verdict a cell shows, if it shows one.
+// The verdict shown in a cell, if any.
 std::optional<Verdict> ProtectionModel::verdictIn(const Row& row, int column) const
 {
     const auto of = [](const auto& line) { return line ? std::optional(line->verdict) : std::nullopt; };

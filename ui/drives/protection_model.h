@@ -11,9 +11,9 @@
 #include <optional>
 #include <vector>
 
-// The protections of both drives as one table: a row per setting, or one for each axis where the axes want different
-// values; what must be mended stands on top. A verdict is a shape and a word, and the shape also marks the value it
-// speaks of.
+// The safety settings of both drives as one table: one row for each setting, or one for each axis if the axes want
+// different values. Settings to be corrected are on top. A verdict is a symbol and a word, and the symbol also marks
+// the value in question.
 namespace boresight::ui {
 
 class ProtectionModel : public TableModel
@@ -37,7 +37,7 @@ public:
     [[nodiscard]] QString explanation(int row) const;  // the values, and why the setting matters
     [[nodiscard]] int count(boresight::Verdict verdict) const;
     [[nodiscard]] QStringList changes() const;    // what Fix would write, one line each
-    [[nodiscard]] QStringList leftAlone() const;  // what differs and only a person may change
+    [[nodiscard]] QStringList leftAlone() const;  // the differences that only a person may change
 
     [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
 

@@ -104,7 +104,8 @@ QTableView* ProtectionPanel::makeTable()
     table->verticalHeader()->setDefaultSectionSize(table->fontMetrics().lineSpacing() + 4);
     QHeaderView* const header = table->horizontalHeader();
     header->setSectionResizeMode(ProtectionModel::Wanted, QHeaderView::Stretch);
-    const int found = table->fontMetrics().horizontalAdvance(QStringLiteral("00000°/s²")) + 28;  // shape, gaps
+    // room for symbol and gaps
+    const int found = table->fontMetrics().horizontalAdvance(QStringLiteral("00000°/s²")) + 28;
     for (const int column : {ProtectionModel::FoundAzimuth, ProtectionModel::FoundElevation}) {
         header->setSectionResizeMode(column, QHeaderView::Fixed);
         header->resizeSection(column, found);
@@ -129,7 +130,8 @@ void ProtectionPanel::showStatus(const StationStatus& status)
     showWhetherPossible(status);
 }
 
-// What stops the mount goes before how far the reading is; both fit nowhere else when the table is long.
+// An obstacle to motion has priority over the progress of the reading. When the table is long there is no other place
+// for both.
 void ProtectionPanel::showSurvey(const DrivesStatus& drives)
 {
     const BoardWork& work = drives.gearWork;

@@ -7,8 +7,8 @@
 
 class QTableView;
 
-// The settings by which the drives protect the mount: wanted against found, with the reason of the selected line; read
-// them again, write what differs, and switch the drives off, without which nothing can be written.
+// The safety settings of the drives: wanted and found values, with the reason for the selected line. Buttons to read
+// them again, to write the differences, and to switch the drives off, which writing requires.
 namespace boresight::ui {
 
 class ProtectionModel;
@@ -19,7 +19,7 @@ class ProtectionPanel : public AskingPanel
 
 public:
     explicit ProtectionPanel(RequestDesk& desk, QWidget* parent = nullptr);
-    // In the guide, which has less room: reading and writing only.
+    // For the guide, which has less room: reading and writing only.
     void hideSwitches();
 
     void showStatus(const StationStatus& status);
@@ -42,7 +42,7 @@ private:
     ValueLabel* m_notice;
     CommandButton* m_read;
     CommandButton* m_fix;
-    CommandButton* m_gear;  // only where it differs
+    CommandButton* m_gear;  // only if the gear ratio differs
     CommandButton* m_switchOff;
     std::array<CommandButton*, 2> m_switchAxisOff;
 };

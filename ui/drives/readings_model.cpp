@@ -49,7 +49,7 @@ QString figures(const std::optional<double>& value, int decimals)
     return value ? toQString(formatFixed(*value, decimals)) : QString();
 }
 
-// `axis` is that of the drive. A board that is only watched has none.
+// `axis` belongs to the drive. A board that is only watched has none.
 QStringList textsOf(const DriveReadings& drive, const AxisStatus& axis)
 {
     const auto degrees = [](const auto& angle) { return angle ? std::optional(angle->degrees()) : std::nullopt; };
@@ -177,7 +177,7 @@ QVariant ReadingsModel::data(const QModelIndex& index, int role) const
         case Qt::ForegroundRole:
             return colour(index);
         case Qt::FontRole:
-            return index.column() == Quantity ? fonts::label() : fonts::small();  // digits do not dance
+            return index.column() == Quantity ? fonts::label() : fonts::small();  // so that digits do not move
         case Qt::TextAlignmentRole:
             return int(Qt::AlignVCenter | (index.column() == Quantity ? Qt::AlignLeft : Qt::AlignRight));
         default:

@@ -6,9 +6,9 @@
 
 #include <vector>
 
-// What both drives report: a row for each quantity with its unit, a column for each axis, and for each board that is
-// only watched. Numbers that are old are dimmed, and not shown any more when there is no data. The age of the reply and
-// the lost replies always stand.
+// The readings of both drives: a row for each quantity with its unit, a column for each axis and for each board that is
+// only watched. Old numbers are dimmed, and disappear when there is no data. The age of the reply and the lost replies
+// are always shown.
 namespace boresight::ui {
 
 class ReadingsModel : public TableModel
@@ -30,8 +30,8 @@ public:
 
     // As shown, with the time of the status.
     [[nodiscard]] QString tabbed() const;
-    // The same for programs: quantity and unit in columns of their own, a field empty where nothing is reported; the
-    // ids of the boards, too.
+    // The same for programs: quantity and unit in separate columns, an empty field for a value that is not reported,
+    // and the ids of the boards.
     [[nodiscard]] QString csv() const;
 
     [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;

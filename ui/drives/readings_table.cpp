@@ -67,7 +67,8 @@ ReadingsTable::ReadingsTable(QWidget* parent)
 QTableView* ReadingsTable::makeTable()
 {
     QTableView* const table = makeReadTable(tr("Readings of the drives"), *m_model, this);
-    table->verticalHeader()->setDefaultSectionSize(table->fontMetrics().lineSpacing());  // all rows at 1280 × 800
+    // so that all rows fit at 1280 × 800
+    table->verticalHeader()->setDefaultSectionSize(table->fontMetrics().lineSpacing());
     QHeaderView* const header = table->horizontalHeader();
     header->setDefaultAlignment(Qt::AlignRight | Qt::AlignVCenter);
     const auto stretch = [this, header] {
@@ -121,7 +122,7 @@ void ReadingsTable::copy()
     m_notice->setValue(tr("Readings copied"), Tone::Secondary);
 }
 
-// The readings of the moment of the press: they go on changing while the name is typed.
+// Saves the readings at the time of the press, because they change while the name is typed.
 void ReadingsTable::askForName()
 {
     QFileDialog* const dialog =

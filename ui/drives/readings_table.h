@@ -7,7 +7,7 @@
 
 class QTableView;
 
-// The live readings of both drives, to look at, to copy and to save.
+// The live readings of both drives, to read, to copy and to save.
 namespace boresight::ui {
 
 class ReadingsModel;

@@ -8,8 +8,8 @@
 #include <optional>
 #include <vector>
 
-// The travel of an axis with the places it may be at: an open mark each, the chosen one filled with its angle above it.
-// Many places become fine lines. Mechanical angles.
+// The travel of an axis with its possible positions: an open mark for each, the chosen one filled, with its angle above
+// it. Many positions become fine lines. Axis angles.
 namespace boresight::ui {
 
 class TurnBar : public QWidget

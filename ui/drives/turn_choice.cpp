@@ -6,7 +6,8 @@
 namespace boresight::ui {
 
 namespace {
-// An angle that was entered holds for the place where it was read off; this is finer than anybody reads a scale.
+// An angle that was entered is valid for the position where it was read. This tolerance is smaller than a person can
+// read on a scale.
 constexpr Angle kMoved = 0.1_deg;
 }  // namespace
 
@@ -41,7 +42,7 @@ void TurnChoice::enter(Angle about)
 {
     const std::optional<Angle> place = nearest(about);
     if (place && abs(*place - about) > m_question.period / 2.0) {
-        clear();  // beyond the stops: what he means is none of them
+        clear();  // beyond the stops: the entered angle is none of the candidates
     } else {
         pick(place.value_or(about));
     }

@@ -5,24 +5,24 @@
 
 #include <optional>
 
-// The answer the operator is about to give to a question about the turn: the proposed candidate until he picks one.
-// The axis may be jogged meanwhile; then the candidates wander, and the picked one is followed. What can not be
-// followed is not picked any more. Pure.
+// The answer that the operator is about to give to the question about a wrap: the proposed candidate until the operator
+// picks another. The axis may be jogged meanwhile. Then the candidates move, and the picked one is tracked. If it
+// cannot be tracked the choice is cleared. Pure.
 namespace boresight::ui {
 
 class TurnChoice
 {
 public:
     void begin(const TurnQuestion& question);   // a new question
-    void follow(const TurnQuestion& question);  // the same, a moment later
+    void follow(const TurnQuestion& question);  // the same question, a moment later
 
     void pick(Angle angle);   // one of the candidates
-    void enter(Angle about);  // the nearest candidate, if it is one; without candidates the angle itself
+    void enter(Angle about);  // the nearest candidate if it is near enough; without candidates the angle itself
     void clear();
 
     [[nodiscard]] const TurnQuestion& question() const { return m_question; }
     [[nodiscard]] std::optional<Angle> angle() const { return m_angle; }
-    [[nodiscard]] std::optional<std::size_t> index() const;  // of the candidate
+    [[nodiscard]] std::optional<std::size_t> index() const;  // index of the candidate
 
 private:
     [[nodiscard]] std::optional<Angle> proposed() const;

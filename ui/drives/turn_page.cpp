@@ -21,7 +21,8 @@ namespace boresight::ui {
 
 namespace {
 
-// The second press of a double click must not answer the question of the other axis that follows at once.
+// After the answer the question of the other axis may follow at once. The second press of a double click must not
+// answer it.
 constexpr std::chrono::milliseconds kFresh{800};
 constexpr int kPlacesInRow = 4;
 
@@ -70,7 +71,7 @@ void TurnPage::build()
     m_evidence->setMinimumHeight(3 * m_evidence->fontMetrics().lineSpacing() + 12);
     m_notice->setStretching(true);
     m_notice->setCollapsing(true);
-    m_few->hide();  // only one of them is ever there: together they would not fit
+    m_few->hide();  // only one of them is ever shown, because both would not fit
     m_many->hide();
     grid->addWidget(m_title, 0, 0, 1, 2);
     grid->addWidget(m_bar, 1, 0, 1, 2);
@@ -120,7 +121,7 @@ void TurnPage::makeMany()
     row->addWidget(m_selected, 1);
 }
 
-// Later, because the press that gives the focus sets the cursor after it. Typing then replaces the proposed angle.
+// Delayed, because the press that gives the focus sets the cursor afterwards. Typing then replaces the proposed angle.
 bool TurnPage::eventFilter(QObject* watched, QEvent* event)
 {
     if (event->type() == QEvent::FocusIn) {
@@ -197,7 +198,7 @@ void TurnPage::showAnswer()
     }
     const auto index = m_choice.index();
     const auto angle = m_choice.angle();
-    m_group->setExclusive(false);  // or the last checked button could not be unchecked
+    m_group->setExclusive(false);  // otherwise the last checked button could not be unchecked
     for (std::size_t place = 0; place < kFew; ++place) {
         m_places[place]->setChecked(index == place);
     }

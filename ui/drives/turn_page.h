@@ -15,9 +15,10 @@ class QLabel;
 class QLineEdit;
 class QPlainTextEdit;
 
-// The question which turn an axis is on: a picture of its travel with the places it may be at, what speaks for each,
-// and the answer: one of a few, or an angle read off the mount that selects the nearest of many. Nothing is selected
-// unless the evidence proposes it, and nothing is sent without a press. One axis at a time, azimuth first.
+// The question about the wrap of an axis: a picture of its travel with the possible positions, the evidence for each,
+// and the answer. The answer is one of a few positions, or an angle read off the mount that selects the nearest of
+// many. Nothing is selected unless the evidence proposes it, and nothing is sent without a press. One axis at a time,
+// azimuth first.
 // More than 15 members: the widgets that it composes.
 namespace boresight::ui {
 
@@ -33,14 +34,14 @@ class TurnPage : public QWidget
     Q_OBJECT
 
 public:
-    static constexpr std::size_t kFew = 7;  // candidates that get a button each
+    static constexpr std::size_t kFew = 7;  // up to this number each candidate has its own button
 
     explicit TurnPage(RequestDesk& desk, QWidget* parent = nullptr);
 
     void showStatus(const StationStatus& status);
 
 protected:
-    bool eventFilter(QObject* watched, QEvent* event) override;  // the field that receives the focus
+    bool eventFilter(QObject* watched, QEvent* event) override;  // for the field that receives the focus
 
 private:
     void build();
@@ -53,7 +54,7 @@ private:
     void answer();
 
     StationStatus m_status;
-    std::optional<Axis> m_axis;  // the question shown; empty while none is open
+    std::optional<Axis> m_axis;  // the axis of the question; empty while there is none
     TurnChoice m_choice;
     QTimer m_fresh{this};  // runs while the question is too new to be answered
     QLabel* m_title;

@@ -74,7 +74,7 @@ void DeadMan::steer(double azimuth, double elevation)
     m_stickAzimuth = azimuth;
     m_stickElevation = elevation;
     if (isHeld() == was) {
-        return;  // the next repeat takes it
+        return;  // the next repeat uses it
     }
     repeat();
     isHeld() ? m_repeat.start() : m_repeat.stop();

@@ -9,9 +9,9 @@
 
 #include <set>
 
-// The dead-man of jogging: while at least one direction is held it repeats the wish to move every kJogRepeat, and it
-// says "zero" once when the last is let go. If this program hangs, the repeats stop and the station stops the axes.
-// Gui thread.
+// The dead-man switch of jogging. While at least one direction is pressed it repeats the request every kJogRepeat, and
+// it sends "zero" once when the last one is released. If this program hangs the repeats stop, and the station stops the
+// axes. Gui thread.
 namespace boresight::ui {
 
 class DeadMan : public QObject
@@ -21,14 +21,14 @@ class DeadMan : public QObject
 public:
     explicit DeadMan(QObject* parent = nullptr);
 
-    void setRate(AngularRate rate);  // applies with the next repeat
+    void setRate(AngularRate rate);  // applies from the next repeat on
     void hold(JogDirection direction);
     void letGo(JogDirection direction);
-    // For keys: lets go unless the direction is held again within kKeyBounce. An X server repeats a held key as pairs
-    // of release and press, and Qt sees through them only if both have arrived; they must not become a stutter.
+    // For keys: releases the direction unless it is pressed again within kKeyBounce. An X server repeats a pressed key
+    // as pairs of release and press. Qt detects this only if both have arrived, and the motion must not stutter.
     void letGoSoon(JogDirection direction);
     void letGoAll();
-    // A stick: how much of the rate each axis shall have, -1 … 1. Both 0: let go.
+    // For a stick: the part of the rate for each axis, -1 … 1. Both 0: released.
     void steer(double azimuth, double elevation);
 
     [[nodiscard]] bool isHeld() const { return !m_held.empty() || isSteered(); }
@@ -44,7 +44,7 @@ private:
     [[nodiscard]] bool isSteered() const { return m_stickAzimuth != 0.0 || m_stickElevation != 0.0; }
 
     std::set<JogDirection> m_held;
-    std::set<JogDirection> m_released;  // held still, until the key bounce is over
+    std::set<JogDirection> m_released;  // still active until the key bounce is over
     double m_stickAzimuth = 0.0;
     double m_stickElevation = 0.0;
     AngularRate m_rate;

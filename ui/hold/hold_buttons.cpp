@@ -53,7 +53,7 @@ void HoldButtons::setKeyHeld(bool on)
 void HoldButtons::showStatus(const StationStatus& status)
 {
     for (const auto& [direction, button] : m_buttons) {
-        button->setBlocked(status.permissions.reason(jogAction(direction)));  // a disabled button lets go
+        button->setBlocked(status.permissions.reason(jogAction(direction)));  // a disabled button releases
     }
 }
 

@@ -8,8 +8,8 @@
 
 #include <map>
 
-// A row of buttons that move the mount by hand while they are held, for pages that have no jog pad. The same dead-man
-// as the pad's: letting go, losing focus or window, and any refusal end the motion.
+// A row of buttons that move the mount while they are pressed, for pages without a jog pad. They use the same dead-man
+// switch: releasing, losing the focus or the window, and any refusal end the motion.
 namespace boresight::ui {
 
 class JogButton;
@@ -21,13 +21,13 @@ class HoldButtons : public QWidget
     Q_OBJECT
 
 public:
-    // `what` begins the line that says why it was refused: "Unwind". Nothing moves before setRate().
+    // `what` starts the text of a refusal: "Unwind". Nothing moves before setRate().
     HoldButtons(RequestDesk& desk, ValueLabel& notice, const QString& what, QWidget* parent = nullptr);
 
-    // Both ways of an axis, by key as well.
+    // Adds both directions of an axis, which also have keys.
     void addAxis(Axis axis, const QString& lowerHelp, const QString& upperHelp);
     JogButton& addButton(JogDirection direction, const QString& text, const QString& help);
-    void setKeyHeld(bool on);  // of all buttons
+    void setKeyHeld(bool on);  // for all buttons
     void setRate(AngularRate rate) { m_deadMan.setRate(rate); }
     void showStatus(const StationStatus& status);
 

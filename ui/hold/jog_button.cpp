@@ -10,7 +10,7 @@
 namespace boresight::ui {
 
 namespace {
-// An X server repeats a held key as pairs of release and press, and Qt sees through them only if both have arrived.
+// An X server repeats a pressed key as pairs of release and press. Qt detects this only if both have arrived.
 constexpr std::chrono::milliseconds kKeyBounce{30};
 }  // namespace
 
@@ -121,7 +121,7 @@ void JogButton::mouseReleaseEvent(QMouseEvent* event)
     }
 }
 
-// Only Space holds: Enter is a press that ends at once, as in every dialog.
+// Only Space keeps it pressed. Enter is a press that ends at once, as in every dialog.
 void JogButton::keyPressEvent(QKeyEvent* event)
 {
     if (event->key() != Qt::Key_Space) {

@@ -4,9 +4,10 @@
 #include <QPushButton>
 #include <QTimer>
 
-// A button that counts only while it is held: sliding off it, disabling or hiding it and switching the window all let
-// go, and then a fresh press is needed. It takes no keyboard focus, because keys jog through the armed pad; where there
-// is no pad it can be told to take it, and then Space held is the same as the mouse held, and losing the focus lets go.
+// A button that acts only while it is pressed. Sliding off it, disabling or hiding it and switching the window release
+// it, and then a new press is needed. It takes no keyboard focus, because keys jog through the armed pad. On a page
+// without a pad it can take the focus. Then pressing Space is the same as pressing the mouse button, and losing the
+// focus releases it.
 namespace boresight::ui {
 
 class JogButton : public QPushButton

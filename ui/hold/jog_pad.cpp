@@ -20,7 +20,7 @@ namespace boresight::ui {
 namespace {
 
 constexpr std::chrono::minutes kArmedFor{1};
-constexpr QSize kLargestButton{96, 72};  // of a direction: a larger target is no better, and no button any more
+constexpr QSize kLargestButton{96, 72};  // of a direction button: a larger target is no improvement
 
 std::optional<JogDirection> directionOf(int key)
 {
@@ -115,7 +115,7 @@ void JogPad::build()
     for (const auto& [direction, button] : m_buttons) {
         button->setMaximumSize(kLargestButton);
     }
-    for (const int middle : {1, 2, 3}) {  // what these leave of a large pad is around them
+    for (const int middle : {1, 2, 3}) {  // the remaining room of a large pad is around them
         grid->setRowStretch(middle, 1000);
         grid->setColumnStretch(middle, 1000);
     }
@@ -123,10 +123,10 @@ void JogPad::build()
         grid->setRowStretch(rim, 1);
         grid->setColumnStretch(rim, 1);
     }
-    m_hold->setFocusPolicy(Qt::TabFocus);  // a click does not disarm the pad
+    m_hold->setFocusPolicy(Qt::TabFocus);  // a click must not disarm the pad
     m_caption->setStretching(true);
     m_caption->setAlignment(Qt::AlignCenter);
-    m_caption->setAttribute(Qt::WA_TransparentForMouseEvents);  // it is part of the pad that a click arms
+    m_caption->setAttribute(Qt::WA_TransparentForMouseEvents);  // a click on this part of the pad arms it
 }
 
 void JogPad::connectButton(JogDirection direction)
@@ -140,7 +140,7 @@ void JogPad::press(JogDirection direction, bool oneStep)
 {
     const QString reason = m_status.permissions.reason(oneStep ? stepAction(direction) : jogAction(direction));
     if (!reason.isEmpty()) {
-        if (oneStep) {  // the button does not look as if it could not: it would jog
+        if (oneStep) {  // the button is enabled, because it could still jog
             m_notice.setValue(tr("Step: %1").arg(reason), Tone::Warning, Symbol::Warning);
         }
         return;
@@ -157,7 +157,7 @@ void JogPad::sendJog(const AxisRates& rates)
 {
     const bool ends = rates == AxisRates{};
     m_desk.send(request::Jog{rates}, this, [this, ends](const std::optional<Error>& error) {
-        if (!ends) {  // after STOP even the wish to end a jog is refused: nothing the operator needs to know
+        if (!ends) {  // after STOP even the request that ends a jog is refused, and the operator need not know this
             refused(error);
         }
     });
@@ -272,11 +272,11 @@ void JogPad::showHelp()
 void JogPad::setNarrow()
 {
     for (const auto& [direction, button] : m_buttons) {
-        button->setMinimumWidth(kTouchSize);  // narrower than a button that says "requested"
+        button->setMinimumWidth(kTouchSize);  // narrower than a button that also shows "requested"
     }
     m_hold->setMinimumWidth(3 * kTouchSize / 2);
     m_caption->setLines(2);
-    setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // takes what is left
+    setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // takes the remaining room
 }
 
 void JogPad::applyRate()
@@ -339,7 +339,7 @@ bool JogPad::event(QEvent* event)
     }
     if (event->type() == QEvent::ShortcutOverride && isArmed() &&
         directionOf(static_cast<QKeyEvent*>(event)->key()).has_value()) {
-        event->accept();  // an armed arrow key is ours, not a shortcut's
+        event->accept();  // an armed arrow key is used here, not as a shortcut
         return true;
     }
     return QWidget::event(event);

@@ -10,11 +10,11 @@
 #include <map>
 #include <optional>
 
-// Four jog buttons around Hold. The arrow keys do the same once the pad is armed by a click on it (or Enter while it
-// has the focus); the armed pad is framed, and it disarms when the focus leaves it or after a minute without use.
-// Shift jogs fast; Ctrl, or the step mode, moves one step instead; a step while a client's target is followed trims it
-// and leaves the client the mount. The pad keeps asking while a button or key is held,
-// and ends the motion on release, loss of focus, window switch, refusal, or when motion is no longer permitted.
+// Four jog buttons around Hold. The arrow keys do the same once the pad is armed by a click on it (or by Enter while it
+// has the focus). The armed pad has a frame. It disarms when it loses the focus or is not used for a minute. Shift jogs
+// fast. Ctrl, or the step mode, moves one step instead. While a client's target is tracked a step trims it, and the
+// client keeps control. The pad repeats the request while a button or key is pressed, and ends the motion on release,
+// loss of focus, window switch, refusal, or when motion is no longer permitted.
 namespace boresight::ui {
 
 class CommandButton;
@@ -30,13 +30,13 @@ public:
     JogPad(const Clock& clock, RequestDesk& desk, ValueLabel& notice, QWidget* parent = nullptr);
 
     void showStatus(const StationStatus& status);
-    void setRate(AngularRate rate);  // while held, without Shift
+    void setRate(AngularRate rate);  // while pressed, without Shift
     void setStep(Angle step);
     void setStepMode(bool on);
-    void setNarrow();  // beside other controls: buttons no wider than a finger, caption in two lines
-    // A stick whose dead-man is held: how much of the rate each axis shall have, -1 … 1; both 0 let go.
+    void setNarrow();  // beside other controls: buttons as wide as a finger, caption in two lines
+    // A stick with its dead-man switch pressed: the part of the rate for each axis, -1 … 1. Both 0: released.
     void steer(double azimuth, double elevation);
-    void setGamepad(const QString& name);  // plugged in; empty: none
+    void setGamepad(const QString& name);  // plugged in; empty: no gamepad
     void disarmWhenUnused();               // called a few times a second
 
     void hold();  // request::Hold
@@ -45,7 +45,7 @@ public:
     [[nodiscard]] JogButton& button(JogDirection direction) { return *m_buttons.at(direction); }
 
 Q_SIGNALS:
-    void interrupted();  // what was held counts no more: a fresh press is needed
+    void interrupted();  // the press does not count any more: a new press is needed
 
 protected:
     bool event(QEvent* event) override;

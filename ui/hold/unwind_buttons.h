@@ -3,8 +3,8 @@
 
 #include "ui/hold/hold_buttons.h"
 
-// Two buttons that turn one axis slowly back and forth while they are held: to unwind a cable by eye when nobody knows
-// which turn it is on. The rate is the profile's, as it is now.
+// Two buttons that turn one axis slowly back and forth while they are pressed, to unwind a cable by eye while its wrap
+// is unknown. The rate is the present one of the profile.
 namespace boresight::ui {
 
 class UnwindButtons : public HoldButtons

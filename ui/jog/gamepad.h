@@ -7,8 +7,8 @@
 
 #include <memory>
 
-// A gamepad, if the program is built with SDL: the first one that is plugged in. It is read every 20 ms. Without one,
-// the program looks for it once a second. Gui thread, never blocks.
+// A gamepad, if the program is built with SDL: the first one that is plugged in. It is read every 20 ms. Without a
+// gamepad the program searches once a second. Gui thread, never blocks.
 namespace boresight::ui {
 
 class Gamepad : public QObject
@@ -20,7 +20,7 @@ public:
     [[nodiscard]] static std::unique_ptr<Gamepad> create();
 
 Q_SIGNALS:
-    void plugged(const QString& name);  // empty: it is gone
+    void plugged(const QString& name);  // empty: it was unplugged
     void sampled(const boresight::ui::GamepadSample& sample);
 
 protected:

@@ -9,10 +9,10 @@ namespace boresight::ui {
 
 namespace {
 
-// Worn sticks rest up to a sixth off their centre; and a push along one axis shall not move the other.
+// Worn sticks rest up to a sixth off their centre. A push along one axis must not move the other axis.
 constexpr double kDeadZone = 0.2;
 
-// Finer near the centre: half a stick is a quarter of the rate.
+// Finer near the centre: half a stick gives a quarter of the rate.
 double response(double stick)
 {
     const double beyond = std::clamp((std::abs(stick) - kDeadZone) / (1.0 - kDeadZone), 0.0, 1.0);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What a gamepad reports, and what that means for the mount. Pure: SdlGamepad reads the device, and the jog pad asks
-// the station. The stick counts only while its dead-man, a shoulder button, is held. A dead-man that was already held
-// when the gamepad was plugged in, or while motion was blocked, must be released first.
+// The report of a gamepad and its meaning for the mount. Pure: SdlGamepad reads the device, and the jog pad sends the
+// requests. The stick counts only while its dead-man switch, a shoulder button, is pressed. If it was already pressed
+// when the gamepad was plugged in, or while motion was blocked, it must be released first.
 namespace boresight::ui {
 
 struct GamepadSample
@@ -14,7 +14,7 @@ struct GamepadSample
     bool stop = false;
 };
 
-// The share of the jog rate for each axis, -1 … 1.
+// The part of the jog rate for each axis, -1 … 1.
 struct Steering
 {
     double azimuth = 0.0;

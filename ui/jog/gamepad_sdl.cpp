@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The one file that knows SDL: its game controllers only, without its window, its event loop or its signal handlers.
+// The only file that uses SDL: its game controllers, without its window, event loop and signal handlers.
 #include "ui/jog/gamepad.h"
 
 #include <QTimer>
@@ -42,7 +42,7 @@ private:
 SdlGamepad::SdlGamepad()
 {
     connect(&m_timer, &QTimer::timeout, this, [this] { m_controller ? read() : look(); });
-    m_timer.start(kLookPause);  // the first look is after the first picture
+    m_timer.start(kLookPause);  // the first search comes after the first picture
 }
 
 SdlGamepad::~SdlGamepad()
@@ -58,9 +58,10 @@ bool SdlGamepad::begin()
     if (!m_begun) {
         SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
         SDL_SetHint(SDL_HINT_JOYSTICK_ALLOW_BACKGROUND_EVENTS, "1");  // SDL has no window that could be in front
-        SDL_SetHint(SDL_HINT_JOYSTICK_HIDAPI, "0");                   // the kernel's drivers do, and open in no time
+        // the kernel's drivers are enough, and open without delay
+        SDL_SetHint(SDL_HINT_JOYSTICK_HIDAPI, "0");
         m_begun = SDL_InitSubSystem(SDL_INIT_GAMECONTROLLER) == 0;
-        SDL_GameControllerEventState(SDL_IGNORE);  // it is asked, nobody reads a queue
+        SDL_GameControllerEventState(SDL_IGNORE);  // it is polled, and nobody reads an event queue
         SDL_JoystickEventState(SDL_IGNORE);
     }
     return m_begun;

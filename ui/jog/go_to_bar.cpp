@@ -39,14 +39,14 @@ QString fixed(Angle angle)
     return QString::fromStdString(formatFixed(angle.degrees(), 2));
 }
 
-// Empty: nothing is typed, or no number.
+// Empty if nothing or no number is typed.
 std::optional<Angle> typed(const QLineEdit& field)
 {
     const auto number = parseFinite(field.text().trimmed().toStdString());
     return number ? std::optional(Angle::fromDegrees(*number)) : std::nullopt;
 }
 
-// A file that was edited by hand may hold anything.
+// A file that was edited by hand may contain anything.
 QStringList readable(const QStringList& lines)
 {
     QStringList kept;
@@ -81,7 +81,7 @@ GoToBar::GoToBar(RequestDesk& desk, ValueLabel& notice, NearestOffer& offer, con
     connect(m_azimuth, &QLineEdit::returnPressed, this, &GoToBar::go);
     connect(m_elevation, &QLineEdit::returnPressed, this, &GoToBar::go);
     for (const QLineEdit* const field : {m_azimuth, m_elevation}) {
-        connect(field, &QLineEdit::textEdited, this, &GoToBar::forgetRefusal);  // it was about other numbers
+        connect(field, &QLineEdit::textEdited, this, &GoToBar::forgetRefusal);  // the refusal was about other numbers
     }
     connect(m_recentBox, &QComboBox::activated, this, &GoToBar::fillIn);
 }
@@ -100,7 +100,7 @@ void GoToBar::build()
     row->addWidget(m_recentBox);
     row->addStretch(1);
     setEmphasis(*m_go, Emphasis::Primary);
-    m_recentBox->setMinimumContentsLength(0);  // its lines are wider than itself
+    m_recentBox->setMinimumContentsLength(0);  // its lines are wider than the box
     m_recentBox->setFixedWidth(kTouchSize);
 }
 
@@ -157,7 +157,7 @@ void GoToBar::go()
     }
 }
 
-// An axis that was not typed stays where it is, so it is a part of the refused direction.
+// An axis that was not typed stays where it is, so its angle is a part of the refused direction.
 void GoToBar::offerNearest()
 {
     const bool isWhole = m_asked.azimuth && m_asked.elevation;
@@ -172,7 +172,7 @@ std::optional<Angle> GoToBar::azimuth() const
     return typed(*m_azimuth);
 }
 
-// An empty field is not wrong: its axis stays where it is.
+// An empty field is valid: its axis stays where it is.
 bool GoToBar::isNumber(QLineEdit& field, const QString& otherwise)
 {
     if (field.text().trimmed().isEmpty() || typed(field)) {
@@ -182,7 +182,7 @@ bool GoToBar::isNumber(QLineEdit& field, const QString& otherwise)
     return false;
 }
 
-// The next Esc stops the mount. In a field it would only leave the field.
+// So that the next Esc stops the mount. In a field it would only leave the field.
 void GoToBar::leaveFields()
 {
     if (m_azimuth->hasFocus() || m_elevation->hasFocus()) {

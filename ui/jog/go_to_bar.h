@@ -10,9 +10,9 @@
 
 class QLineEdit;
 
-// Go to a typed direction. An axis whose field is empty stays where it is. Typing and selecting move nothing; a refusal
-// is shown in the notice with the nearest allowed direction, also where one axis alone was typed. The typed value stays
-// for correction. The last directions that the station accepted are kept for choosing them again.
+// Go to a typed direction. An axis with an empty field stays where it is. Typing and selecting move nothing. A refusal
+// is shown in the notice with the nearest allowed direction, also if only one axis was typed. The typed value stays for
+// correction. The last directions that the station accepted can be chosen again.
 namespace boresight::ui {
 
 class CommandButton;
@@ -26,17 +26,17 @@ class GoToBar : public QWidget
     Q_OBJECT
 
 public:
-    // `offer` stands beside the notice.
+    // `offer` is shown beside the notice.
     GoToBar(RequestDesk& desk, ValueLabel& notice, NearestOffer& offer, const QStringList& recent,
             QWidget* parent = nullptr);
 
     void setBlocked(const QString& reason);                                                  // empty: can act
     void setPresent(const std::optional<SkyPointing>& direction) { m_present = direction; }  // of the beam
     void focusFields();
-    [[nodiscard]] std::optional<Angle> azimuth() const;  // as typed; empty: none is
+    [[nodiscard]] std::optional<Angle> azimuth() const;  // as typed; empty if nothing is typed
 
 Q_SIGNALS:
-    void recentChanged(const QStringList& recent);  // to be kept for the next start, the newest first
+    void recentChanged(const QStringList& recent);  // to be stored for the next start, the newest first
 
 private:
     void build();
@@ -57,7 +57,7 @@ private:
     CommandButton* m_go;
     TouchCombo* m_recentBox;
     QStringList m_recent;  // "113.50 10.00"
-    // The last direction asked for. Empty: that axis stays.
+    // The last direction that was requested. Empty: that axis stays.
     struct Asked
     {
         std::optional<Angle> azimuth;

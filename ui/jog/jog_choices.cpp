@@ -41,7 +41,7 @@ QString helpOf(const QString& size)
     return JogChoices::tr("One step is %1 (Ctrl + arrow)").arg(size);
 }
 
-// The mount reaches nothing between two of these.
+// The mount cannot stop between two multiples of this.
 Angle coarsest(const Capabilities& capabilities)
 {
     Angle step;
@@ -117,7 +117,7 @@ void JogChoices::showStatus(const StationStatus& status)
     showSteps(status.capabilities);
 }
 
-// A step that the mount cannot make is not offered. Where it was chosen, the least one that the mount makes is.
+// A step that the mount cannot make is not offered. If it was chosen, the smallest possible step is chosen instead.
 void JogChoices::showSteps(const Capabilities& capabilities)
 {
     const Angle least = coarsest(capabilities);

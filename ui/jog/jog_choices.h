@@ -9,9 +9,9 @@
 #include <optional>
 #include <vector>
 
-// How the pad moves: the rate while held, between the slow and the fast one of the profile in force, and the size of a
-// step. Until the cable wraps are known and the directions are confirmed, the rate is capped, and the label says so.
-// The chosen rate comes back.
+// The settings of the pad: the rate while a button is pressed, between the slow and the fast rate of the profile in
+// effect, and the size of a step. Until the cable wraps are known and the directions are confirmed, the rate is
+// limited, and the label says so. The chosen rate is restored afterwards.
 namespace boresight::ui {
 
 class ChoiceButton;

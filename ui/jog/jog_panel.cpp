@@ -82,7 +82,7 @@ void JogPanel::beat()
     m_pad->disarmWhenUnused();
 }
 
-// Only where the operator sees the effect: in front of this panel, in the active window.
+// Only if the operator sees the effect: this panel is in front, in the active window.
 void JogPanel::takeGamepad(const GamepadSample& sample)
 {
     const bool permitted = isVisible() && window()->isActiveWindow() && m_status.permissions.allows(Action::Move);

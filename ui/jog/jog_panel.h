@@ -8,8 +8,8 @@
 
 #include <QWidget>
 
-// The operator's own motion: the jog pad with its rate and steps, a gamepad, the trim of a followed target. A refusal
-// is shown below the pad. Gui thread.
+// Manual motion by the operator: the jog pad with its rate and steps, a gamepad, the trim of a tracked target. A
+// refusal is shown below the pad. Gui thread.
 namespace boresight::ui {
 
 class CommandButton;
@@ -27,10 +27,10 @@ public:
 
     void showStatus(const StationStatus& status);
     void hold();  // Ctrl+H
-    void beat();  // a few times a second
+    void beat();  // called a few times a second
 
     void takeGamepad(const GamepadSample& sample);
-    void showGamepad(const QString& name);  // plugged in; empty: gone
+    void showGamepad(const QString& name);  // plugged in; empty: unplugged
 
     [[nodiscard]] JogPad& pad() { return *m_pad; }
 

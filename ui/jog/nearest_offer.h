@@ -4,8 +4,8 @@
 #include "ui/kit/command_button.h"
 #include "ui/link/direction_question.h"
 
-// Beside the refusal of a direction: one press goes to the nearest allowed one instead. The station knows which it is.
-// Hidden while there is none. Gui thread.
+// Beside the refusal of a direction: one press goes to the nearest allowed direction instead. The station has computed
+// it. Hidden while there is none. Gui thread.
 namespace boresight::ui {
 
 class NearestOffer : public CommandButton

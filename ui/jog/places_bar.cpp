@@ -85,7 +85,8 @@ void PlacesBar::fillRare()
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(kGrid / 2);
     column->addWidget(m_presets);
-    auto* const row = new QHBoxLayout;  // of its own: the column of the panels does not get wider at 1024 px
+    // a separate row, so that the column of the panels does not become wider at 1024 px
+    auto* const row = new QHBoxLayout;
     column->addLayout(row);
     row->setSpacing(kGrid / 2);
     row->addStretch(1);
@@ -130,7 +131,7 @@ void PlacesBar::parkOrUnpark()
     m_status.state == StationState::Parked ? m_park->ask(request::Hold{}) : m_park->ask(request::Park{});
 }
 
-// The park position may lie where the mount may not be, since a horizon or a keep-out was added.
+// The park position may have become forbidden by a horizon or keep-out that was added later.
 void PlacesBar::offerBesidePark()
 {
     if (m_status.state != StationState::Parked) {

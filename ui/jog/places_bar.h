@@ -8,8 +8,8 @@
 
 class QPushButton;
 
-// Where the mount may be sent at once: a typed direction, Park, and behind a button the presets, Home, Horizon and
-// Unwrap. It stands below every panel. Gui thread.
+// The places to which the mount may be sent at once: a typed direction, Park, and behind a button the presets, Home,
+// Horizon and Unwrap. It is shown below every panel. Gui thread.
 namespace boresight::ui {
 
 class CommandButton;
@@ -51,7 +51,7 @@ private:
     GoToBar* m_goTo;
     CommandButton* m_park;
     QPushButton* m_more;
-    QWidget* m_rare;  // what is needed once a night
+    QWidget* m_rare;  // rarely used controls
     PresetBar* m_presets;
     CommandButton* m_home;
     CommandButton* m_horizon;

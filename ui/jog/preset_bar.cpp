@@ -135,7 +135,7 @@ QString PresetBar::whyNoSave() const
 
 void PresetBar::go()
 {
-    if (m_go->isEnabled() && !m_go->isWaiting()) {  // the box brings Enter twice: to its field and by itself
+    if (m_go->isEnabled() && !m_go->isWaiting()) {  // the box reports Enter twice: by its field and by itself
         m_go->ask(request::PointSky{chosen()->direction});
     }
 }

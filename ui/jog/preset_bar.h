@@ -32,7 +32,7 @@ private:
     [[nodiscard]] QString whyNoSave() const;
     void showPresets();
     void showPermissions();
-    void lookUp();  // where the name in the field leads, and whether the mount may go there
+    void lookUp();  // finds the direction of the name in the field, and whether the mount may go there
     void go();
     void save();
     void remove();

@@ -20,7 +20,7 @@ constexpr int kPage = 8;
 constexpr double kHandle = 24.0;  // px, across
 constexpr double kGroove = 4.0;
 
-// Two digits are what a person tells apart: 0.24, 1.7.
+// Two digits, as much as a person can distinguish: 0.24, 1.7.
 double rounded(double degreesPerSecond)
 {
     const double step = degreesPerSecond < 1.0 ? 0.01 : 0.1;
@@ -33,7 +33,7 @@ RateSlider::RateSlider(QWidget* parent) : QSlider(Qt::Horizontal, parent)
 {
     setRange(0, kPositions);
     setPageStep(kPage);
-    setFocusPolicy(Qt::TabFocus);  // a click does not disarm the pad
+    setFocusPolicy(Qt::TabFocus);  // a click must not disarm the pad
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     connect(this, &QSlider::valueChanged, this, [this] { Q_EMIT rateChosen(rate()); });
 }

@@ -5,8 +5,8 @@
 
 #include <QSlider>
 
-// A slider for a rate, from slow to fast in equal ratios: the same way on it is always the same factor. As high as a
-// finger, and a press anywhere on it goes there. Keys: arrows, Page Up and Down, Home, End.
+// A slider for a rate, from slow to fast on a logarithmic scale: equal distances are equal factors. It has the height
+// of a finger, and a press anywhere on it goes there. Keys: arrows, Page Up and Down, Home, End.
 namespace boresight::ui {
 
 class RateSlider : public QSlider
@@ -17,14 +17,14 @@ public:
     explicit RateSlider(QWidget* parent = nullptr);
 
     void setEnds(AngularRate slow, AngularRate fast);
-    void setRate(AngularRate rate);  // emits nothing
+    void setRate(AngularRate rate);  // emits no signal
     [[nodiscard]] AngularRate rate() const;
 
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
 
 Q_SIGNALS:
-    void rateChosen(boresight::AngularRate rate);  // by the hand
+    void rateChosen(boresight::AngularRate rate);  // chosen by the operator
 
 protected:
     void paintEvent(QPaintEvent* event) override;

@@ -9,7 +9,7 @@ namespace boresight::ui {
 
 namespace {
 
-// Its value is what it describes itself with: a readout in words, a picture in numbers.
+// Its value is its description: a readout in words, a picture in numbers.
 class Described : public QAccessibleWidget
 {
 public:
@@ -41,7 +41,7 @@ const QHash<QString, QAccessible::Role>& roles()
     return all;
 }
 
-// Qt asks with the names of the object's class and of those above it, and owns what it gets.
+// Qt asks with the names of the object's class and its base classes, and owns the result.
 QAccessibleInterface* describe(const QString& className, QObject* object)
 {
     const auto role = roles().constFind(className);

@@ -101,7 +101,7 @@ void AskingPanel::carryOut()
     perform(typed);
 }
 
-// Once the act is blocked, the text of the question may be out of date. The operator has to ask again.
+// When the action becomes blocked, the text of the question may be out of date. The operator has to ask again.
 void AskingPanel::showWhetherPossible(const StationStatus& status)
 {
     const QString reason = isAsking() && m_question.action ? status.permissions.reason(*m_question.action) : QString();
@@ -121,7 +121,7 @@ void AskingPanel::closeQuestion()
 
 void AskingPanel::hideEvent(QHideEvent* event)
 {
-    setCurrentIndex(0);  // a question nobody sees is not left waiting for a press
+    setCurrentIndex(0);  // a hidden question must not wait for a press
     QStackedWidget::hideEvent(event);
 }
 

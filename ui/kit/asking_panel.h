@@ -14,10 +14,10 @@ class QLineEdit;
 class QPlainTextEdit;
 class QPushButton;
 
-// A panel some of whose buttons ask before they act. The question takes the place of the panel's controls, so that it
-// covers nothing else: what will happen in words, sometimes a text to type, one button that does it, and Cancel, which
-// has the focus where there is nothing to type. It closes when the station has accepted, on Cancel, and when the panel
-// is left; a refusal stays with its reason.
+// A panel with buttons that ask before they act. The question takes the place of the panel's controls, so it covers
+// nothing else: what will happen in words, sometimes a text to type, one button that acts, and Cancel, which has the
+// focus if there is nothing to type. The question closes when the station has accepted, on Cancel, and when the
+// operator leaves the panel. A refusal stays with its reason.
 namespace boresight::ui {
 
 class CommandButton;
@@ -28,13 +28,13 @@ struct Question
 {
     QString title;
     QString text;
-    QString act;  // on the button that does it
+    QString act;  // the text of the button that acts
     Request request;
-    std::optional<Action> action = {};  // of the station, which may not permit it (any more)
-    // In place of the request, where it is nothing for the station; gets what was typed.
+    std::optional<Action> action = {};  // the action of the station, which may not be permitted any more
+    // In place of the request, for an action that is not for the station. It receives the typed text.
     std::function<void(const QString&)> perform = {};
-    QString typedName = {};  // of the text to type; empty: there is none
-    QString typed = {};      // what stands there at first
+    QString typedName = {};  // the name of the input field; empty: there is none
+    QString typed = {};      // the initial text of the field
 };
 
 class AskingPanel : public QStackedWidget
@@ -67,7 +67,7 @@ private:
     ValueLabel* m_notice;
     CommandButton* m_act;
     QPushButton* m_cancel;
-    QWidget* m_asker = nullptr;  // had the focus before, and gets it back
+    QWidget* m_asker = nullptr;  // had the focus before, and receives it back
 };
 
 }  // namespace boresight::ui

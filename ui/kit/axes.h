@@ -7,7 +7,7 @@
 
 #include <optional>
 
-// What the status says of one axis, found by the axis; and whether its absolute turn is known.
+// The status of one axis, and whether its wrap is known.
 namespace boresight::ui {
 
 [[nodiscard]] QString name(Axis axis);           // "azimuth"
@@ -16,15 +16,15 @@ namespace boresight::ui {
 // The axis that the mount does not have.
 [[nodiscard]] std::optional<Axis> missingAxis(const StationStatus& status);
 [[nodiscard]] const AxisStatus& axisOf(const StationStatus& status, Axis axis);
-// A mount without such drives has blank ones: nothing is known of them.
+// For a mount without such drives these are blank: nothing is known of them.
 [[nodiscard]] const DrivesStatus& drivesOf(const StationStatus& status);
 [[nodiscard]] const DriveStatus& driveOf(const StationStatus& status, Axis axis);
-// Also of a rotator without such drives that reports nothing now: it counts the turns itself.
+// True also for a rotator without such drives that reports nothing now, because it counts the turns itself.
 [[nodiscard]] bool isTurnKnown(const StationStatus& status, Axis axis);
-// The survey of the drives, which may tell the turn, has not ended: nothing is said about it yet.
+// The drive check, which may find the wrap, has not ended: nothing is shown about the wrap yet.
 [[nodiscard]] bool isTurnAwaited(const StationStatus& status, Axis axis);
 [[nodiscard]] bool areTurnsKnown(const StationStatus& status);
-// The axis whose turn the operator is asked for; when both ask, azimuth comes first.
+// The axis whose wrap the operator is asked for. If both ask, azimuth comes first.
 [[nodiscard]] std::optional<Axis> askingAxis(const StationStatus& status);
 
 }  // namespace boresight::ui

@@ -3,13 +3,13 @@
 
 #include <QLabel>
 
-// The words above, or in front of, what they name.
+// The words above or in front of what they name.
 namespace boresight::ui {
 
 [[nodiscard]] QLabel* makeCaption(const QString& text, QWidget* parent);
-[[nodiscard]] QLabel* makeCaption(const QString& text, QWidget& field);  // its buddy, and where it is
+[[nodiscard]] QLabel* makeCaption(const QString& text, QWidget& field);  // becomes the caption of the field
 
-// Above what belongs together, in small capitals.
+// In small capitals, above a group.
 [[nodiscard]] QLabel* makeGroupCaption(const QString& text, QWidget* parent);
 
 }  // namespace boresight::ui

@@ -3,8 +3,8 @@
 
 #include <QToolButton>
 
-// A checkable button whose choice is seen in every theme: a bar of the accent colour under the chosen one. It takes no
-// focus from a click, so that choosing a rate does not disarm the jog pad.
+// A checkable button whose state is visible in every theme: the chosen one has a bar of the accent colour. A click
+// gives it no focus, so that choosing a rate does not disarm the jog pad.
 namespace boresight::ui {
 
 class ChoiceButton : public QToolButton

@@ -42,7 +42,7 @@ void CommandButton::setBlocked(const QString& reason)
     if (reason != m_reason) {
         m_reason = reason;
         if (!reason.isEmpty() && hasFocus()) {
-            parentWidget()->setFocus(Qt::OtherFocusReason);  // not the next button: a second press would be its own
+            parentWidget()->setFocus(Qt::OtherFocusReason);  // not to the next button: a second press would act there
         }
         setEnabled(reason.isEmpty());
         showHelp();

@@ -8,8 +8,8 @@
 
 #include <functional>
 
-// A button that asks the station for something. It shows "requested" until the station has answered, puts a refusal
-// into the notice line next to it, and while it cannot act it is disabled and its tooltip says why.
+// A button for a request to the station. It shows "requested" until the station has answered, and shows a refusal in
+// the notice line next to it. While it cannot act it is disabled, and its tooltip gives the reason.
 namespace boresight::ui {
 
 class ValueLabel;
@@ -19,15 +19,15 @@ class CommandButton : public QPushButton
     Q_OBJECT
 
 public:
-    // `help` says what the button does, with its key.
+    // `help` describes what the button does, and names its key.
     CommandButton(const QString& text, const QString& help, RequestDesk& desk, ValueLabel& notice,
                   QWidget* parent = nullptr);
 
     void ask(const Request& request);
-    // The same for an asking that goes another way; `send` gets the asker and what must be called with the answer.
+    // The same for a request by another way. `send` receives the asker and the function to be called with the answer.
     void await(const std::function<void(QObject*, const RequestDesk::Reply&)>& send);
     void setBlocked(const QString& reason);                     // empty: can act
-    void setCommand(const QString& text, const QString& help);  // for a button that changes its part
+    void setCommand(const QString& text, const QString& help);  // for a button with a changing action
 
     [[nodiscard]] const QString& obstacle() const { return m_reason; }
     [[nodiscard]] bool isWaiting() const { return m_waiting > 0; }
@@ -51,7 +51,7 @@ private:
     int m_waiting = 0;
 };
 
-// The smallest size a gloved finger hits: 44 px (ui.md, "touch and glove").
+// The smallest size that a gloved finger can hit: 44 px (ui.md, "touch and glove").
 inline constexpr int kTouchSize = 44;
 
 }  // namespace boresight::ui

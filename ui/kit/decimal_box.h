@@ -3,8 +3,8 @@
 
 #include <QDoubleSpinBox>
 
-// A number with a point, whatever language the desktop speaks. A comma is taken for the point: Qt leaves it out of what
-// is typed, and 12,5 would be 125.
+// A number with a decimal point, whatever the language of the desktop. A comma counts as the point. Otherwise Qt would
+// drop it, and 12,5 would become 125.
 namespace boresight::ui {
 
 class DecimalBox : public QDoubleSpinBox

@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kWidth = 640;  // px, at most
 
-// "SVG drawing (*.svg)": svg
+// From "SVG drawing (*.svg)" it returns svg.
 QString suffixOf(const QString& filter)
 {
     return filter.section(QStringLiteral("*."), 1, 1).section(QLatin1Char(')'), 0, 0).section(QLatin1Char(' '), 0, 0);
@@ -52,7 +52,7 @@ QFileDialog* askForFolder(QWidget& owner, const QString& title, const QString& f
     auto* const dialog = makeDialog(owner, title);
     dialog->setFileMode(QFileDialog::Directory);
     dialog->setOption(QFileDialog::ShowDirsOnly);
-    dialog->setFilter(dialog->filter() | QDir::Hidden);  // where programs keep their settings
+    dialog->setFilter(dialog->filter() | QDir::Hidden);  // some programs keep their settings there
     dialog->setDirectory(folder);
     showBelow(*dialog, owner);
     return dialog;

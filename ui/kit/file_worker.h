@@ -7,8 +7,8 @@
 
 #include <utility>
 
-// Work with files beside the gui thread, one after the other, in the order it was asked for. What it found comes back
-// on the gui thread, unless the asker is gone by then. The end of the worker waits for what was begun.
+// Runs work with files outside the gui thread, one after the other in the order of the calls. The result is passed back
+// on the gui thread, unless the asker was deleted meanwhile. The destructor waits for the work that has begun.
 namespace boresight::ui {
 
 class FileWorker : public QObject
@@ -19,7 +19,7 @@ public:
     explicit FileWorker(QObject* parent = nullptr);
     ~FileWorker() override;
 
-    // `work` runs on the worker and touches nothing but its own copies; `then` gets what it returns.
+    // `work` runs on the worker and uses only its own copies. `then` receives its result.
     template <class Work, class Then>
     void run(QObject* asker, Work work, Then then)
     {

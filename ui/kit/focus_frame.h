@@ -5,8 +5,8 @@
 #include <QPointer>
 #include <QWidget>
 
-// The frame around a list, table or text that has the keyboard: Qt shows there only which line is chosen, and nothing
-// at all where none is. Takes no mouse and no room. Gui thread.
+// The frame around a list, table or text that has the keyboard. Qt only shows which line is selected there, and nothing
+// if no line is. It takes neither mouse clicks nor room. Gui thread.
 namespace boresight::ui {
 
 class FocusFrame : public QObject
@@ -19,7 +19,7 @@ public:
 private:
     void follow(QWidget* focused);
 
-    QPointer<QWidget> m_frame;  // belongs to what it frames
+    QPointer<QWidget> m_frame;  // owned by the widget that it frames
 };
 
 }  // namespace boresight::ui

@@ -10,11 +10,11 @@
 #include <chrono>
 #include <optional>
 
-// How numbers become text on the screen: fixed decimals, sign, unit, and when a number is too old to be shown. An
-// azimuth of a direction is azimuthText() of core/units: never "360.0°".
+// Numbers as text on the screen: fixed decimals, sign, unit, and the age at which a number is no longer shown. The
+// azimuth of a direction uses azimuthText() of core/units: never "360.0°".
 namespace boresight::ui {
 
-// A number is live for half a second, dimmed with its age until kNoDataAfter, and not shown any more after that.
+// A number is live for half a second. Then it is dimmed and shows its age. After kNoDataAfter it is not shown any more.
 enum class Freshness
 {
     Live,

@@ -6,7 +6,8 @@
 class QDoubleSpinBox;
 class QWidget;
 
-// The fields of the guide's pages, all alike: numbers with a point, a unit, and a size that a gloved finger hits.
+// The fields on the pages of the guide, all alike: numbers with a decimal point, a unit, and a size that a gloved
+// finger can hit.
 namespace boresight::ui {
 
 struct NumberField

@@ -14,14 +14,14 @@ const QString kEnglish = QStringLiteral("en");
 const QString kFolder = QStringLiteral(":/boresight/translations");
 const QString kFile = QStringLiteral("boresight_%1.qm");
 
-// What the system asks for first. Where that is not translated it is English, not the next best of its wishes: those
-// need not be understood better.
+// The first language of the system. If it is not translated, English is used. The other preferences of the system are
+// ignored, because the user may understand them less than English.
 QString systemLanguage()
 {
     return QLocale::system().uiLanguages().value(0).section(QLatin1Char('-'), 0, 0);
 }
 
-// Qt has some languages by country only: the country of the system if it is that language's, else the usual one.
+// Qt has some languages only by country: the country of the system if its language matches, otherwise the usual one.
 QLocale localeOf(const QString& language)
 {
     return systemLanguage() == language ? QLocale::system() : QLocale(language);
@@ -41,7 +41,7 @@ QStringList languages()
 QString languageName(const QString& language)
 {
     if (language == kEnglish) {
-        return QStringLiteral("English");  // Qt would say of which country
+        return QStringLiteral("English");  // Qt would add the country
     }
     QString name = QLocale(language).nativeLanguageName();
     return name.isEmpty() ? language : name.replace(0, 1, name.at(0).toUpper());

@@ -4,16 +4,16 @@
 #include <QStringList>
 #include <QTranslator>
 
-// The languages of the program: English, in which its texts are written, and one for each translation that is built
-// in (resources/translations). A language is named by its code, "pt"; empty stands for the system's. Numbers, units
-// and times look the same in all of them.
+// The languages of the program: English, in which its texts are written, and one for each built-in translation
+// (resources/translations). A language is named by its code, such as "pt". An empty code means the language of the
+// system. Numbers, units and times look the same in all languages.
 namespace boresight::ui {
 
 [[nodiscard]] QStringList languages();                        // "en", "pt"
 [[nodiscard]] QString languageName(const QString& language);  // in its own words: "Português"
 
-// Texts are in this language from now until it goes: the program's, and Qt's own where its translations are installed.
-// What has been made before keeps its language, so this comes before the first window and the station.
+// While the object exists, texts are in this language: those of the program, and Qt's own if its translations are
+// installed. Widgets that already exist keep their language, so this comes before the first window and the station.
 class Translation
 {
 public:

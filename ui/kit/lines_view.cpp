@@ -22,7 +22,7 @@
 namespace boresight::ui {
 
 namespace {
-constexpr int kReadingLines = 5;  // an alarm with its remedy at 1024 × 700; what is longer scrolls
+constexpr int kReadingLines = 5;  // an alarm with its remedy at 1024 × 700; longer texts scroll
 }  // namespace
 
 LinesView::LinesView(const QString& name, const QString& fileName, QAbstractItemModel& lines, QWidget* parent)
@@ -53,7 +53,7 @@ void LinesView::buildTable()
     m_table->setFont(fonts::label());
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    m_table->setTabKeyNavigation(false);  // no focus trap
+    m_table->setTabKeyNavigation(false);  // so that the Tab key can leave the table
     m_table->setShowGrid(false);
     m_table->setWordWrap(false);
     m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -118,7 +118,7 @@ void LinesView::setColumnRoom(int column, const QString& widest)
     m_table->horizontalHeader()->resizeSection(column, m_table->fontMetrics().horizontalAdvance(widest) + 14);
 }
 
-// A hidden list has no scroll range yet: it gets to its end when that is known, not when the line comes.
+// A hidden list has no scroll range yet. It scrolls to its end when the range is known, not when the line arrives.
 void LinesView::setFollowing()
 {
     QScrollBar* const bar = m_table->verticalScrollBar();
@@ -132,7 +132,7 @@ void LinesView::setFollowing()
 
 void LinesView::select(int row)
 {
-    // Not selectRow(): that would add to what is selected while Ctrl or Shift is held.
+    // Not selectRow(), which would extend the selection while Ctrl or Shift is pressed.
     m_table->selectionModel()->setCurrentIndex(m_lines.index(row, 0),
                                                QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
 }

@@ -9,15 +9,15 @@ class QHBoxLayout;
 class QPlainTextEdit;
 class QTableView;
 
-// A list of lines with the current one to be read whole below it, however long; copied or saved as text. Any table
-// model serves that answers the two roles. Gui thread.
+// A list of lines, with the complete text of the current line below it. Lines can be copied or saved as text. Works
+// with any table model that supports the two roles. Gui thread.
 namespace boresight::ui {
 
 class ValueLabel;
 
 enum LineRole
 {
-    WholeTextRole = Qt::UserRole,  // what is read below the list
+    WholeTextRole = Qt::UserRole,  // the text below the list
     FileLineRole                   // one line with its date, for the clipboard and for a file
 };
 
@@ -26,19 +26,19 @@ class LinesView : public QWidget
     Q_OBJECT
 
 public:
-    // `lines` outlives the view; `fileName` is proposed for a file.
+    // `lines` must outlive the view. `fileName` is the proposed name of a file.
     LinesView(const QString& name, const QString& fileName, QAbstractItemModel& lines, QWidget* parent = nullptr);
 
     void addControl(QWidget& control, int stretch = 0);  // above the list, before Copy and File
     void setColumnRoom(int column, const QString& widest);
-    void setFollowing();  // the newest line comes last, and stays in sight while the list is scrolled to its end
+    void setFollowing();  // The newest line is last, and stays visible while the list is scrolled to its end.
     void select(int row);
 
     [[nodiscard]] QModelIndex current() const;
     [[nodiscard]] ValueLabel& notice() { return *m_notice; }
 
 Q_SIGNALS:
-    void currentChanged();  // another line, or the same one with another text
+    void currentChanged();  // another line is current, or the same line has another text
 
 private:
     void buildTable();

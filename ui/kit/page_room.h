@@ -4,8 +4,8 @@
 class QStackedWidget;
 class QTabWidget;
 
-// Only the page that is shown asks for height. A panel then scrolls for its own contents, never for those of a hidden
-// page. The width stays that of the widest page, so that nothing moves when another one is shown. Gui thread.
+// Only the visible page needs height, so a panel never scrolls because of a hidden page. The width is that of the
+// widest page, so that nothing moves when another page is shown. Gui thread.
 namespace boresight::ui {
 
 void keepHeightOfShownPage(QStackedWidget& pages);

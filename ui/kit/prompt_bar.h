@@ -6,8 +6,8 @@
 class QHBoxLayout;
 class QPushButton;
 
-// A question or an offer that lies over a corner of the plot, never over STOP, and blocks nothing: a text and a few
-// buttons. Hidden until shown.
+// A question or an offer over a corner of the plot, never over STOP. It blocks nothing. It has a text and a few
+// buttons, and is hidden until shown.
 namespace boresight::ui {
 
 class ValueLabel;
@@ -17,8 +17,8 @@ class PromptBar : public QFrame
     Q_OBJECT
 
 public:
-    // `texts`: the longest that it will say. It is as wide as the widest of them needs in so many lines, once and for
-    // all.
+    // `texts` are the longest texts that it will show. It always has the width that the widest of them needs in this
+    // number of lines.
     PromptBar(const QString& accessibleName, const QStringList& texts, int lines, QWidget* parent);
 
     void addButton(QWidget& button);

@@ -3,13 +3,14 @@
 
 #include <QPushButton>
 
-// The buttons that ask nothing of the station; those that do are CommandButtons. Small font, for a gloved finger.
+// Buttons without a request to the station. (Those with a request are CommandButtons.) Small font, large enough for a
+// gloved finger.
 namespace boresight::ui {
 
 struct ButtonWords
 {
     QString text;
-    QString name;  // for a screen reader; empty: the text says it
+    QString name;  // for a screen reader; empty: the text is the name
     QString help;
 };
 

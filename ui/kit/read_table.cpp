@@ -21,7 +21,7 @@ QTableView* makeReadTable(const QString& name, QAbstractItemModel& model, QWidge
     table->setShowGrid(false);
     table->setWordWrap(false);
     table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    table->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Expanding);  // the plot gets what is left
+    table->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Expanding);  // the plot gets the remaining room
     const QFontMetrics metrics = table->fontMetrics();
     table->setMinimumHeight(4 * metrics.lineSpacing());
     table->verticalHeader()->hide();

@@ -7,7 +7,7 @@ class QAbstractItemModel;
 class QTableView;
 class QWidget;
 
-// A small table that is only read: whole rows are selected, and the Tab key leads out of it.
+// A small read-only table: whole rows are selected, and the Tab key leaves it.
 namespace boresight::ui {
 
 [[nodiscard]] QTableView* makeReadTable(const QString& name, QAbstractItemModel& model, QWidget* parent);

@@ -4,7 +4,8 @@
 namespace boresight::ui {
 
 namespace {
-// A held jog key asks 20 times a second; a station that answers nothing for ten seconds will not answer the eldest.
+// A pressed jog key sends 20 requests a second. A station that has not answered for ten seconds will not answer the
+// oldest request.
 constexpr std::size_t kMaxWaiting = 200;
 }  // namespace
 

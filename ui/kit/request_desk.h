@@ -12,7 +12,7 @@
 #include <optional>
 #include <vector>
 
-// Numbers every request of the window and brings the station's answer back to the control that asked. Gui thread.
+// Numbers every request of the window, and passes the answer of the station to the control that asked. Gui thread.
 namespace boresight::ui {
 
 class RequestDesk : public QObject
@@ -25,9 +25,9 @@ public:
 
     using QObject::QObject;
 
-    // `reply` is called once, unless `asker` is gone by then.
+    // `reply` is called once, unless `asker` was deleted meanwhile.
     void send(const Request& request, QObject* asker, const Reply& reply);
-    // The same for a question: its answer says more than yes or no.
+    // The same for a question, whose answer is more than yes or no.
     void ask(const Request& question, QObject* asker, WholeReply reply);
     void take(const std::vector<Answer>& answers);
 

@@ -74,7 +74,7 @@ void drawSymbol(QPainter& painter, Symbol symbol, const QRectF& box, const QColo
         case Symbol::Commanded:
             painter.setPen(QPen(colour, stroke, Qt::SolidLine, Qt::FlatCap));
             for (const QPointF& arm : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)}) {
-                // Open in the middle: the three marks stay apart when they lie on one spot.
+                // Open in the middle, so that the three marks can be distinguished at the same place.
                 painter.drawLine(c + arm * box.width() * 0.24, c + arm * box.width() * 0.5);
             }
             break;

@@ -9,8 +9,8 @@
 
 class QPainter;
 
-// The shapes of the screen, drawn rather than taken from a font, so that the plot, its legend, the link row and the
-// alarm line show the same ones everywhere.
+// The symbols of the screen. They are drawn and not taken from a font, so that the plot, its legend, the link row and
+// the alarm line show the same ones.
 namespace boresight::ui {
 
 enum class Symbol
@@ -24,14 +24,15 @@ enum class Symbol
     Commanded,  // ✛, open in the middle
     Actual,     // ●
     Sensor,     // △
-    Lost        // ◌, the last known place of a mount that is silent
+    Lost        // ◌, the last known position of a silent mount
 };
 
 void drawSymbol(QPainter& painter, Symbol symbol, const QRectF& box, const QColor& colour);
 
 [[nodiscard]] Symbol symbolOf(Severity severity);
 [[nodiscard]] Tone toneOf(Severity severity);
-// The same shape before a line of text, with the gap behind it; an advisory has none: most lines of a log are.
+// The symbol as a character before a line of text, followed by a gap. An advisory has none, because most lines of a log
+// are advisories.
 [[nodiscard]] QString characterOf(Severity severity);
 
 }  // namespace boresight::ui

@@ -4,8 +4,7 @@
 #include <QAbstractTableModel>
 #include <QStringList>
 
-// What the tables of the window have in common: a column for each of the words above them, in their order, and no row
-// that lies in another.
+// The common part of the tables in the window: one column for each heading, in their order, and no nested rows.
 namespace boresight::ui {
 
 class TableModel : public QAbstractTableModel
@@ -20,9 +19,9 @@ public:
     [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
 protected:
-    [[nodiscard]] virtual std::size_t rows() const = 0;  // that the views have been told of
-    void changeCells();                                  // any may have changed
-    void setHeadings(const QStringList& headings);       // the columns are others if there are more or fewer
+    [[nodiscard]] virtual std::size_t rows() const = 0;  // the number that the views know
+    void changeCells();                                  // any cell may have changed
+    void setHeadings(const QStringList& headings);       // columns are added or removed to match
 
 private:
     QStringList m_headings;

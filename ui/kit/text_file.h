@@ -7,7 +7,7 @@
 
 namespace boresight::ui {
 
-// Writes the whole file or leaves the old one as it was.
+// Writes the whole file, or leaves the old one unchanged.
 [[nodiscard]] Result<> saveText(const QString& path, const QString& text);
 
 }  // namespace boresight::ui

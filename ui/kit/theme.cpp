@@ -14,7 +14,8 @@ namespace boresight::ui {
 
 namespace {
 
-// The table of colours of the screen's law; the day alarm is a shade darker than STOP, which would have 4.49:1.
+// The colour table of ui.md. The alarm colour by day is slightly darker than STOP, which would have a contrast of
+// 4.49:1.
 const Theme kDay{.kind = ThemeKind::Day,
                  .window = QColor(0xe4e6e8),
                  .card = QColor(0xf7f8fa),
@@ -101,7 +102,7 @@ QColor scaled(const QColor& colour, double factor)
                             static_cast<float>(colour.blueF() * factor));
 }
 
-// Grounds lose more than words: what is read keeps its contrast. Warnings and alarms stay as bright as they are.
+// Backgrounds are dimmed more than words, so that text keeps its contrast. Warnings and alarms keep their brightness.
 Theme dimmed(Theme theme, double grounds, double words)
 {
     for (QColor* const ground :
@@ -118,7 +119,7 @@ Theme dimmed(Theme theme, double grounds, double words)
 
 using Steps = std::array<Theme, kBrightnesses>;
 
-// What a line of DejaVu has above and below its base line, from its table hhea.
+// The height of a line of DejaVu above and below its base line, from its table hhea.
 constexpr double kAscent = 1901.0 / 2048.0;  // em
 constexpr double kDescent = 483.0 / 2048.0;
 constexpr int kSmallest = 6;         // px
@@ -130,7 +131,7 @@ QFont sized(QFont font, int points)
     return font;
 }
 
-// FreeType counts in 64ths of a pixel, Qt in whole ones.
+// FreeType measures in 64ths of a pixel, Qt in whole pixels.
 int rounded(double pixels)
 {
     return static_cast<int>(std::lround(std::round(pixels * 64.0) / 64.0));
@@ -141,7 +142,7 @@ int pixelsOf(const QFont& font)
     return static_cast<int>(std::lround(font.pointSizeF() * QFontMetrics(font).fontDpi() / 72.0));
 }
 
-// Smaller until a line has no more than its room.
+// Reduces the font until its line fits into its room.
 QFont shrunk(const QFont& wanted)
 {
     const int room = fonts::lineRoom(wanted);
@@ -152,7 +153,7 @@ QFont shrunk(const QFont& wanted)
     return font;
 }
 
-// Painting asks for them many times a second.
+// Cached, because painting needs it many times a second.
 QFont fitted(const QFont& font, int points)
 {
     static std::map<std::pair<QFont, int>, QFont> known;
@@ -193,9 +194,9 @@ QColor Theme::colour(Tone tone) const
 
 QPalette Theme::palette() const
 {
-    QPalette palette(button, window);  // fills in Fusion's light, mid and dark shades
+    QPalette palette(button, window);  // adds Fusion's light, mid and dark shades
     palette.setColor(QPalette::WindowText, text);
-    palette.setColor(QPalette::Base, kind == ThemeKind::Day ? button : plotGround);  // of fields and lists
+    palette.setColor(QPalette::Base, kind == ThemeKind::Day ? button : plotGround);  // for fields and lists
     palette.setColor(QPalette::AlternateBase, card);
     palette.setColor(QPalette::Text, text);
     palette.setColor(QPalette::ButtonText, text);

@@ -3,7 +3,7 @@
 
 #include <QComboBox>
 
-// A combo box for fingers: the field and each line of its list are as high as a finger.
+// A combo box for fingers: the field and each line of its list have the height of a finger.
 namespace boresight::ui {
 
 class TouchCombo : public QComboBox
@@ -13,7 +13,7 @@ class TouchCombo : public QComboBox
 public:
     TouchCombo(const QString& name, const QString& help, QWidget* parent = nullptr);
 
-    void setLines(const QStringList& lines);  // selects and emits nothing
+    void setLines(const QStringList& lines);  // selects nothing and emits no signal
 };
 
 }  // namespace boresight::ui

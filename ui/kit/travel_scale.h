@@ -7,8 +7,8 @@
 
 class QPainter;
 
-// The travel of an axis as a horizontal bar: hatched beyond its ends, a tick each 90° (30° where the travel is short),
-// labelled below as far as there is room. Pixels are those of the widget that paints.
+// The travel of an axis as a horizontal bar: hatched beyond its ends, with a tick every 90° (every 30° for a short
+// travel), labelled below as far as there is room. Pixels of the widget that paints.
 namespace boresight::ui {
 
 class TravelScale
@@ -18,7 +18,7 @@ public:
 
     TravelScale(TravelRange travel, const QRectF& box) : m_travel(travel), m_box(box) {}
 
-    [[nodiscard]] bool isEmpty() const { return m_travel.max <= m_travel.min; }  // no profile heard of yet
+    [[nodiscard]] bool isEmpty() const { return m_travel.max <= m_travel.min; }  // no profile received yet
     [[nodiscard]] double pixel(Angle angle) const;
     void draw(QPainter& painter) const;
 

@@ -11,11 +11,11 @@
 namespace boresight::ui {
 
 namespace {
-constexpr int kValueLabelMargin = 2;  // px, so that a slanted glyph is not clipped
+constexpr int kValueLabelMargin = 2;  // px, so that a slanted character is not cut off
 constexpr int kOutline = 5;           // px around the text of an outlined tag
-constexpr int kLongWord = 24;         // letters: may be wider than a narrow label
+constexpr int kLongWord = 24;         // characters: a longer word may be wider than a narrow label
 
-// The path of a device is one word, and as wide as three.
+// Allows line breaks in long words. The path of a device is one word as long as three.
 QString withBreaks(const QString& text)
 {
     QString broken;
@@ -123,15 +123,15 @@ int ValueLabel::symbolRoom() const
     return static_cast<int>(std::ceil(symbolSize() * 1.5));
 }
 
-// Wrapped lines stand a fraction of a pixel further apart than lineSpacing() says.
+// The line spacing of wrapped text is slightly larger than lineSpacing().
 int ValueLabel::linesHeight() const
 {
     const QString lines = QStringLiteral("X\n").repeated(m_lines - 1) + QLatin1Char('X');
     return fontMetrics().boundingRect(QRect(0, 0, QWIDGETSIZE_MAX, QWIDGETSIZE_MAX), Qt::TextWordWrap, lines).height();
 }
 
-// Numbers keep their size and need no room for accents and for letters below the line. Words are smaller instead, where
-// their lines are taller.
+// Numbers keep their size, because they need no room for accents and descenders. Words become smaller where their lines
+// are taller.
 int ValueLabel::excess() const
 {
     return wraps() || !fonts::isOfNumbers(font()) ? 0 : std::max(0, fontMetrics().height() - fonts::lineRoom(font()));
@@ -171,7 +171,7 @@ int ValueLabel::aroundText() const
 
 int ValueLabel::heightOf(const QString& text, int width) const
 {
-    // Without the alignment: in the middle of so high a rectangle the height is rounded up.
+    // Without the alignment, because centring in such a high rectangle would round the height up.
     return fontMetrics().boundingRect(QRect(0, 0, width, QWIDGETSIZE_MAX), Qt::TextWordWrap, text).height();
 }
 
@@ -181,7 +181,7 @@ QRect ValueLabel::textRect() const
     return rect().adjusted(margin + (m_symbol == Symbol::None ? 0 : symbolRoom()), 0, -margin, 0);
 }
 
-// What there is room for; the whole is in the tooltip.
+// The part of the text that fits. The complete text is in the tooltip.
 QString ValueLabel::fitted(QSize room) const
 {
     if (!wraps()) {

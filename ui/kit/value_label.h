@@ -6,9 +6,9 @@
 
 #include <QWidget>
 
-// A text that changes twenty times a second: it has the size of its template once and for all, so that a new text
-// repaints this widget and nothing else (a QLabel would lay out the whole window again), and the layout never moves.
-// An optional symbol stands before the text. A text that does not fit is elided and shown whole in the tooltip.
+// A text that changes twenty times a second. Its size is always that of its template. So a new text repaints only this
+// widget, and the layout never moves. (A QLabel would lay out the whole window again.) An optional symbol precedes the
+// text. A text that does not fit is elided, and the tooltip shows it completely.
 namespace boresight::ui {
 
 class ValueLabel : public QWidget
@@ -20,10 +20,10 @@ public:
 
     void setAlignment(Qt::Alignment alignment);
     void setLines(int lines);     // more than one: words wrap
-    void setWrapping(bool on);    // words wrap, and the label is as high as its text in the width that it is given
-    void setStretching(bool on);  // takes the width it is given instead of the template's
+    void setWrapping(bool on);    // words wrap, and the height follows from the text and the given width
+    void setStretching(bool on);  // takes the given width instead of that of the template
     void setOutlined(bool on);
-    void setWidest(const QString& text);  // another template
+    void setWidest(const QString& text);  // sets another template
     void setSymbolRoom(bool on);          // the template's width gets room for a symbol
     void setCollapsing(bool on);          // takes no room while it is empty
 
@@ -38,7 +38,8 @@ public:
     [[nodiscard]] QSize minimumSizeHint() const override;
     [[nodiscard]] bool hasHeightForWidth() const override { return m_wrapping; }
     [[nodiscard]] int heightForWidth(int width) const override;
-    [[nodiscard]] int heightWith(const QString& text, int width) const;  // of a wrapping label, had it this text
+    // the height of a wrapping label with this text
+    [[nodiscard]] int heightWith(const QString& text, int width) const;
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -48,13 +49,13 @@ private:
     [[nodiscard]] QRect textRect() const;
     [[nodiscard]] bool wraps() const { return m_wrapping || m_lines > 1; }
     [[nodiscard]] QString shownText() const;
-    [[nodiscard]] int aroundText() const;  // px of the width that are not for the text
+    [[nodiscard]] int aroundText() const;  // px of the width that are not available for the text
     [[nodiscard]] int heightOf(const QString& text, int width) const;
     [[nodiscard]] QString fitted(QSize room) const;
     [[nodiscard]] double symbolSize() const;
     [[nodiscard]] int linesHeight() const;
-    [[nodiscard]] int excess() const;      // px of a line that is taller than the layout's
-    [[nodiscard]] int symbolRoom() const;  // symbol and the gap behind it
+    [[nodiscard]] int excess() const;      // px by which a line is taller than in the layout
+    [[nodiscard]] int symbolRoom() const;  // the symbol and the gap after it
 
     QString m_text;
     QString m_widest;

@@ -4,11 +4,11 @@
 #include <QFont>
 #include <QStringList>
 
-// Of several texts the one that needs the most room, so that a layout holds all of them in every language. Pure.
+// The text that needs the most room, so that a layout fits all of them in every language. Pure.
 namespace boresight::ui {
 
 [[nodiscard]] QString widest(const QFont& font, const QStringList& texts);
-// The narrowest line with which each of the texts, its words wrapped, needs no more than so many lines.
+// The narrowest line width at which each of the texts, wrapped, needs at most this number of lines.
 [[nodiscard]] QString widestLine(const QFont& font, const QStringList& texts, int lines);
 [[nodiscard]] QString widestStationState(const QFont& font);
 [[nodiscard]] QString widestAxisState(const QFont& font);

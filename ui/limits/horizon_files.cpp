@@ -12,7 +12,7 @@ namespace boresight::ui {
 
 namespace {
 
-constexpr qint64 kLargest = 1'000'000;  // bytes: far beyond a point for each tenth of a degree
+constexpr qint64 kLargest = 1'000'000;  // bytes: far more than a point for each tenth of a degree
 
 class HorizonFiles
 {

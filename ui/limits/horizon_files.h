@@ -4,10 +4,11 @@
 #include "core/base/result.h"
 #include "ui/link/profile_draft.h"
 
-// The horizon of the draft from and to the text files of other programs ("az el", core/profile/horizon_text.h).
+// Imports and exports the horizon of the draft as text files of other programs ("az el", core/profile/horizon_text.h).
 namespace boresight::ui {
 
-// What was taken, for the operator. A file that cannot be read changes nothing; the reasons name each line.
+// Returns a text about the import for the operator. A file that cannot be read changes nothing, and the reasons name
+// each line.
 [[nodiscard]] Result<QString> importHorizon(ProfileDraft& draft, const QString& path);
 [[nodiscard]] Result<> exportHorizon(const ProfileDraft& draft, const QString& path);
 

@@ -8,8 +8,8 @@
 
 #include <optional>
 
-// One axis in mechanical angles: its travel as a bar, hatched where the limits in force do not let it go, the limits
-// being changed as dashed marks, and a pointer where the axis is.
+// One axis in axis angles: its travel as a bar, hatched outside the limits in effect, the edited limits as dashed
+// marks, and a pointer at the position of the axis.
 namespace boresight::ui {
 
 class LimitBar : public QWidget

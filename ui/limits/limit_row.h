@@ -9,7 +9,8 @@
 class QDoubleSpinBox;
 class QGridLayout;
 
-// The limits of one axis in a row of the Limits panel: lowest, a bar with the actual place, highest. Mechanical angles.
+// The limits of one axis in a row of the Limits panel: the lowest, a bar with the actual position, the highest. Axis
+// angles.
 namespace boresight::ui {
 
 class LimitBar;

@@ -68,10 +68,10 @@ QTableView* LimitsPanel::makeTable(DraftTableModel& model, const QString& name)
     table->setAccessibleName(name);
     table->setToolTip(tr("%1: type into a cell, or drag on the plot (Edit, Ctrl+E)").arg(name));
     table->setSelectionMode(QAbstractItemView::SingleSelection);
-    table->setTabKeyNavigation(false);  // no focus trap
+    table->setTabKeyNavigation(false);  // so that the Tab key can leave the table
     table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     table->setWordWrap(false);
-    table->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Expanding);  // the plot gets what is left
+    table->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Expanding);  // the plot gets the remaining room
     table->setMinimumHeight(4 * table->fontMetrics().lineSpacing());
     table->verticalHeader()->hide();
     table->verticalHeader()->setDefaultSectionSize(table->fontMetrics().lineSpacing() + kRowRoom);
@@ -151,7 +151,8 @@ void LimitsPanel::showStatus(const StationStatus& status)
     m_place = status.actual.value_or(m_place);
 }
 
-// Behind the current one, as high: then it is corrected. The first one is where the mount points.
+// The new point follows the current one and has its elevation, ready to be corrected. The first point is where the
+// mount points.
 void LimitsPanel::addPoint()
 {
     const std::vector<pointing::HorizonPoint>& points = m_draft.edited().limits.horizon;

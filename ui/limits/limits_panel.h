@@ -10,8 +10,8 @@
 class QPushButton;
 class QTableView;
 
-// Where the operator lets the mount work, in numbers: limits of both axes, the horizon and the keep-outs. The same
-// draft as on the plot; nothing is in force before Apply.
+// The region in which the mount may work, in numbers: limits of both axes, the horizon and the keep-outs. The same
+// draft as on the plot. Nothing takes effect before Apply.
 namespace boresight::ui {
 
 class LimitRow;
@@ -51,7 +51,7 @@ private:
     QTableView* m_keepOuts;
     ValueLabel* m_notice;
     ProfileDraftBar* m_bar;
-    SkyPointing m_place;  // of the mount: where a new keep-out begins
+    SkyPointing m_place;  // direction of the mount: a new keep-out begins there
 };
 
 }  // namespace boresight::ui

@@ -34,7 +34,7 @@ QString HorizonModel::text(int row, int column) const
     return cellText(profile::horizonSettings(), edited().limits.horizon.at(static_cast<std::size_t>(row)), column);
 }
 
-// The points stay in order, each azimuth once.
+// The points stay sorted, each azimuth once.
 Result<> HorizonModel::put(profile::Profile& profile, int row, int column, const QString& text) const
 {
     std::vector<HorizonPoint>& horizon = profile.limits.horizon;

@@ -3,7 +3,7 @@
 
 #include "ui/link/draft_table_model.h"
 
-// The two lists of the region as tables, a column for each setting of a row.
+// The two lists of the region as tables, with a column for each setting of a row.
 namespace boresight::ui {
 
 class HorizonModel : public DraftTableModel

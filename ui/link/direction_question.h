@@ -9,8 +9,8 @@
 #include <memory>
 #include <optional>
 
-// Asks the station whether the mount may be sent to a direction, and keeps the newest answer about this direction.
-// Never shows an answer about another one. Gui thread.
+// Asks the station whether the mount may be sent to a direction, and keeps the newest answer about this direction. It
+// never shows an answer about another direction. Gui thread.
 namespace boresight::ui {
 
 class DirectionQuestion : public QObject
@@ -21,13 +21,13 @@ public:
     explicit DirectionQuestion(RequestDesk& desk, QObject* parent = nullptr) : QObject(parent), m_desk(desk) {}
 
     void ask(const SkyPointing& direction);
-    void drop();  // nobody wants to know any more
-    // Asks again with another profile in force, and once a second: the Sun and the mount move.
+    void drop();  // the answer is not needed any more
+    // Asks again when the profile changes, and once a second, because the Sun and the mount move.
     void showStatus(const StationStatus& status);
 
-    // In the words of the station. Empty: the mount may go there, or there is no answer yet.
+    // In the words of the station. Empty if the mount may go there, or there is no answer yet.
     [[nodiscard]] QString whyNot() const;
-    // The nearest direction that is allowed. Empty where the direction itself is, and where there is no answer yet.
+    // The nearest allowed direction. Empty if the direction itself is allowed, or there is no answer yet.
     [[nodiscard]] std::optional<SkyPointing> nearest() const { return m_verdict.nearest; }
 
 Q_SIGNALS:
@@ -40,9 +40,9 @@ private:
     RequestDesk& m_desk;
     std::optional<SkyPointing> m_direction;
     DirectionVerdict m_verdict;
-    std::uint64_t m_number = 0;  // of the last question: older ones have been about something else
+    std::uint64_t m_number = 0;  // number of the last question: answers to older ones are about other directions
     bool m_waits = false;
-    std::shared_ptr<const profile::Profile> m_profile;  // in force at the last status: tells another one
+    std::shared_ptr<const profile::Profile> m_profile;  // the profile of the last status, to detect a change
     UtcTime m_now{};
     UtcTime m_sent{};
 };

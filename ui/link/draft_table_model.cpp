@@ -9,7 +9,7 @@
 namespace boresight::ui {
 
 namespace {
-constexpr int kCellDecimals = 1;  // of a number, unless it has more
+constexpr int kCellDecimals = 1;  // decimals of a number, unless it has more
 }
 
 QString cellText(const profile::SettingValue& value)
@@ -75,7 +75,7 @@ QVariant DraftTableModel::data(const QModelIndex& index, int role) const
             return text(index.row(), index.column());
         case Qt::ToolTipRole: {
             const QString problem = m_draft.problem(key(index.row()));
-            return problem.isEmpty() ? text(index.row(), index.column()) : problem;  // a long name has no room
+            return problem.isEmpty() ? text(index.row(), index.column()) : problem;  // a long name does not fit
         }
         case Qt::ForegroundRole:
             return m_draft.problem(key(index.row())).isEmpty() ? QVariant() : QBrush(currentTheme().warning);

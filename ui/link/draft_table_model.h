@@ -6,9 +6,9 @@
 #include "ui/kit/table_model.h"
 #include "ui/link/profile_draft.h"
 
-// A list of the draft as a table that is edited cell by cell. A text that is no value is refused with the
-// reason and changes nothing; what the live check finds stands in the tooltip of its row. The rows are those of the
-// draft, whoever changes it.
+// A list of the draft as a table that is edited cell by cell. An invalid text is refused with the reason and changes
+// nothing. Problems found by the live check are in the tooltip of their row. The rows follow the draft, whatever
+// changes it.
 namespace boresight::ui {
 
 class DraftTableModel : public TableModel
@@ -23,7 +23,7 @@ public:
     bool setData(const QModelIndex& index, const QVariant& value, int role) override;
 
 Q_SIGNALS:
-    void refused(const QString& reason);  // empty: the last text was taken
+    void refused(const QString& reason);  // empty: the last text was accepted
 
 protected:
     [[nodiscard]] const profile::Profile& edited() const { return m_draft.edited(); }
@@ -31,7 +31,7 @@ protected:
     [[nodiscard]] virtual std::size_t rowsOfDraft() const = 0;
     [[nodiscard]] virtual QString text(int row, int column) const = 0;
     [[nodiscard]] virtual Result<> put(profile::Profile& profile, int row, int column, const QString& text) const = 0;
-    [[nodiscard]] virtual std::string key(int row) const = 0;  // as the live check names it
+    [[nodiscard]] virtual std::string key(int row) const = 0;  // the key in the live check
 
 private:
     void followDraft();
@@ -40,9 +40,9 @@ private:
     std::size_t m_rows = 0;
 };
 
-// What the cells of such a table hold, a column for each setting of a row.
+// The contents of the cells of such a table, a column for each setting of a row.
 [[nodiscard]] QString cellText(const profile::SettingValue& value);
-// A number of a cell. Degrees may be written with their sign, as the table of another program has them.
+// The number in a cell. Degrees may be written with the degree sign, as in tables of other programs.
 [[nodiscard]] Result<double> numberOfCell(QString text);
 [[nodiscard]] std::string rowKey(std::string_view list, int row);
 

@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-// What the window asks of this computer, as the RequestDesk is what it asks of the station: the asking leaves as a
-// signal, the answer comes back as one, and nobody waits. Gui thread.
+// Requests of the window to this computer, as RequestDesk handles those to the station. A request leaves as a signal,
+// the answer arrives as a signal, and nothing blocks. Gui thread.
 namespace boresight::ui {
 
 class HostDesk : public QObject
@@ -24,15 +24,15 @@ public:
         : QObject(parent), m_rotators(std::move(rotators))
     {}
 
-    // Each kind that can be connected.
+    // Every kind of rotator that can be connected.
     [[nodiscard]] const std::vector<RotatorOffer>& rotators() const { return m_rotators; }
 
 Q_SIGNALS:
-    // Asked by a page.
-    void adaptersWanted(const QString& namedBus);  // which is listed, too
+    // Emitted for a page.
+    void adaptersWanted(const QString& namedBus);  // this bus is listed, too
     void scanWanted(const QString& bus);
     void gpredictWanted(const QString& folder);
-    // Answered by the owner of the window.
+    // Called by the owner of the window.
     void adaptersFound(const std::vector<boresight::Adapter>& adapters);
     void scanned(const boresight::ScanResult& result);
     void gpredictFound(const boresight::profile::GpredictFiles& files);

@@ -3,7 +3,7 @@
 
 #include "core/messages/station_status.h"
 
-// What the mount does now, as far as a panel or a prompt needs it in a word.
+// The present motion of the mount, as panels and prompts need it.
 namespace boresight::ui {
 
 [[nodiscard]] bool followsAClient(const StationStatus& status);  // a step then trims the client's target

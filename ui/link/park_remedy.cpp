@@ -24,7 +24,7 @@ QString shortAngle(Angle angle)
     return QString::fromStdString(formatFixed(angle.degrees(), whole ? 0 : 1)) + QStringLiteral("°");
 }
 
-// At whole degrees, so that the place can be remembered and typed.
+// In whole degrees, which are easy to remember and to type.
 std::optional<AxisPosition> above(const pointing::PermittedRegion& region, AxisPosition place)
 {
     const Angle highest = region.ranges().elevation.max;

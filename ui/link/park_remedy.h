@@ -7,7 +7,7 @@
 
 #include <optional>
 
-// What resolves an edit that leaves the park position where the mount may not be: the nearest place that will do. Pure.
+// A remedy for an edit that makes the park position forbidden: the nearest allowed position. Pure.
 namespace boresight::ui {
 
 struct ParkRemedy
@@ -16,8 +16,8 @@ struct ParkRemedy
     QString text;  // of the button: "Move park to 15°"
 };
 
-// The same azimuth at the next elevation above that is permitted, else the nearest place. Empty: the park position is
-// permitted, or nothing is.
+// The same azimuth at the next permitted elevation above, otherwise the nearest permitted position. Empty if the park
+// position is permitted, or nothing is.
 [[nodiscard]] std::optional<ParkRemedy> parkRemedy(const profile::Profile& edited);
 
 }  // namespace boresight::ui

@@ -62,7 +62,7 @@ void ProfileChange::send(const Edit& edit, QObject* asker, const RequestDesk::Re
     }
     m_draft.edit(edit);
     if (!m_draft.hasEdits()) {
-        reply({});  // it is so already
+        reply({});  // the profile already has this value
         return;
     }
     if (const QString reason = m_draft.whyNoApply(); !reason.isEmpty()) {

@@ -8,8 +8,9 @@
 #include <functional>
 #include <string>
 
-// One change of the profile by one press: put into the draft, applied, and where it needs a new connection that too.
-// What is refused leaves no edit behind. Not while another panel has edits of its own: they would be applied with it.
+// One change of the profile by one press: put into the draft and applied, with a reconnect if it is needed. A refused
+// change leaves no edit behind. Not possible while another panel has edits, because they would be applied along with
+// it.
 namespace boresight::ui {
 
 class CommandButton;
@@ -23,11 +24,11 @@ public:
 
     ProfileChange(ProfileDraft& draft, RequestDesk& desk) : m_draft(draft), m_desk(desk) {}
 
-    // The button shows "requested" until the station has answered, and why it refused.
+    // The button shows "requested" until the station has answered, and then the reason of a refusal.
     void ask(CommandButton& button, const Edit& edit);
 
     [[nodiscard]] bool isAlready(const Edit& edit) const;  // it would change nothing
-    // Why it can not be done now, for the tooltip; empty: it can.
+    // The reason why it cannot be done now, for the tooltip. Empty if it can.
     [[nodiscard]] QString whyNot(const StationStatus& status, const Edit& edit) const;
 
     [[nodiscard]] const profile::Profile& applied() const { return m_draft.applied(); }

@@ -14,7 +14,7 @@ namespace boresight::ui {
 
 namespace {
 
-constexpr std::size_t kHistory = 20;  // changes that can be taken back, one after the other
+constexpr std::size_t kHistory = 20;  // number of changes that can be undone one after the other
 
 Error draftRefused(const QString& reason)
 {
@@ -48,7 +48,7 @@ void ProfileDraft::showStatus(const StationStatus& status)
     Q_EMIT changed();
 }
 
-// The newest profile this window has put before the station; it holds the values that wait for a reconnect.
+// The newest profile that this window has sent to the station. It includes the values that wait for a reconnect.
 const profile::Profile& ProfileDraft::latestAsked() const
 {
     return m_asked ? *m_asked : m_accepted ? *m_accepted : *m_inForce;
@@ -61,7 +61,7 @@ void ProfileDraft::takeApplied(const profile::Profile& applied)
     }
     const bool ours = applied == latestAsked() && (m_asked || m_accepted);
     if (!ours) {
-        m_history.clear();  // undoing would take back what somebody else has applied since
+        m_history.clear();  // undoing would revert what somebody else has applied since
     }
     const bool hadEdits = hasEdits();
     m_applied = applied;
@@ -71,12 +71,12 @@ void ProfileDraft::takeApplied(const profile::Profile& applied)
     } else if (ours && m_alone == applied) {
         mergeEdits();
     } else if (ours || m_edited == applied) {
-        m_base = applied;  // edits made while the answer was under way stay edits
+        m_base = applied;  // edits made while the answer was pending stay edits
     }
-    m_problems = problemsOf(m_edited);  // some speak only against what is applied now
+    m_problems = problemsOf(m_edited);  // some problems depend on the applied profile
 }
 
-// What is edited, upon what is applied now.
+// Puts the edits on top of the applied profile.
 void ProfileDraft::mergeEdits()
 {
     profile::Profile merged = m_applied;
@@ -91,7 +91,7 @@ void ProfileDraft::setEdited(const profile::Profile& profile)
     m_problems = problemsOf(m_edited);
 }
 
-// A mount is the simulated one by the start of the program, or because its profile names no real bus.
+// A mount is simulated by the start of the program, or because its profile names no real bus.
 std::vector<profile::Problem> ProfileDraft::problemsOf(const profile::Profile& wanted) const
 {
     auto problems = simulates(wanted) ? profile::problemsOf(wanted) : profile::problemsOfReal(wanted);
@@ -124,7 +124,7 @@ void ProfileDraft::edit(const std::function<void(profile::Profile&)>& change)
 void ProfileDraft::takeOver(const profile::Profile& from, std::vector<std::string> keys)
 {
     if (simulates(m_edited)) {
-        std::erase(keys, "bus.name");  // it is tried here
+        std::erase(keys, "bus.name");  // this key is tried here
     } else if (profile::namesNoBus(from)) {
         std::erase_if(keys, profile::isOfOneMount);
         std::erase(keys, "sensor.source");
@@ -141,7 +141,7 @@ void ProfileDraft::put(const profile::Profile& edited)
     }
     setEdited(edited);
     if (!hasEdits()) {
-        m_base = m_applied;  // all edits taken back by hand: nothing is left to be overtaken
+        m_base = m_applied;  // all edits were reverted by hand, so no change made elsewhere can conflict
         setEdited(m_applied);
     }
     Q_EMIT changed();
@@ -322,7 +322,7 @@ void ProfileDraft::send(const profile::Profile& profile, Profiles historyThen, Q
             reply(error);
         }
     };
-    m_desk.send(request::ApplyProfile{profile}, this, answered);  // known here also when the asker is gone
+    m_desk.send(request::ApplyProfile{profile}, this, answered);  // handled here even if the asker was deleted
 }
 
 }  // namespace boresight::ui

@@ -87,7 +87,7 @@ void ProfileDraftBar::showDraft()
     showOrCollapse();
 }
 
-// In the place of Undo, which has nothing to take back while there are edits.
+// Shown in place of Undo, which is not available while there are edits.
 void ProfileDraftBar::showRemedy()
 {
     const auto& problems = m_draft.problems();
@@ -112,7 +112,7 @@ void ProfileDraftBar::showOrCollapse()
     setVisible(!m_collapsing || !idle);
 }
 
-// The worst of it: one line that needs no scrolling. The whole text is in its tooltip.
+// The most important problem, in one line that does not scroll. The complete text is in its tooltip.
 void ProfileDraftBar::showLine()
 {
     if (const auto overtaken = m_draft.overtakenKeys(); !overtaken.empty()) {

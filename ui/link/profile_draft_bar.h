@@ -8,9 +8,9 @@
 
 #include <optional>
 
-// Below every panel that edits the profile: what is not applied, wrong, overtaken or waiting, in one line, and the
-// buttons that decide. Keep edits is there only after a change from elsewhere, Reconnect only while something waits,
-// and "Move park" only while the edits leave the park position where the mount may not be.
+// The bar below every panel that edits the profile: one line about edits that are not applied, wrong, in conflict or
+// waiting, and the buttons for them. Keep edits is shown only after a change made elsewhere, Reconnect only while
+// something waits, and "Move park" only while the edits make the park position forbidden.
 namespace boresight::ui {
 
 class CommandButton;
@@ -23,7 +23,7 @@ class ProfileDraftBar : public QWidget
 public:
     ProfileDraftBar(ProfileDraft& draft, RequestDesk& desk, QWidget* parent = nullptr);
 
-    void setCollapsing(bool on);  // takes no room while there is nothing to apply, to take back or to be told
+    void setCollapsing(bool on);  // takes no room while there is nothing to apply, to undo or to report
 
 private:
     void showDraft();

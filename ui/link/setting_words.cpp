@@ -19,7 +19,7 @@ using profile::Setting;
 using profile::SettingType;
 using profile::SettingValue;
 
-constexpr double kDecades = 1000.0;  // from here on a bar by the value itself would show nothing
+constexpr double kDecades = 1000.0;  // from this ratio on a linear bar would show nothing
 
 struct Title
 {
@@ -52,7 +52,7 @@ constexpr Title kTitles[] = {{"mount", QT_TRANSLATE_NOOP("SettingWords", "Mount"
                              {"power", QT_TRANSLATE_NOOP("SettingWords", "Received power")},
                              {"transmit", QT_TRANSLATE_NOOP("SettingWords", "Transmit on target")}};
 
-// Where the operator sets it by another name than the file's.
+// A setting that has another name on the screen than in the file.
 struct Name
 {
     std::string_view key;

@@ -6,7 +6,7 @@
 
 #include <QString>
 
-// Where the survey of the drives is, and whether it lets the mount move: one line each, with its colour and shape.
+// The state of the drive check, and whether it lets the mount move: one line each, with colour and symbol.
 namespace boresight::ui {
 
 struct Sentence

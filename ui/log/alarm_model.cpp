@@ -13,7 +13,7 @@ namespace boresight::ui {
 
 namespace {
 
-constexpr std::size_t kMaxAlarms = 1000;  // far beyond a night; the log file keeps them all
+constexpr std::size_t kMaxAlarms = 1000;  // far more than in a night; the log file keeps all alarms
 
 bool same(const Alarm& left, const Alarm& right)
 {
@@ -27,8 +27,8 @@ auto content(const SeenAlarm& seen)
                     seen.ended, seen.place);
 }
 
-// An alarm that is listed no more. Had it ended before, then its acknowledgement is what took it from the list: but
-// not if it is the whole station that has gone.
+// An alarm that is not listed any more. If it had ended before, its acknowledgement removed it from the list, unless
+// the whole station is gone.
 SeenAlarm closed(SeenAlarm seen, UtcTime now, bool newStation)
 {
     Alarm& alarm = seen.alarm;
@@ -44,7 +44,7 @@ SeenAlarm followed(const SeenAlarm& seen, const StationStatus& status, std::size
     SeenAlarm next = seen;
     next.alarm = status.alarms[place];
     next.place = place;
-    next.alarm.since = seen.alarm.since;  // one of the window's begins again with every look
+    next.alarm.since = seen.alarm.since;  // an alarm of the window gets a new beginning with every status
     if (!next.alarm.active) {
         next.ended = seen.ended.value_or(status.utc);
     }

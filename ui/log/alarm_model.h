@@ -9,16 +9,16 @@
 #include <optional>
 #include <vector>
 
-// Every alarm that was seen since the window opened: those that the station still lists, and the history of those that
-// ended; bounded. An alarm is known by its number and its beginning, because a new station counts from 1 again; those
-// that the window itself raises have no number, and are known by their name. Gui thread.
+// Every alarm since the window opened: those that the station still lists, and a history of limited length of those
+// that ended. An alarm is identified by its number and its beginning, because a new station counts from 1 again. Alarms
+// of the window itself have no number, and are identified by their name. Gui thread.
 namespace boresight::ui {
 
 struct SeenAlarm
 {
     Alarm alarm;
     std::optional<UtcTime> ended;
-    std::optional<std::size_t> place;  // in the station's list, while it is active or waits to be acknowledged
+    std::optional<std::size_t> place;  // index in the station's list, while it is active or waits to be acknowledged
 };
 
 class AlarmModel : public TableModel
@@ -36,7 +36,7 @@ public:
 
     explicit AlarmModel(QObject* parent = nullptr);
 
-    // True if an active one has come that is worse than an advisory.
+    // True if a new active alarm is worse than an advisory.
     bool take(const StationStatus& status);
 
     [[nodiscard]] const SeenAlarm& seen(int row) const { return m_seen[static_cast<std::size_t>(row)]; }
@@ -53,11 +53,11 @@ private:
     void change(std::size_t row, const SeenAlarm& now);
     void dropEldest();
 
-    std::vector<SeenAlarm> m_seen;  // in the order in which they came
+    std::vector<SeenAlarm> m_seen;  // in the order of their arrival
     std::uint64_t m_tick = 0;
 };
 
-// What still wants attention first, in the order of the station; then the history, the newest first.
+// Alarms that need attention first, in the order of the station. Then the history, the newest first.
 class AlarmOrder : public QSortFilterProxyModel
 {
     Q_OBJECT

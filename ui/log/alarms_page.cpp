@@ -60,7 +60,7 @@ void AlarmsPage::showStatus(const StationStatus& status)
     if (raised && m_sound) {
         Q_EMIT beepWanted();
     }
-    // Who still reads about one that lasts is left alone.
+    // The selection stays on an active alarm that the operator is reading.
     const std::optional<int> selected = selectedRow();
     if (m_order->rowCount() > 0 && (!selected || (raised && !m_model->seen(*selected).place))) {
         m_view->select(0);

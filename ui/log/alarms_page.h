@@ -7,8 +7,8 @@
 
 #include <optional>
 
-// The alarms: what happened, what Boresight did, what to do, and whether it is over; one is acknowledged, or all of
-// them. It also says when a new one should be heard: once, unless the operator has chosen silence.
+// The alarms: what happened, what Boresight did, what to do, and whether it is over. One of them or all can be
+// acknowledged. The page also decides when a new alarm is heard: once, unless the operator has switched the sound off.
 namespace boresight::ui {
 
 class AlarmModel;

@@ -11,8 +11,8 @@
 namespace boresight::ui {
 
 namespace {
-constexpr std::size_t kMaxEntries = 5000;         // a night of commands at one a few seconds; the file keeps the rest
-constexpr QLatin1String kOtherClient("client ");  // that speaks no rotctld, see Source
+constexpr std::size_t kMaxEntries = 5000;         // a night with a command every few seconds; the file keeps the rest
+constexpr QLatin1String kOtherClient("client ");  // a client with another protocol than rotctld, see Source
 }  // namespace
 
 LogModel::LogModel(QObject* parent) : TableModel({tr("UTC"), tr("Source"), tr("What")}, parent) {}
@@ -31,7 +31,7 @@ void LogModel::append(const std::vector<LogEntry>& entries)
     }
 }
 
-// A line of a flickering alarm comes later than the alarm. Two axes may have one each in the same tick.
+// The log line of a flickering alarm comes later than the alarm. Two axes may have one each in the same tick.
 std::optional<int> LogModel::lineOf(const Alarm& alarm) const
 {
     const auto fits = [&alarm](const LogEntry& line) {
@@ -72,7 +72,7 @@ QVariant LogModel::data(const QModelIndex& index, int role) const
         case From:
             return shortSource(line);
         default:
-            // Colour never stands alone: the same shapes as everywhere, as characters.
+            // Colour is never the only sign: the usual symbols, as characters.
             return characterOf(line.severity) + line.text;
     }
 }

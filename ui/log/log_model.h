@@ -9,8 +9,8 @@
 #include <deque>
 #include <optional>
 
-// The station's log as a table (time, source, text) in the order in which the lines came, bounded; and the filter over
-// it. The lines' own numbers are not looked at: they begin again with every station. Gui thread.
+// The station's log as a table (time, source, text) in the order of arrival, with a limited length, and the filter for
+// it. The numbers of the lines are not used, because they start again with every station. Gui thread.
 namespace boresight::ui {
 
 class LogModel : public TableModel
@@ -30,7 +30,7 @@ public:
     void append(const std::vector<LogEntry>& entries);
     [[nodiscard]] const LogEntry& entry(int row) const { return m_entries[static_cast<std::size_t>(row)]; }
 
-    // Of the line that came with this alarm; empty if it is not there (any more).
+    // The row of the line that came with this alarm. Empty if it is not in the table.
     [[nodiscard]] std::optional<int> lineOf(const Alarm& alarm) const;
 
     [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
@@ -58,10 +58,10 @@ class LogFilter : public QSortFilterProxyModel
 public:
     using QSortFilterProxyModel::QSortFilterProxyModel;
 
-    void setKind(LogKind kind);  // only these
+    void setKind(LogKind kind);  // shows only these
     void setSource(LogSource source);
     void setWarningsOnly(bool on);
-    void setText(const QString& text);  // in source or text, any case
+    void setText(const QString& text);  // matches source or text, ignoring case
 
 protected:
     [[nodiscard]] bool filterAcceptsRow(int row, const QModelIndex& parent) const override;

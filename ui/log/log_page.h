@@ -9,8 +9,8 @@ class QCheckBox;
 class QComboBox;
 class QLineEdit;
 
-// Lines of the log with their filters: by source, by severity, by text. One page shows all of them, another only who
-// moved the mount, and why.
+// Lines of the log with filters by source, severity and text. One page shows all lines, another only who moved the
+// mount, and why.
 namespace boresight::ui {
 
 class LinesView;
@@ -40,7 +40,7 @@ private:
     LogFilter* m_filter;
     LinesView* m_view;
     QComboBox* m_source;
-    QCheckBox* m_warnings = nullptr;  // in the page of all lines
+    QCheckBox* m_warnings = nullptr;  // on the page of all lines
     QLineEdit* m_text;
 };
 

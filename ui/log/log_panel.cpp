@@ -61,7 +61,7 @@ ChoiceButton* LogPanel::addPage(QWidget& page, const QString& text, const QStrin
     m_pages->addWidget(&page);
     auto* const button = new ChoiceButton(text, help, this);
     button->setAutoExclusive(true);
-    button->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // equal, whatever stands on them
+    button->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // all of equal width, whatever their text
     connect(button, &ChoiceButton::toggled, this, [this, &page](bool on) {
         if (on) {
             m_pages->setCurrentWidget(&page);

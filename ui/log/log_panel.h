@@ -9,8 +9,8 @@ class QHBoxLayout;
 class QLabel;
 class QStackedWidget;
 
-// What happened, seen in three ways: the alarms; who moved the mount and why; every event. How many alarms wait for
-// their acknowledgement stands on their button, whichever is chosen.
+// The events in three views: the alarms, who moved the mount and why, and every event. The button of the alarms always
+// shows how many wait for an acknowledgement.
 namespace boresight::ui {
 
 class AlarmsPage;
@@ -28,7 +28,7 @@ public:
 
     void showStatus(const StationStatus& status);
     void append(const std::vector<LogEntry>& entries);
-    // To the line that came with it; an alarm without one stands in the list of alarms.
+    // Shows the line that came with it. An alarm without a line is shown in the list of alarms.
     void showAlarm(const Alarm& alarm);
     void showAlarms();
 

@@ -34,7 +34,7 @@ int tabSpaceOf(const QWidget* tabs)
     return space.isValid() ? space.toInt() : kTabSpace;
 }
 
-// Of the button at one hand of a number; the other is beside it.
+// One of the two buttons of a number field. The other one is beside it.
 QRect spinButton(const QRect& box, QStyle::SubControl part)
 {
     const int width = std::min(kSpinButton, box.width() / 4);
@@ -58,7 +58,7 @@ QRect partOfSpinBox(const QStyleOptionSpinBox& option, QStyle::SubControl part)
     }
 }
 
-// Where the handle begins and how long it is, along the bar.
+// The start and the length of the handle along the bar.
 std::pair<int, int> handleOf(const QStyleOptionSlider& option, int length)
 {
     const qint64 range = option.maximum - option.minimum;
@@ -69,7 +69,7 @@ std::pair<int, int> handleOf(const QStyleOptionSlider& option, int length)
             handle};
 }
 
-// A bar without buttons at its ends: there is nothing on them that a finger hits.
+// A scroll bar without buttons at its ends, because they are too small for a finger.
 QRect partOfScrollBar(const QStyleOptionSlider& option, QStyle::SubControl part)
 {
     const QRect& box = option.rect;
@@ -154,7 +154,7 @@ void drawHeader(QPainter& painter, const QRect& box)
     painter.drawLine(box.bottomLeft(), box.bottomRight());
 }
 
-// A field inside another one: the ground is the other's.
+// A field inside another field uses the background of that field.
 bool isWithinAField(const QWidget* widget)
 {
     const QObject* const parent = widget != nullptr ? widget->parent() : nullptr;
@@ -313,7 +313,7 @@ void DeskStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* opti
             }
             break;
         case PE_FrameLineEdit:
-            return;  // drawn with the ground
+            return;  // drawn with the background
         case PE_FrameFocusRect:
             paintFocus(*painter, option->rect);
             return;
@@ -367,7 +367,7 @@ void DeskStyle::drawControl(ControlElement element, const QStyleOption* option, 
         case CE_TabBarTabLabel:
             if (const auto* const tab = qstyleoption_cast<const QStyleOptionTab*>(option)) {
                 QStyleOptionTab label = *tab;
-                label.state.setFlag(State_HasFocus, false);  // the shape shows it
+                label.state.setFlag(State_HasFocus, false);  // the shape shows the focus
                 if (!tab->state.testFlag(State_Selected) &&
                     tab->palette.color(QPalette::WindowText) == currentTheme().text) {
                     label.palette.setColor(QPalette::WindowText, currentTheme().secondary);

@@ -7,11 +7,12 @@
 
 class QTabBar;
 
-// The look of every widget: flat buttons with rounded corners, hairline edges, cards, fields with a step button at
-// each hand, rows and tabs for a finger. It draws with the colours of the current theme over Qt's Fusion. Gui thread.
+// The look of every widget: flat buttons with rounded corners, thin edges, cards, number fields with two step buttons,
+// rows and tabs large enough for a finger. It draws with the colours of the current theme, based on Qt's Fusion. Gui
+// thread.
 namespace boresight::ui {
 
-// px beside the words of a tab, both sides together. It holds from the next layout on.
+// px beside the words of a tab, on both sides together. Applies from the next layout on.
 constexpr int kTabSpace = 14;
 void setTabSpace(QTabBar& tabs, int space);
 
@@ -22,7 +23,7 @@ class DeskStyle : public QProxyStyle
 public:
     DeskStyle();
 
-    // Once per program. Again does nothing.
+    // Once per program. Further calls do nothing.
     static void install();
 
     using QProxyStyle::polish;

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kStroke = 1.0 / 11.0;  // of the box: 1.5 px of 16
 
-// Points in a box of 0 to 1.
+// Points in a box from 0 to 1.
 class Pen
 {
 public:
@@ -56,7 +56,7 @@ public:
         m_painter.drawRoundedRect(QRectF(at(left, top), at(right, bottom)), 0.08 * m_box.width(),
                                   0.08 * m_box.height());
     }
-    // Angles in degrees, anticlockwise from the right.
+    // Angles in degrees, counterclockwise from the right.
     void arc(double x, double y, double radius, int from, int span)
     {
         m_painter.drawArc(QRectF(at(x - radius, y - radius), at(x + radius, y + radius)), from * 16, span * 16);
@@ -234,7 +234,7 @@ void drawStar(Pen& pen, bool filled)
 
 using Paint = std::function<void(QPainter& painter, const QRectF& box, QIcon::Mode mode)>;
 
-// Nothing is kept: the next picture has the colours of the theme that is current then.
+// Nothing is cached, so the next picture has the colours of the current theme.
 class PaintedIcon : public QIconEngine
 {
 public:

@@ -7,8 +7,8 @@ class QColor;
 class QPainter;
 class QRectF;
 
-// The small pictures on tabs, buttons and lines of a menu. They are drawn, so that they have every size and always the
-// colours of the current theme.
+// The small pictures on tabs, buttons and menu lines. They are drawn, so that they have any size and always the colours
+// of the current theme.
 namespace boresight::ui {
 
 enum class ThemeKind;
@@ -19,7 +19,7 @@ enum class Glyph
     Passes,   // a satellite on its way over the horizon
     Charts,   // a curve over its axes
     Limits,   // a frame with a mark in it
-    Clients,  // there and back
+    Clients,  // two arrows in opposite directions
     Log,      // lines
     Mount,    // a dish on its mast
     North,    // a needle
@@ -39,7 +39,7 @@ enum class Glyph
 
 void drawGlyph(QPainter& painter, Glyph glyph, const QRectF& box, const QColor& colour);
 [[nodiscard]] QIcon glyphIcon(Glyph glyph);
-// How a theme looks: its ground, a line of text, the mark of what is chosen.
+// A preview of a theme: its background, a line of text, the mark of a selection.
 [[nodiscard]] QIcon themePicture(ThemeKind kind);
 
 }  // namespace boresight::ui

@@ -89,7 +89,7 @@ void paintButton(QPainter& painter, const QStyleOption& option, Emphasis emphasi
     const QRectF box = inPixels(option.rect);
     if (isHeld(option)) {
         round(painter, box, kRounding, QPen(colours.accent), colours.accentSoft);
-    } else if (!isEnabled(option)) {  // its words are quiet, too
+    } else if (!isEnabled(option)) {  // its words are dimmed, too
         const bool hasEdge = emphasis != Emphasis::Quiet;
         round(painter, box, kRounding, hasEdge ? QPen(between(colours.card, colours.hairline, 0.5F)) : QPen(Qt::NoPen),
               Qt::NoBrush);

@@ -7,12 +7,12 @@ class QPainter;
 class QStyleOption;
 class QWidget;
 
-// How the parts of the screen are drawn in the colours of the current theme. The style uses it for Qt's own widgets,
-// and a widget that paints itself uses it to look like them.
+// Draws the parts of the screen in the colours of the current theme. The style uses it for Qt's own widgets, and
+// widgets that paint themselves use it to look the same.
 namespace boresight::ui {
 
-// Four kinds of emphasis and no more: what the panel is for, everything else, what is rarely needed, and what is held
-// or chosen (a state of each of them).
+// Only these kinds of emphasis: the main action of a panel, everything else, rarely used actions, and the pressed or
+// chosen state of each.
 enum class Emphasis
 {
     Normal,
@@ -28,7 +28,7 @@ void paintFocus(QPainter& painter, const QRectF& box);
 void paintButton(QPainter& painter, const QStyleOption& option, Emphasis emphasis);
 void paintField(QPainter& painter, const QStyleOption& option);  // of words and numbers
 void paintTab(QPainter& painter, const QStyleOption& option);
-void paintBox(QPainter& painter, const QStyleOption& option, bool round);  // to tick, or of a choice
+void paintBox(QPainter& painter, const QStyleOption& option, bool round);  // a check box or a radio button
 
 enum class Stroke
 {

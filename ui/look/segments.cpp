@@ -18,7 +18,7 @@ Segments::Segments(QWidget* parent) : QWidget(parent), m_row(new QHBoxLayout(thi
 
 void Segments::add(ChoiceButton& choice)
 {
-    choice.setAutoRaise(true);  // the edge is ours
+    choice.setAutoRaise(true);  // this widget draws the edge
     m_row->addWidget(&choice);
 }
 

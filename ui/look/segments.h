@@ -5,7 +5,7 @@
 
 class QHBoxLayout;
 
-// Choices of which one holds, side by side within one edge.
+// Exclusive choices, side by side within one edge.
 namespace boresight::ui {
 
 class ChoiceButton;

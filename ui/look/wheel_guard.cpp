@@ -18,11 +18,11 @@ void WheelGuard::watch(QWidget& widget)
     if (widget.focusPolicy() == Qt::WheelFocus) {
         widget.setFocusPolicy(Qt::StrongFocus);
     }
-    widget.installEventFilter(this);  // once more does nothing more
+    widget.installEventFilter(this);  // installing it twice has no effect
 }
 
-// An event that is not accepted goes on to the page, which scrolls. The tabs scroll with it and get under the pointer,
-// also with the keyboard.
+// An event that is not accepted goes on to the page, which scrolls. The tabs scroll along and come under the pointer,
+// even while they have the keyboard.
 bool WheelGuard::eventFilter(QObject* watched, QEvent* event)
 {
     const bool takesWheel = qobject_cast<QWidget*>(watched)->hasFocus() && qobject_cast<QTabBar*>(watched) == nullptr;

@@ -3,8 +3,8 @@
 
 #include <QObject>
 
-// Who scrolls a page with the wheel of the mouse does not change a number, a choice or a rate that comes under the
-// pointer on the way. The wheel changes it only while it has the keyboard. Gui thread.
+// Scrolling a page with the mouse wheel must not change a number, a choice or a rate that comes under the pointer. The
+// wheel changes a control only while it has the keyboard. Gui thread.
 namespace boresight::ui {
 
 class WheelGuard : public QObject
@@ -14,7 +14,7 @@ class WheelGuard : public QObject
 public:
     using QObject::QObject;
 
-    // If it is a widget that the wheel changes.
+    // Does so if the wheel changes this widget.
     void watch(QWidget& widget);
 
     bool eventFilter(QObject* watched, QEvent* event) override;

@@ -14,7 +14,7 @@ namespace boresight::ui {
 
 namespace {
 
-constexpr int kDotsPerInch = 96;  // pictures have the size of the screen
+constexpr int kDotsPerInch = 96;  // pictures have their size on the screen
 constexpr qreal kMargin = 18.0;   // mm
 
 void narrowPictures(QTextDocument& book, qreal width)
@@ -31,7 +31,7 @@ void narrowPictures(QTextDocument& book, qreal width)
             cursor.setPosition(part.position());
             cursor.setPosition(part.position() + part.length(), QTextCursor::KeepAnchor);
             cursor.setCharFormat(picture);
-            break;  // the fragments of this block are others now
+            break;  // the fragments of this block have changed
         }
     }
 }

@@ -19,10 +19,10 @@ namespace boresight::ui {
 
 namespace {
 
-constexpr int kDeepestHeading = 2;  // that the contents list
+constexpr int kDeepestHeading = 2;  // levels of headings in the contents
 constexpr int kContentsWidth = 220;
 constexpr QSize kSize{920, 560};
-constexpr int kBlock = Qt::UserRole;  // where a heading of the contents begins
+constexpr int kBlock = Qt::UserRole;  // the block where a heading of the contents begins
 
 }  // namespace
 
@@ -103,7 +103,7 @@ void ManualWindow::showHeading(int row)
         return;
     }
     QTextCursor there(m_text->document());
-    there.movePosition(QTextCursor::End);  // so that the heading comes to the top
+    there.movePosition(QTextCursor::End);  // so that the heading appears at the top
     m_text->setTextCursor(there);
     there.setPosition(line->data(kBlock).toInt());
     m_text->setTextCursor(there);

@@ -9,11 +9,11 @@ class QLineEdit;
 class QListWidget;
 class QTextBrowser;
 
-// The user manual: its contents at the left, the text at the right, a search above. Not modal: STOP stays in reach. Gui
-// thread.
+// The user manual: its contents on the left, the text on the right, a search above. Not modal, so that STOP stays in
+// reach. Gui thread.
 namespace boresight::ui {
 
-// Where the book is in the program's resources.
+// The address of the manual in the program's resources.
 [[nodiscard]] QUrl manualAddress();
 
 class ManualWindow : public QDialog
@@ -24,7 +24,7 @@ public:
     explicit ManualWindow(QWidget* parent = nullptr);
 
 public Q_SLOTS:
-    // The next place of what is typed in the search, from the beginning after the end.
+    // Finds the next match of the search, and starts again at the beginning after the last one.
     void findNext();
 
 private:
@@ -32,7 +32,7 @@ private:
     void showHeading(int row);
 
     QLineEdit* m_search;
-    QLabel* m_notice;  // that nothing was found
+    QLabel* m_notice;  // shown when nothing was found
     QListWidget* m_contents;
     QTextBrowser* m_text;
 };

@@ -17,7 +17,7 @@ namespace boresight::ui {
 namespace {
 constexpr ephemeris::Refraction kRefractions[] = {ephemeris::Refraction::Light, ephemeris::Refraction::Radio,
                                                   ephemeris::Refraction::None};
-constexpr int kComboLetters = 7;  // of X: the widest is narrower
+constexpr int kComboLetters = 7;  // in widths of X: the widest text is narrower
 }  // namespace
 
 BodyBox::BodyBox(RequestDesk& desk, ValueLabel& notice, QWidget* parent)
@@ -59,7 +59,7 @@ void BodyBox::build()
     m_refraction->setCurrentIndex(0);
     for (CommandButton* const button : {m_follow, m_take}) {
         button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-        button->setMinimumWidth(2 * kTouchSize);  // narrower than one that says "requested" beside its letters
+        button->setMinimumWidth(2 * kTouchSize);  // narrower than a button that also shows "requested"
     }
 }
 
@@ -132,7 +132,7 @@ QString BodyBox::whereText() const
     return text;
 }
 
-// Before a point is taken, say, of what was centred by hand.
+// Shown before a point is taken, for a body that was centred by hand.
 QString BodyBox::besideText() const
 {
     const BodyNow* const now = bodyNow(m_status, m_body);

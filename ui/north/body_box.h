@@ -7,7 +7,8 @@
 
 class QCheckBox;
 
-// The Sun or the Moon as a known direction: where it appears now, follow it, and take the point once it is centred.
+// The Sun or the Moon as a known direction: its present apparent direction, a button to track it, and one to take the
+// point when it is centred.
 namespace boresight::ui {
 
 class CommandButton;
@@ -40,8 +41,8 @@ private:
     ValueLabel* m_where;
     CommandButton* m_follow;
     CommandButton* m_take;
-    TouchCombo* m_refraction;  // of what is followed next
-    QCheckBox* m_overTheTop;   // the same; only where the elevation's travel goes past the zenith
+    TouchCombo* m_refraction;  // for the next tracking
+    QCheckBox* m_overTheTop;   // the same; only if the elevation travel goes past the zenith
 };
 
 }  // namespace boresight::ui

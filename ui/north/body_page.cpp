@@ -20,7 +20,7 @@ namespace boresight::ui {
 namespace {
 constexpr Angle kSteps[] = {0.01_deg, 0.05_deg, 0.1_deg, 0.5_deg, 1_deg};
 constexpr int kFirstStep = 2;
-constexpr int kBodyPageComboLetters = 7;  // of X: the widest is narrower
+constexpr int kBodyPageComboLetters = 7;  // in widths of X: the widest text is narrower
 }  // namespace
 
 BodyPage::BodyPage(const Clock& clock, RequestDesk& desk, QWidget* parent)
@@ -47,7 +47,7 @@ void BodyPage::build()
     fillSteps();
     for (QWidget* const byHand : {static_cast<QWidget*>(m_pad), static_cast<QWidget*>(m_step)}) {
         QSizePolicy policy = byHand->sizePolicy();
-        policy.setRetainSizeWhenHidden(true);  // the choices stay where they are
+        policy.setRetainSizeWhenHidden(true);  // the choices must not move
         byHand->setSizePolicy(policy);
     }
     m_grid->setContentsMargins(6, 4, 6, 0);
@@ -118,17 +118,17 @@ void BodyPage::choose(Aim aim)
     m_aim = aim;
     for (QWidget* const box :
          {static_cast<QWidget*>(m_body), static_cast<QWidget*>(m_landmark), static_cast<QWidget*>(m_scan)}) {
-        box->hide();  // first of all: two boxes at once would not fit
+        box->hide();  // hide first: two boxes at the same time would not fit
     }
     m_notice->setValue({});
     m_choices[static_cast<std::size_t>(aim)]->setChecked(true);
     for (QWidget* const byHand : {static_cast<QWidget*>(m_pad), static_cast<QWidget*>(m_step)}) {
-        byHand->setVisible(aim != Aim::Scan);  // which moves by itself
+        byHand->setVisible(aim != Aim::Scan);  // a scan moves by itself
     }
-    const int column = aim == Aim::Scan ? 0 : 1;  // else the pad is there
+    const int column = aim == Aim::Scan ? 0 : 1;  // otherwise the pad is shown there
     m_grid->removeWidget(m_boxes);
     m_grid->addWidget(m_boxes, 1, column, 1, 2 - column);
-    m_warning->setLines(aim == Aim::Scan ? 2 : 4);  // beside the pad it is narrow
+    m_warning->setLines(aim == Aim::Scan ? 2 : 4);  // beside the pad the warning is narrow
     m_warning->updateGeometry();
     showWarning();
     switch (aim) {

@@ -10,9 +10,9 @@
 
 class QGridLayout;
 
-// Step 3 of finding north: points of known direction, by Sun, Moon, a landmark or the peak of the received power. The
-// pad is that of the Jog panel, in steps only: while a body is followed they trim. As long as the Sun is meant the
-// warning of eyes and feed stands there.
+// Step 3 of finding north: points of known direction, from Sun, Moon, a landmark or the peak of the received power. The
+// pad is that of the Jog panel, in steps only: while a body is tracked the steps trim. While the Sun is chosen, the
+// warning about eyes and feed is shown.
 namespace boresight::ui {
 
 class BodyBox;
@@ -32,7 +32,7 @@ public:
     BodyPage(const Clock& clock, RequestDesk& desk, QWidget* parent = nullptr);
 
     void showStatus(const StationStatus& status);
-    void beat();  // a few times a second
+    void beat();  // called a few times a second
 
 private:
     enum class Aim

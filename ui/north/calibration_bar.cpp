@@ -43,7 +43,7 @@ void CalibrationBar::build()
         line->setWrapping(true);
         lines->addWidget(line);
     }
-    m_notice->setCollapsing(true);  // in the place of what would change, until the next press
+    m_notice->setCollapsing(true);  // shown in place of the changes, until the next press
     row->addLayout(lines, 1);
     row->addWidget(m_apply);
     row->addWidget(m_discard);
@@ -67,7 +67,7 @@ void CalibrationBar::showStatus(const StationStatus& status)
     m_undo->setBlocked(status.permissions.reason(Action::UndoCalibration));
 }
 
-// Every warning comes before what changes. One that is not seen here could be applied unread.
+// Every warning comes before the changes, because a warning that is not visible here could be applied unread.
 void CalibrationBar::showChange(const std::optional<CalibrationProposal>& proposal)
 {
     if (!proposal) {

@@ -8,9 +8,9 @@
 #include <cstdint>
 #include <optional>
 
-// Below every step of the North panel: what is proposed, every figure before and after, Apply, Discard and Undo. What
-// is applied or discarded is the proposal that stood there when the button was pressed; were it another one by then,
-// the station refuses.
+// The bar below every step of the North panel: the proposal with every value before and after, Apply, Discard and Undo.
+// Apply and Discard refer to the proposal that was shown when the button was pressed. If there is another proposal by
+// then, the station refuses.
 namespace boresight::ui {
 
 class CommandButton;
@@ -37,7 +37,7 @@ private:
     CommandButton* m_discard;
     CommandButton* m_undo;
     std::uint64_t m_shown = 0;    // number of the proposal
-    std::uint64_t m_pressed = 0;  // that was shown when Apply or Discard was pressed
+    std::uint64_t m_pressed = 0;  // the proposal that was shown when Apply or Discard was pressed
 };
 
 }  // namespace boresight::ui

@@ -8,9 +8,9 @@
 
 class QTabWidget;
 
-// Finding north and believing it, in five numbered steps: the sensor's average, the compass swing, points of known
-// direction, the pointing model of them, and what was applied before. None of them changes anything; below all of them
-// stands what is proposed, with Apply, Undo and Redo.
+// Finding north and checking it, in five numbered steps: the average of the sensor, the compass swing, points of known
+// direction, the pointing model from the points, and the history. None of the steps changes anything. The proposal is
+// shown below all of them, with Apply, Undo and Redo.
 namespace boresight::ui {
 
 class BodyPage;
@@ -40,10 +40,10 @@ public:
 
     void showStatus(const StationStatus& status);
     void go(CalibrationStep step);
-    void beat();  // a few times a second
+    void beat();  // called a few times a second
 
 Q_SIGNALS:
-    void settingsWanted(const QString& words);  // of the profile, that have these in their name or meaning
+    void settingsWanted(const QString& words);  // settings of the profile with these words in their name or meaning
 
 private:
     void addStep(QWidget& page, const QString& name, const QString& help);

@@ -51,7 +51,7 @@ QString tiltLine(const SwingOutcome& swing)
              estimateText(tilt.elevationOffset));
 }
 
-// A proposal that was made of the fit has its very terms; nobody types one so exactly.
+// A proposal from the fit has exactly the terms of the fit. Nobody types terms with this accuracy.
 constexpr Angle kSame = Angle::fromDegrees(1e-6);
 
 std::optional<Angle> leftOutRms(const std::vector<PointStatus>& points)
@@ -67,7 +67,7 @@ std::optional<Angle> leftOutRms(const std::vector<PointStatus>& points)
     return count > 0 ? std::optional(Angle::fromDegrees(std::sqrt(sum / count))) : std::nullopt;
 }
 
-// A fit that is far better than its sigmas say is worth as much attention as one that is worse: never "0.0".
+// A fit that is far better than its sigmas is as remarkable as one that is worse, so the text is never "0.0".
 QString twoDigits(double value)
 {
     const double magnitude = value > 0.0 ? std::floor(std::log10(value)) : 0.0;
@@ -238,7 +238,7 @@ bool proposesFit(const CalibrationStatus& calibration)
                               });
 }
 
-// The rms before and after is that of what is proposed; where that is not the points' own fit, the fit is named.
+// The rms before and after belongs to the proposal. If that is not the fit of the points, the fit is named.
 QString fitText(const CalibrationStatus& calibration)
 {
     if (!calibration.fit) {

@@ -58,7 +58,7 @@ void CompassDial::paintEvent(QPaintEvent*)
     const double radius =
         std::min(width() - 2.0 * metrics.horizontalAdvance(QStringLiteral("270")), height() - 2.0 * metrics.height()) /
         2.0;
-    const QPointF middle(QRectF(rect()).center().x(), radius + metrics.height());  // beside its words, at the top
+    const QPointF middle(QRectF(rect()).center().x(), radius + metrics.height());  // at the top, beside its words
     painter.setPen(colours.grid);
     painter.setBrush(colours.plotGround);
     painter.drawEllipse(middle, radius, radius);

@@ -7,9 +7,9 @@
 
 #include <optional>
 
-// Two needles seen from above, as both are read: the azimuth of the axis (solid, ●) and the heading of the sensor
-// (dashed, △). The angle between them is what a calibration finds. Neither is a true direction, so the rim has numbers
-// and no letters.
+// Two needles seen from above, with the values as they are read: the axis angle of the azimuth (solid, ●) and the
+// heading of the sensor (dashed, △). A calibration finds the angle between them. Neither is a true direction, so the
+// rim has numbers and no letters.
 namespace boresight::ui {
 
 class CompassDial : public QWidget

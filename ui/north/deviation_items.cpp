@@ -15,10 +15,10 @@ namespace boresight::ui {
 namespace {
 
 constexpr double kSize = 2.5;  // px, half a sample
-// Samples lie upon each other and beside the curve, which is to be seen through them.
+// Samples overlap each other and the curve, so they are translucent.
 constexpr int kSampleAlpha = 130;
 constexpr double kCurveWidth = 2.0;  // px
-constexpr double kHalo = 5.0;        // px, of the ground around it
+constexpr double kHalo = 5.0;        // px of the background around it
 constexpr int kStep = 3;             // degrees between points of the curve
 
 SampleShape shapeOf(bool isUsed, bool clockwise)
@@ -32,7 +32,7 @@ QColor translucent(QColor colour)
     return colour;
 }
 
-// What lies beyond the scale stands at its edge.
+// A value beyond the scale is drawn at the edge.
 double heightOf(Angle error, const QwtScaleMap& errorMap, const QRectF& canvas)
 {
     return std::clamp(errorMap.transform(error.degrees()), canvas.top() + kSize, canvas.bottom() - kSize);
@@ -116,7 +116,7 @@ void SwingItem::drawDots(QPainter& painter, const QwtScaleMap& headingMap, const
     }
 }
 
-// The residual of each as a line to the curve.
+// The residual of each sample as a line to the curve.
 void SwingItem::drawSamples(QPainter& painter, const QwtScaleMap& headingMap, const QwtScaleMap& errorMap,
                             const QRectF& canvas) const
 {

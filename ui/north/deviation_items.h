@@ -11,14 +11,14 @@
 
 class QPainter;
 
-// What lies in the deviation plot, as a Qwt item; x is the true heading, y the error, both in degrees. Included by
-// deviation_plot.cpp only.
+// The contents of the deviation plot as a Qwt item. x is the true heading, y the error, both in degrees. Only
+// deviation_plot.cpp includes this file.
 namespace boresight::ui {
 
 class SwingItem final : public QwtPlotItem
 {
 public:
-    // One or the other: what a swing has found, or its readings as they come.
+    // One of the two: the result of a swing, or its readings as they arrive.
     void setSwing(std::shared_ptr<const SwingOutcome> swing) { m_swing = std::move(swing); }
     void setDots(std::vector<calibration::SwingDot> dots) { m_dots = std::move(dots); }
 
@@ -37,7 +37,8 @@ private:
     std::vector<calibration::SwingDot> m_dots;
 };
 
-// The mark of a sample shows which way the mount turned. A sample that was left out is a cross. Also for the legend.
+// The mark of a sample shows in which direction the mount turned. A sample that was left out is a cross. Also used for
+// the legend.
 enum class SampleShape
 {
     Clockwise,

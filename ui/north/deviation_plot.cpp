@@ -25,7 +25,7 @@ namespace {
 
 constexpr double kLimits[] = {2.0, 5.0, 10.0, 15.0, 20.0, 30.0, 45.0, 60.0, 90.0};  // degrees
 constexpr double kNoSwing = 10.0;                                                   // degrees, up and down
-constexpr double kOtherSide = 0.25;   // of the higher side: else the figures of 0 and of the lower one overlap
+constexpr double kOtherSide = 0.25;   // of the higher side: otherwise the numbers at 0 and at the lower end overlap
 constexpr int kDeviationPlotGap = 5;  // px, between the parts of the legend
 
 double limitFor(double largest)
@@ -61,7 +61,7 @@ DeviationPlot::~DeviationPlot() = default;
 
 void DeviationPlot::setUpPlot()
 {
-    m_plot->setAutoDelete(false);  // the items are ours
+    m_plot->setAutoDelete(false);  // the plot owns these items itself
     m_plot->setMinimumSize(1, 1);
     m_plot->setAxisScale(QwtAxis::XBottom, 0.0, 360.0, 90.0);
     for (const int axis : {QwtAxis::XBottom, QwtAxis::YLeft}) {
@@ -135,8 +135,8 @@ void DeviationPlot::showDots(const std::vector<calibration::SwingDot>& dots, con
     update();
 }
 
-// What the fit has not used may lie far out and does not count. As long as it turns, the scale does not begin small.
-// Each side has its own end: the curve fills the plot, so that one sees how the readings scatter about it.
+// Samples that the fit has not used may lie far out and do not count. During a swing the scale does not start small.
+// Each side has its own end, so the curve fills the plot and the scatter of the readings is visible.
 void DeviationPlot::fitScale()
 {
     const double atFirst = m_swing ? 0.0 : kNoSwing;

@@ -11,8 +11,8 @@
 class QwtPlot;
 class QwtPlotGrid;
 
-// The curve that a compass swing has found: what the sensor says too much over the true heading, the samples of both
-// ways, and how far each is off the curve. Beside the polar plot and the strip charts the only place that touches Qwt.
+// The curve that a compass swing has found: the error of the sensor by the true heading, the samples of both
+// directions, and their distance from the curve. Apart from the polar plot and the strip charts the only user of Qwt.
 namespace boresight::ui {
 
 class SwingItem;
@@ -25,11 +25,12 @@ public:
     explicit DeviationPlot(QWidget* parent = nullptr);
     ~DeviationPlot() override;
 
-    void showSwing(std::shared_ptr<const SwingOutcome> swing);  // null: none
-    // In its place, while a swing turns: its readings so far, perhaps thinned, and what the run says of all of them.
+    void showSwing(std::shared_ptr<const SwingOutcome> swing);  // null: no swing
+    // During a swing, in place of the curve: the readings so far, possibly thinned, and the report of the run about all
+    // of them.
     void showDots(const std::vector<calibration::SwingDot>& dots, const QString& said);
 
-    [[nodiscard]] QPointF pixel(Angle heading, Angle error) const;  // for the test of what is painted
+    [[nodiscard]] QPointF pixel(Angle heading, Angle error) const;  // for the test of the painting
     // The ends of the scale, in degrees.
     [[nodiscard]] double lowest() const { return m_lowest; }
     [[nodiscard]] double highest() const { return m_highest; }

@@ -6,8 +6,8 @@
 
 #include <vector>
 
-// What was applied to this mount, newest first: what of it is in force has a shape, and so has what was found with
-// another drive or elsewhere.
+// The calibrations applied to this mount, newest first. The one in effect has a symbol, and so have those found with
+// another drive or at another site.
 namespace boresight::ui {
 
 class HistoryModel : public TableModel

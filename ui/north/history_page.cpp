@@ -71,7 +71,7 @@ HistoryPage::HistoryPage(RequestDesk& desk, QWidget* parent)
     m_whole->setPlaceholderText(tr("Select a line to read it whole"));
     m_whole->setFixedHeight(kWholeLines * m_whole->fontMetrics().lineSpacing() + 12);
     m_table->horizontalHeader()->setSectionResizeMode(HistoryModel::Title,
-                                                      QHeaderView::Stretch);  // Place: mostly empty
+                                                      QHeaderView::Stretch);  // the column Place is mostly empty
     auto* const row = new QHBoxLayout;
     row->addWidget(m_state, 1);
     row->addWidget(m_redo);

@@ -8,8 +8,8 @@
 class QPlainTextEdit;
 class QTableView;
 
-// Step 5 of finding north: what was applied, when, where and with which drives. Undo and Redo of the bar below walk
-// through it.
+// Step 5 of finding north: what was applied, when, where and with which drives. Undo and Redo in the bar below move
+// through this list.
 namespace boresight::ui {
 
 class CommandButton;

@@ -81,7 +81,7 @@ void LandmarkBox::describe()
                       Tone::Secondary);
 }
 
-// The fields begin with 0° and 0°, which nobody has told yet.
+// The fields start with 0° and 0°, which is not yet an entry.
 bool LandmarkBox::isTold() const
 {
     return m_azimuth->value() != 0.0 || m_elevation->value() != 0.0 || !m_label->text().trimmed().isEmpty();

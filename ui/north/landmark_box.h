@@ -8,7 +8,7 @@
 class QDoubleSpinBox;
 class QLineEdit;
 
-// A landmark as a known direction: the operator has centred it, and types where it really is.
+// A landmark as a known direction: the operator has centred it, and types its true direction.
 namespace boresight::ui {
 
 class CommandButton;

@@ -96,7 +96,8 @@ void ModelPage::build()
     m_views->addWidget(makePoints());
     m_views->addWidget(m_given);
     showView(View::Terms);
-    connect(m_given, &TermsBox::proposed, this, [this] { showView(View::Terms); });  // beside those in force
+    // shows the proposal beside the terms in effect
+    connect(m_given, &TermsBox::proposed, this, [this] { showView(View::Terms); });
     auto* const column = new QVBoxLayout(this);
     column->setContentsMargins(6, 4, 6, 0);
     column->setSpacing(4);

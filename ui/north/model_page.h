@@ -11,9 +11,9 @@ class QPlainTextEdit;
 class QStackedWidget;
 class QTableView;
 
-// Step 4 of finding north: the pointing model that the points speak for. Three views: its terms, in force and proposed,
-// with what the fit remarks; the points with their residuals, in a table and on the sky; and terms to be typed, or
-// exchanged with a file.
+// Step 4 of finding north: the pointing model from the points. Three views: its terms, in effect and proposed, with
+// remarks of the fit. The points with their residuals, in a table and on the sky. Terms to be typed, or exchanged with
+// a file.
 namespace boresight::ui {
 
 class ChoiceButton;
@@ -45,7 +45,7 @@ private:
     void build();
     [[nodiscard]] QWidget* makeTerms();
     [[nodiscard]] QWidget* makePoints();
-    [[nodiscard]] int selected() const;  // row of the points; -1: none
+    [[nodiscard]] int selected() const;  // row of the points, or -1
     void showView(View view);
     void showSelected();
     void useOrNot();

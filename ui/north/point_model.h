@@ -6,7 +6,8 @@
 
 #include <vector>
 
-// The calibration points as a table, with what the model in force and the fit leave of each. On the sky, in degrees.
+// The calibration points as a table, with their residuals for the model in effect and for the fit. On the sky, in
+// degrees.
 namespace boresight::ui {
 
 class PointModel : public TableModel
@@ -18,8 +19,8 @@ public:
     {
         Label,
         Time,
-        Sigma,   // of how well it was centred
-        Before,  // with the model in force
+        Sigma,   // the accuracy of the centring
+        Before,  // with the model in effect
         After,   // with the fit
         LeftOut
     };

@@ -16,7 +16,7 @@ namespace boresight::ui {
 namespace {
 
 constexpr double kLongest = 24.0;         // px, of an arrow
-constexpr double kLeast = 0.001;          // degrees: shorter is no direction
+constexpr double kLeast = 0.001;          // degrees: a shorter residual has no direction
 constexpr double kResidualSkyHead = 4.0;  // px
 
 }  // namespace
@@ -64,7 +64,7 @@ double ResidualSky::largest(bool after) const
     return found;
 }
 
-// Across is along the circle of the elevation, clockwise; elevation grows towards the zenith.
+// Across is along the circle of equal elevation, clockwise. Elevation grows towards the zenith.
 QPointF ResidualSky::tip(const PointStatus& point, bool after) const
 {
     const PointResidual residual = after ? point.after.value_or(PointResidual{}) : point.before;

@@ -7,8 +7,8 @@
 
 #include <vector>
 
-// Where the calibration points lie in the sky, and how far the beam looks past each: dashed with the model in force,
-// solid with the fit. Two scales, for both to be seen: they are written below.
+// The calibration points on the sky, with the error of the beam at each: dashed with the model in effect, solid with
+// the fit. The two have different scales, so that both are visible. The scales are written below.
 namespace boresight::ui {
 
 struct SkyProjection;
@@ -24,7 +24,7 @@ public:
     void setSelected(int row);  // -1: none
 
     [[nodiscard]] SkyProjection sky() const;
-    [[nodiscard]] QPointF tip(const PointStatus& point, bool after) const;  // of its arrow
+    [[nodiscard]] QPointF tip(const PointStatus& point, bool after) const;  // the tip of its arrow
 
     [[nodiscard]] QSize sizeHint() const override { return {180, 190}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {150, 140}; }

@@ -43,7 +43,8 @@ void RunLine::showProgress(const CalibrationProgress& progress, const QString& o
     m_bar->setVisible(running);
     m_bar->setValue(static_cast<int>(progress.done * kRunLineParts));
     if (running) {
-        const bool isForeseen = progress.left > Seconds(0.0);  // a scan waits for people and receivers
+        // a scan waits for people and receivers, so its end is unknown
+        const bool isForeseen = progress.left > Seconds(0.0);
         m_text->setValue(isForeseen ? tr("%1, %2 left").arg(progress.text, waitText(progress.left)) : progress.text,
                          Tone::Advisory, Symbol::Advisory);
     } else if (m_isOurs && !progress.outcome.isEmpty()) {

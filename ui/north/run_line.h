@@ -7,8 +7,8 @@
 
 class QProgressBar;
 
-// How far a calibration run of one kind is, and how the last of its kind ended: a sentence, and a bar while it runs.
-// The room is always the same, so that nothing moves when a run begins.
+// The progress of a calibration run of one kind, and the end of the last one: a sentence, and a bar during the run. It
+// always takes the same room, so that nothing moves when a run begins.
 namespace boresight::ui {
 
 class ValueLabel;
@@ -20,12 +20,12 @@ class RunLine : public QWidget
 public:
     RunLine(CalibrationRun run, const QString& name, QWidget* parent = nullptr);
 
-    // `otherwise` is said while it neither runs nor has ended yet.
+    // `otherwise` is shown while there is neither a run nor the result of one.
     void showProgress(const CalibrationProgress& progress, const QString& otherwise);
 
 private:
     CalibrationRun m_run;
-    bool m_isOurs = false;  // the outcome: of the last run that was seen
+    bool m_isOurs = false;  // the outcome belongs to the last run that was seen
     ValueLabel* m_text;
     QProgressBar* m_bar;
 };

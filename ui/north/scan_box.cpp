@@ -22,9 +22,9 @@ namespace boresight::ui {
 
 namespace {
 
-constexpr double kUsualWidth = 2.0;        // beams
+constexpr double kUsualWidth = 2.0;        // in beam widths
 constexpr double kScanBoxNarrowest = 0.2;  // degrees, and
-constexpr double kWidest = 40.0;           // what the station scans
+constexpr double kWidest = 40.0;           // degrees: the range that the station scans
 
 QString idleText(const CalibrationStatus& calibration, const QString& reason)
 {
@@ -36,7 +36,7 @@ QString idleText(const CalibrationStatus& calibration, const QString& reason)
                : ScanBox::tr("The scan goes across, then in elevation. The receiver reports the power");
 }
 
-// Of both lines: where the peak is, how wide the beam was seen, how far it stands out.
+// From both lines: the position of the peak, the width of the beam, and the height of the peak.
 QString foundText(const calibration::CrossScan& scan)
 {
     const QString place =
@@ -51,7 +51,7 @@ QString foundText(const calibration::CrossScan& scan)
                       : ScanBox::tr("%1. The scan did not reach the background.").arg(place);
 }
 
-// What the receiver said last, how long ago, or what is wrong with its line.
+// The last value of the receiver and its age, or the problem of its line.
 Sentence lineSentence(const PowerLineStatus& line)
 {
     if (!line.problem.isEmpty()) {
@@ -96,7 +96,7 @@ ScanBox::ScanBox(RequestDesk& desk, ValueLabel& notice, QWidget* parent)
     m_power->setAlignment(Qt::AlignRight);
     m_power->setMaxLength(12);
     m_power->setMinimumHeight(kTouchSize);
-    m_power->setPlaceholderText(tr("e.g. -73.2"));  // a bare number would be taken for the last reading
+    m_power->setPlaceholderText(tr("e.g. -73.2"));  // a bare number would look like the last reading
     m_power->setAccessibleName(tr("Received power in dB"));
     build();
     connect(m_width, &QDoubleSpinBox::valueChanged, this, [this] { m_isTyped = true; });
@@ -112,7 +112,7 @@ void ScanBox::build()
     auto* const grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setHorizontalSpacing(4);
-    grid->setVerticalSpacing(2);  // with the receiver's line, too, it fits into 700 px
+    grid->setVerticalSpacing(2);  // so that it fits into 700 px even with the receiver's line
     grid->addWidget(makeCaption(tr("Width"), *m_width), 0, 0);
     grid->addWidget(m_width, 0, 1);
     grid->addWidget(m_start, 0, 2);
@@ -125,7 +125,7 @@ void ScanBox::build()
     grid->addWidget(m_line, 3, 0, 1, 3);
     m_found->setStretching(true);
     m_found->setLines(2);
-    grid->addWidget(m_found, 1, 0, 1, 3);  // in the place of what it says while it runs
+    grid->addWidget(m_found, 1, 0, 1, 3);  // in place of the text during a run
     m_found->hide();
     grid->addWidget(m_plot, 4, 0, 1, 3);
     m_plot->hide();

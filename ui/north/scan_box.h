@@ -8,9 +8,9 @@
 class QDoubleSpinBox;
 class QLineEdit;
 
-// The peak of the received power as a known direction: the mount scans across the body that is followed, along both
-// axes, and waits at each place for the power that is typed here, or that comes from a receiver. The width that is
-// offered is twice the beam of the profile; what was found is told and shown below.
+// The peak of the received power as a known direction. The mount scans across the tracked body along both axes, and
+// waits at each place for the power, which is typed here or comes from a receiver. The proposed width is twice the beam
+// width of the profile. The result is reported and shown below.
 namespace boresight::ui {
 
 class CommandButton;
@@ -26,7 +26,7 @@ class ScanBox : public QWidget
 public:
     ScanBox(RequestDesk& desk, ValueLabel& notice, QWidget* parent = nullptr);
 
-    // To be scanned next.
+    // The body of the next scan.
     void setBody(ephemeris::Body body) { m_wanted = body; }
     void showStatus(const StationStatus& status);
 
@@ -40,9 +40,9 @@ private:
     void give();
 
     ephemeris::Body m_wanted = ephemeris::Body::Sun;
-    ephemeris::Body m_body = ephemeris::Body::Sun;  // that is scanned, or would be
+    ephemeris::Body m_body = ephemeris::Body::Sun;  // the body of the present or next scan
     bool m_running = false;
-    bool m_isTyped = false;  // the width: it stays
+    bool m_isTyped = false;  // the width was typed, so it stays
     ValueLabel& m_notice;
     QDoubleSpinBox* m_width;
     QLineEdit* m_power;

@@ -18,7 +18,7 @@ constexpr double kMargin = 4.0;       // px, of a reading from the edge
 constexpr double kScanPlotDot = 2.5;  // px
 constexpr double kCurveStep = 2.0;    // px
 constexpr double kLeastSpan = 0.1;    // dB
-constexpr int kLeastHeight = 40;      // px, with the names below
+constexpr int kLeastHeight = 40;      // px, including the names below
 }  // namespace
 
 ScanPlot::ScanPlot(QWidget* parent) : QWidget(parent)

@@ -7,9 +7,9 @@
 
 #include <optional>
 
-// The two lines of a cross scan side by side: what was read at each place, the beam that was fitted to it and where its
-// peak is. Offset to the right in degrees, power upwards in dB, one scale for both. Takes the room that is left: in a
-// small window there is none.
+// The two lines of a cross scan side by side: the reading at each place, the beam fitted to them, and its peak. Offset
+// to the right in degrees, power upwards in dB, with the same scale for both. It takes the remaining room, and a small
+// window has none.
 namespace boresight::ui {
 
 class ScanPlot : public QWidget
@@ -21,7 +21,7 @@ public:
 
     void showScan(const std::optional<calibration::CrossScan>& scan);
 
-    // Of a place and a power on one of the lines.
+    // The pixel of a place and a power on one of the lines.
     [[nodiscard]] QPointF pixel(const calibration::ScanPeak& line, Angle offset, double decibels) const;
 
     [[nodiscard]] QSize sizeHint() const override { return {260, 120}; }

@@ -50,13 +50,13 @@ QString numberText(std::uint64_t number)
     return QString::number(number);
 }
 
-// Late values carry their age.
+// Late values show their age.
 QString aged(const QString& value, std::chrono::milliseconds age, std::chrono::milliseconds late)
 {
     return age < late ? value : SensorDetails::tr("%1 (%2 ago)").arg(value, waitText(age));
 }
 
-// The names of members that nobody knew, each with its value; whatever cannot be read is one line.
+// The names and values of unknown members. Unreadable data is one line.
 std::vector<std::pair<QString, QString>> membersOf(const std::string& json)
 {
     std::vector<std::pair<QString, QString>> members;
@@ -71,7 +71,7 @@ std::vector<std::pair<QString, QString>> membersOf(const std::string& json)
 }
 
 constexpr std::chrono::seconds kValueLate{3};
-constexpr std::chrono::seconds kFirmwareLate{90};  // it means to send one each minute
+constexpr std::chrono::seconds kFirmwareLate{90};  // the firmware sends one each minute
 
 }  // namespace
 

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-// All that the sensor reports, and what was refused of it by reason: a line each, in words. What is old has its age.
-// Gui thread.
+// Everything that the sensor reports, and what was refused with the reason: one line each, in words. Old values show
+// their age. Gui thread.
 namespace boresight::ui {
 
 class SensorDetails : public TableModel
@@ -21,7 +21,7 @@ public:
     explicit SensorDetails(QObject* parent = nullptr);
 
     void show(const SensorStatus& sensor);
-    [[nodiscard]] QString text() const;  // to be copied
+    [[nodiscard]] QString text() const;  // the text to be copied
 
     [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
 

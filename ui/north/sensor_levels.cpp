@@ -21,7 +21,7 @@ struct Part
     int orientation::Calibration::*level;
 };
 
-// As the maker of the BNO055 tells it.
+// From the documentation of the BNO055.
 constexpr Part kSensorLevelsParts[] = {
     {QT_TRANSLATE_NOOP("boresight::ui::SensorLevels", "System"),
      QT_TRANSLATE_NOOP("boresight::ui::SensorLevels", "follows the other three"), &orientation::Calibration::system},

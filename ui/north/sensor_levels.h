@@ -8,7 +8,7 @@
 #include <array>
 #include <optional>
 
-// How sure the sensor is of each of its parts, 0 to 3, as four bars, and beside each what raises it.
+// The calibration level of each part of the sensor, 0 to 3, as four bars, with a text about how to raise it.
 namespace boresight::ui {
 
 class LevelBar;
@@ -33,7 +33,7 @@ private:
     std::array<Row, 4> m_rows;
 };
 
-// Three boxes, filled from the left; empty and dotted while nothing is known.
+// Three boxes, filled from the left. Empty and dotted while the level is unknown.
 class LevelBar : public QWidget
 {
     Q_OBJECT

@@ -31,7 +31,7 @@ void nameSimulatedSensor(profile::Profile& profile)
     profile.sensor.source = profile::SensorSource::Simulated;
 }
 
-// What it said then stays to be read beside what has come into force since.
+// The result stays readable although newer settings have come into effect.
 QString averageText(const CalibrationStatus& calibration)
 {
     if (!calibration.sensorOffset) {
@@ -100,7 +100,7 @@ void SensorPage::build()
         line->setStretching(true);
     }
     m_declination->setLines(3);
-    m_notice->setCollapsing(true);  // in the place of the offset, until the next press
+    m_notice->setCollapsing(true);  // shown in place of the offset, until the next press
     auto* const overview = new QHBoxLayout(m_overview);
     overview->setContentsMargins(0, 0, 0, 0);
     overview->setSpacing(4);
@@ -133,7 +133,7 @@ QWidget* SensorPage::makeDeclinationRow()
     return box;
 }
 
-// Whose it is with its value, the model that reckons it, and what is wrong with that.
+// The source of the declination with its value, the model that computes it, and a problem of the model.
 void SensorPage::showDeclination(const SensorStatus& sensor)
 {
     QString text = sensor.declinationText;

@@ -9,9 +9,9 @@
 class QPushButton;
 class QTableView;
 
-// Step 1 of finding north: the sensor's own opinion, from an average while the mount stands still. Good to some
-// degrees; what the needle's own deviation does is only seen by a swing. Details takes the place of the dial: all that
-// the sensor reports. More than 15 members: the widgets that it composes.
+// Step 1 of finding north: an average of the sensor while the mount stands still. It is accurate to some degrees: only
+// a swing shows the deviation of the compass. Details replaces the dial and shows all that the sensor reports.
+// More than 15 members: the widgets that it composes.
 namespace boresight::ui {
 
 class CommandButton;
@@ -48,7 +48,7 @@ private:
 
     ProfileChange m_profileChange;
     bool m_running = false;
-    bool m_offers = false;  // the simulated sensor: the mount has it, and the profile does not name it
+    bool m_offers = false;  // the mount has a simulated sensor that the profile does not name
     QWidget* m_overview;
     SensorDetails* m_details;
     QTableView* m_table;

@@ -23,7 +23,7 @@ namespace {
 constexpr double kSlowest = 0.5;
 constexpr double kFastest = calibration::kFastestSwing.degrees();
 constexpr int kMostHeadings = 72;
-constexpr int kFoundLines = 5;  // where there is room
+constexpr int kFoundLines = 5;  // if there is room
 
 QSpinBox* makeHeadings(QWidget* parent)
 {
@@ -108,7 +108,7 @@ void SwingPage::showStatus(const StationStatus& status)
                         m_running ? tr("End the swing without a result. The mount holds (as with STOP)")
                                   : tr("The mount moves: %1").arg(calibration.swingPlan.text));
     m_start->setBlocked(reason);
-    const int lines = m_running ? 2 : kFoundLines;  // the more room for the plot
+    const int lines = m_running ? 2 : kFoundLines;  // this leaves more room for the plot
     m_found->setMaximumHeight(lines * m_found->fontMetrics().lineSpacing() + 18);
     if (m_running) {
         m_plot->showDots(calibration.swingSoFar, calibration.progress.text);

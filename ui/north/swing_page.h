@@ -9,8 +9,8 @@ class QDoubleSpinBox;
 class QPlainTextEdit;
 class QSpinBox;
 
-// Step 2 of finding north: the compass swing. Where it will turn is told before it starts; the curve that came out,
-// with every sample, and what is to be believed of it.
+// Step 2 of finding north: the compass swing. Before its start the page shows where it will turn. Afterwards it shows
+// the curve with every sample, and how reliable it is.
 namespace boresight::ui {
 
 class CommandButton;
@@ -35,7 +35,7 @@ private:
 
     RequestDesk& m_desk;
     bool m_running = false;
-    std::shared_ptr<const SwingOutcome> m_swing;  // that is shown
+    std::shared_ptr<const SwingOutcome> m_swing;  // the one that is shown
     QDoubleSpinBox* m_rate;
     QSpinBox* m_headings;
     RunLine* m_run;

@@ -9,7 +9,7 @@ namespace boresight::ui {
 
 namespace {
 
-constexpr int kTermModelDecimals = 3;  // of a degree: six points of the Sun tell that much
+constexpr int kTermModelDecimals = 3;  // of a degree: the accuracy of six points of the Sun
 
 struct PresentTerm
 {
@@ -52,8 +52,8 @@ std::vector<TermModel::Row> TermModel::rowsOf(const CalibrationStatus& calibrati
     return rows;
 }
 
-// What the points have not found has moved within what was known of it before, or to what a swing has measured. Of
-// anything else the proposal says itself where it comes from: "typed", "compass swing".
+// A term that the points have not determined has changed within what was known before, or to the value of a swing. For
+// every other term the proposal names the source: "typed", "compass swing".
 QString TermModel::fitWord(const TermStatus& term, const CalibrationStatus& calibration)
 {
     if (term.isOn) {

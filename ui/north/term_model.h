@@ -6,8 +6,8 @@
 
 #include <vector>
 
-// The terms of the pointing model as a table: what is in force, what is proposed and how well it is known, and whether
-// the points have found it, only hold it within what was known before, or somebody has given it.
+// The terms of the pointing model as a table: the value in effect, the proposed value with its accuracy, and its
+// origin. A term was found by the points, held within earlier knowledge, or entered by the operator.
 namespace boresight::ui {
 
 class TermModel : public TableModel
@@ -26,7 +26,7 @@ public:
 
     explicit TermModel(QObject* parent = nullptr);
 
-    // Of the proposal if there is one, else only what is in force.
+    // Shows the proposal if there is one, otherwise only the terms in effect.
     void show(const CalibrationStatus& calibration);
 
     [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;

@@ -24,10 +24,10 @@ namespace boresight::ui {
 
 namespace {
 
-constexpr int kTermsBoxDecimals = 4;  // of a degree; what nobody typed into keeps all it has
+constexpr int kTermsBoxDecimals = 4;  // of a degree; a field without typing keeps all decimals of its value
 constexpr double kHalfPlace = 0.5001e-4;
 constexpr int kRows = 4;                     // in each of two columns
-constexpr qint64 kTermsBoxLargest = 100000;  // bytes: far beyond seven lines and their comments
+constexpr qint64 kTermsBoxLargest = 100000;  // bytes: far more than seven lines with comments
 
 std::string keyOf(calibration::Term term)
 {
@@ -63,12 +63,12 @@ void TermsBox::build()
     auto* const grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setHorizontalSpacing(4);
-    grid->setVerticalSpacing(2);  // with 4 the window would not fit into 700 px
+    grid->setVerticalSpacing(2);  // with 4 px the window would not fit into 700 px
     for (const calibration::Term term : calibration::kAllTerms) {
         addField(term);
         const int place = static_cast<int>(calibration::indexOf(term));
         QLabel* const caption = makeCaption(termName(keyOf(term)), *field(term).box);
-        caption->setWordWrap(true);  // beside the field there is room for two lines, not for a long name
+        caption->setWordWrap(true);  // the room beside the field is two lines high and too narrow for a long name
         grid->addWidget(caption, place % kRows, 2 * (place / kRows));
         grid->addWidget(field(term).box, place % kRows, 2 * (place / kRows) + 1);
     }
@@ -111,7 +111,7 @@ void TermsBox::showStatus(const StationStatus& status)
         Field& one = field(term);
         one.inForce = calibration::valueOf(calibration.present, term);
         if (one.typed && !one.box->hasFocus() && isAsInForce(one)) {
-            one.typed = false;  // it was applied: from now on it follows
+            one.typed = false;  // it was applied, so from now on the field shows the value in effect
         }
         if (!one.typed) {
             const QSignalBlocker silent(one.box);
@@ -124,7 +124,7 @@ void TermsBox::showStatus(const StationStatus& status)
     m_export->setBlocked(status.calibration ? QString() : tr("The station has not reported its terms yet."));
 }
 
-// As far as the field shows: what reads the same was not changed, and keeps all the decimals that it has.
+// Compared with the decimals of the field: a value that looks the same was not changed, and keeps all its decimals.
 bool TermsBox::isAsInForce(const Field& one)
 {
     return std::abs(one.box->value() - one.inForce.degrees()) <= kHalfPlace;
@@ -162,7 +162,7 @@ void TermsBox::import(const QString& path)
         complain(file.errorString());
         return;
     }
-    const QByteArray text = file.read(kTermsBoxLargest + 1);  // what is longer is refused by its reader
+    const QByteArray text = file.read(kTermsBoxLargest + 1);  // its reader refuses a longer text
     m_import->ask(request::ImportTerms{.name = QFileInfo(path).fileName(), .text = text.toStdString()});
 }
 

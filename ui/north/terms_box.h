@@ -10,8 +10,8 @@
 
 class QDoubleSpinBox;
 
-// The terms of the pointing model as somebody types them, or as a text file has them; what is given becomes what is
-// proposed, to be applied like anything that was found. Fields that nobody typed into show what is in force.
+// The terms of the pointing model as typed text or from a text file. They become the proposal, and are applied like any
+// other result. Fields without typing show the value in effect.
 namespace boresight::ui {
 
 class CommandButton;
@@ -28,7 +28,7 @@ public:
     void showStatus(const StationStatus& status);
 
 Q_SIGNALS:
-    void proposed();  // the station has taken them
+    void proposed();  // the station has accepted them
 
 private:
     struct Field

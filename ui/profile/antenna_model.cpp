@@ -18,7 +18,7 @@ bool isFixed(const QModelIndex& index)
     return index.row() == 0 && index.column() != AntennaModel::BeamWidth;
 }
 
-// Its satellites go with an antenna that gets another name. Says how many these are.
+// When an antenna is renamed, its satellites keep it. Returns their number.
 std::size_t giveSatellites(profile::Profile& profile, const std::string& from, const std::string& to)
 {
     const orbit::SatelliteMarks before = profile.satellites;
@@ -66,7 +66,7 @@ QString AntennaModel::text(int row, int column) const
     return cellText(profile::antennaSettings(), edited().allAntennas().at(static_cast<std::size_t>(row)), column);
 }
 
-// A name that is taken is refused here: the antennas of satellites would be mixed up.
+// A name that is in use is refused here, because the antennas of satellites would be mixed up.
 Result<> AntennaModel::put(profile::Profile& profile, int row, int column, const QString& text) const
 {
     if (row == 0) {

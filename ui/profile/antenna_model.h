@@ -3,8 +3,8 @@
 
 #include "ui/link/draft_table_model.h"
 
-// The antennas of the draft as a table. The first row is the main antenna. Only its beam width is to be edited, which
-// is the one of the mount: the other antennas are measured from it. Gui thread.
+// The antennas of the draft as a table. The first row is the main antenna. Only its beam width, that of the mount, can
+// be edited: the offsets of the other antennas are relative to it. Gui thread.
 namespace boresight::ui {
 
 class AntennaModel : public DraftTableModel
@@ -32,9 +32,9 @@ protected:
     [[nodiscard]] std::string key(int row) const override;
 };
 
-// Behind the others, with a name of its own, as wide as the main one and without offsets.
+// Adds an antenna at the end, with a unique name, the beam width of the main one and no offsets.
 void addAntenna(profile::Profile& profile);
-// The satellites that had this one then have the antenna that is chosen by hand. Says how many these are.
+// The satellites of this antenna then use the antenna that is chosen by hand. Returns their number.
 std::size_t removeAntenna(profile::Profile& profile, std::size_t index);
 
 }  // namespace boresight::ui

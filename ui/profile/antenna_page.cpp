@@ -44,7 +44,7 @@ void AntennaPage::buildTable()
     m_table->setAccessibleName(tr("Antennas"));
     m_table->setToolTip(tr("Type into a cell to change it."));
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
-    m_table->setTabKeyNavigation(false);  // no focus trap
+    m_table->setTabKeyNavigation(false);  // so that the Tab key can leave the table
     m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_table->setWordWrap(false);
     m_table->setMinimumHeight(3 * kRowHeight);

@@ -8,7 +8,8 @@
 class QHBoxLayout;
 class QTableView;
 
-// The antennas of the mount, to add, name, measure and remove: in the draft, as all settings. Gui thread.
+// The page to add, name, measure and remove the antennas of the mount. Changes go to the draft, like all settings. Gui
+// thread.
 namespace boresight::ui {
 
 class AntennaModel;
@@ -22,7 +23,7 @@ public:
     explicit AntennaPage(ProfileDraft& draft, QWidget* parent = nullptr);
 
 Q_SIGNALS:
-    void settingsWanted();  // back to them
+    void settingsWanted();  // back to the settings
 
 private:
     void buildTable();
@@ -35,7 +36,7 @@ private:
     ProfileDraft& m_draft;
     AntennaModel* m_model;
     QTableView* m_table;
-    ValueLabel* m_line;  // what the current column means, or why the entry was refused
+    ValueLabel* m_line;  // the meaning of the current column, or the reason of a refusal
 };
 
 }  // namespace boresight::ui

@@ -19,7 +19,7 @@ namespace boresight::ui {
 namespace {
 
 constexpr double kMegahertz = 1e6;
-constexpr double kFinest = 0.01;  // degrees, the narrowest that the profile takes
+constexpr double kFinest = 0.01;  // degrees, the narrowest width that the profile accepts
 
 Angle rounded(Angle width)
 {

@@ -12,7 +12,7 @@ namespace boresight::ui {
 
 class ProfileDraft;
 
-// The beam width that dish and frequency, or the gain, give. Use puts it into the draft. Gui thread.
+// Computes the beam width from dish and frequency, or from the gain. Use puts it into the draft. Gui thread.
 class BeamBox : public QWidget
 {
     Q_OBJECT

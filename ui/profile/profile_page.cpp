@@ -141,7 +141,7 @@ void ProfilePage::showEvent(QShowEvent* event)
     AskingPanel::showEvent(event);
 }
 
-// What was chosen stays chosen.
+// The present selection is kept.
 void ProfilePage::showMounts()
 {
     const QString before = m_choice->currentData().toString();
@@ -165,7 +165,7 @@ void ProfilePage::showMounts()
 void ProfilePage::showChoice()
 {
     m_switch->setBlocked(whyNoSwitch());
-    // Nothing is switched over edits, and their buttons need its room, as the antennas do.
+    // Mounts cannot be switched while there are edits. The buttons of the edits, or the antennas, need the room.
     m_mountRow->setVisible(!m_draft.hasEdits() && m_antennas->isHidden());
     if (const QString problem = chosen().problem; !problem.isEmpty()) {
         warn(problem);

@@ -11,8 +11,8 @@ class QComboBox;
 class QMenu;
 class QPushButton;
 
-// The profile whole: every setting of the mount in force, and the mounts that are kept in the store. Choosing one in
-// the list does nothing; Switch, and all that writes a file, asks first and shows what would change.
+// The complete profile: every setting of the mount in effect, and the mounts in the store. Selecting a mount in the
+// list does nothing. Switch, and every action that writes a file, asks first and shows the changes.
 namespace boresight::ui {
 
 class AntennaPage;
@@ -24,12 +24,12 @@ class ProfilePage : public AskingPanel
     Q_OBJECT
 
 public:
-    // `configDir` is the folder of the profile store; empty: there is none.
+    // `configDir` is the folder of the profile store. Empty: there is none.
     ProfilePage(ProfileDraft& draft, RequestDesk& desk, const QString& configDir, QWidget* parent = nullptr);
 
     void showStatus(const StationStatus& status);
-    void showAntennas();              // their table in the place of the settings
-    void seek(const QString& words);  // the settings that have them in their name or meaning
+    void showAntennas();              // shows their table in place of the settings
+    void seek(const QString& words);  // shows the settings with these words in their name or meaning
 
 protected:
     void showEvent(QShowEvent* event) override;
@@ -55,7 +55,7 @@ private:
     QPushButton* m_menuButton;
     QMenu* m_menu;
     SettingsView* m_settings;
-    AntennaPage* m_antennas;  // or these are shown
+    AntennaPage* m_antennas;  // shown in place of the settings
     QWidget* m_mountRow = nullptr;
     ValueLabel* m_notice;
     CommandButton* m_switch;

@@ -18,9 +18,9 @@ namespace {
 constexpr double kSettingDelegateBar = 4.0;  // px, its height
 constexpr double kSettingDelegateGap = 5.0;  // px, between the bar and the numbers at its ends
 constexpr double kMark = 3.0;                // px, half the width of the mark at the value
-constexpr double kLeastBar = 16;             // px, below it the numbers alone say more
+constexpr double kLeastBar = 16;             // px: with less room the numbers alone are clearer
 
-// "-3600 … 3600 °": the numbers at the ends
+// From "-3600 … 3600 °": the numbers at the ends.
 std::pair<QString, QString> endsOf(const QString& range)
 {
     const QStringList ends = range.split(QStringLiteral(" … "));
@@ -103,7 +103,7 @@ QWidget* SettingDelegate::createEditor(QWidget* parent, const QStyleOptionViewIt
     return editor;
 }
 
-// A list needs a little more than the row's height to show its text.
+// A list needs slightly more than the row's height for its text.
 void SettingDelegate::updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option,
                                            const QModelIndex&) const
 {

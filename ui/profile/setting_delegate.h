@@ -3,8 +3,8 @@
 
 #include <QStyledItemDelegate>
 
-// Draws the range of a setting as a bar with its ends, a mark at the value and a tick at the default; edits a choice
-// with a list of what there is to choose from.
+// Draws the range of a setting as a bar with its ends, a mark at the value and a tick at the default. A choice is
+// edited with a list.
 namespace boresight::ui {
 
 class SettingDelegate : public QStyledItemDelegate

@@ -27,7 +27,7 @@ void SettingFilter::setChangedOnly(bool on)
 bool SettingFilter::filterAcceptsRow(int row, const QModelIndex& parent) const
 {
     if (!parent.isValid()) {
-        return !isSelective();  // else a group is there for its lines
+        return !isSelective();  // otherwise a group is shown only for its lines
     }
     const QModelIndex line = sourceModel()->index(row, 0, parent);
     const QString sought = line.data(SettingTree::SearchRole).toString() + QLatin1Char(' ') +

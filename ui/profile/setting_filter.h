@@ -3,8 +3,8 @@
 
 #include <QSortFilterProxyModel>
 
-// The lines of a SettingTree that have all words of a search, or only those that are changed, waiting or wrong; with
-// their groups. The title of a group finds all of it.
+// The lines of a SettingTree that contain all words of a search, or only those that are changed, waiting or wrong, with
+// their groups. The title of a group finds the whole group.
 namespace boresight::ui {
 
 class SettingFilter : public QSortFilterProxyModel

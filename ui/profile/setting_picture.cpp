@@ -17,7 +17,7 @@ namespace {
 
 using Kind = SettingPicture::Kind;
 
-constexpr double kWide = 48.0;  // the box that the pictures are drawn in
+constexpr double kWide = 48.0;  // the pictures are drawn in a box of this size
 constexpr double kHigh = 32.0;
 constexpr QSize kViewSize{96, 64};
 constexpr QPointF kMiddle(kWide / 2.0, kHigh / 2.0);
@@ -25,11 +25,11 @@ constexpr double kGround = 27.0;
 
 struct Match
 {
-    std::string_view part;  // of the key
+    std::string_view part;  // a part of the key
     Kind kind;
 };
 
-// The first that is found.
+// The first match counts.
 constexpr Match kMatches[] = {{".travel_m", Kind::Travel},
                               {"limits.azimuth_", Kind::AzimuthLimits},
                               {"limits.elevation_", Kind::ElevationLimits},
@@ -66,7 +66,7 @@ void circle(QPainter& painter, const QPointF& middle, double radius)
     painter.drawEllipse(middle, radius, radius);
 }
 
-// Angles in degrees, anticlockwise from the right.
+// Angles in degrees, counterclockwise from the right.
 void arc(QPainter& painter, const QPointF& middle, double radius, double from, double span)
 {
     const QRectF box(middle - QPointF(radius, radius), QSizeF(2.0 * radius, 2.0 * radius));
@@ -97,7 +97,7 @@ void ground(QPainter& painter)
     painter.drawLine(QPointF(4, kGround), QPointF(kWide - 4, kGround));
 }
 
-// A dish that points so many degrees above the ground to the right, on its mast.
+// A dish on its mast that points to the right, this many degrees above the ground.
 void dish(QPainter& painter, double degrees, const QPen& pen)
 {
     painter.setPen(pen);
@@ -175,7 +175,7 @@ QIcon SettingPicture::icon() const
     return QIcon(new PictureIcon(*this));
 }
 
-// One turn and a half, wound outward: the cable, with the end that the setting moves.
+// One and a half turns, wound outwards: the cable, with the end that the setting moves.
 void SettingPicture::drawTravel(QPainter& painter) const
 {
     QPainterPath spiral;
@@ -287,7 +287,7 @@ void SettingPicture::drawSpeed(QPainter& painter) const
     dot(painter, hub, currentTheme().accent);
 }
 
-// The speed over the time: it rises, stays, falls.
+// The speed over time: it rises, stays constant, falls.
 void SettingPicture::drawAcceleration(QPainter& painter) const
 {
     painter.setPen(line());

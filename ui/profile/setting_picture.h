@@ -8,8 +8,8 @@
 
 class QPainter;
 
-// Small pictures of what a setting does, one function for each kind. They are drawn in the colours of the current
-// theme. The part that the setting moves is in the accent.
+// Small pictures of the effect of a setting, one function for each kind. They are drawn in the colours of the current
+// theme, with the part that the setting changes in the accent colour.
 namespace boresight::ui {
 
 class SettingPicture
@@ -18,7 +18,7 @@ public:
     enum class Kind
     {
         None,
-        Travel,  // of an axis, as the cable sees it
+        Travel,  // of an axis, as a cable
         AzimuthLimits,
         ElevationLimits,
         Horizon,
@@ -34,11 +34,11 @@ public:
         Sun
     };
 
-    explicit SettingPicture(const std::string& key);  // as the file calls the setting
+    explicit SettingPicture(const std::string& key);  // the key of the setting in the file
 
     [[nodiscard]] Kind kind() const { return m_kind; }
     void draw(QPainter& painter, const QRectF& box) const;
-    [[nodiscard]] QIcon icon() const;  // without a picture an empty one, so that names stand in one column
+    [[nodiscard]] QIcon icon() const;  // empty if there is no picture, so that all names are aligned
 
 private:
     void drawTravel(QPainter& painter) const;
@@ -57,10 +57,10 @@ private:
     void drawSun(QPainter& painter) const;
 
     Kind m_kind = Kind::None;
-    bool m_isUpper = false;  // of two ends
+    bool m_isUpper = false;  // the upper of two ends
 };
 
-// The picture of one setting, beside its meaning. Hidden without one.
+// The picture of one setting, beside its meaning. Hidden if there is none.
 class SettingPictureView : public QWidget
 {
     Q_OBJECT

@@ -15,7 +15,7 @@ namespace boresight::ui {
 
 namespace {
 
-// In the place of a line's group; a line has the number of its group plus one.
+// The internal id of a group. The id of a line is the number of its group plus one.
 constexpr quintptr kIsGroup = 0;
 
 QString tableOf(const std::string& key)
@@ -23,7 +23,7 @@ QString tableOf(const std::string& key)
     return QString::fromStdString(key.substr(0, key.find('.')));
 }
 
-// Whole phrases: English is shown without a translator, which would choose between them.
+// Whole phrases, because English is shown without a translator that would choose the plural.
 QString counted(std::size_t count, const QString& one, const QString& many)
 {
     return count == 1 ? one : many.arg(count);
@@ -317,7 +317,7 @@ bool SettingTree::setData(const QModelIndex& index, const QVariant& value, int r
         return false;
     }
     if (value.toString() == data(index, Qt::EditRole).toString()) {
-        return true;  // an editor left without a change gives no site its zeros
+        return true;  // leaving the editor without a change must not set the site to zeros
     }
     profile::Profile edited = m_draft.edited();
     const Result<> taken = putTyped(*line->setting, value.toString(), edited);

@@ -7,10 +7,10 @@
 
 #include <vector>
 
-// Every setting of the draft by its name, in the groups of the file: picture, value with its unit, range, and when it
-// applies. The key of the file is in the tooltip. Values are edited in place. A text that is no value is refused with
-// the reason and changes nothing. A problem that the live check finds marks its line. Each list of the profile has one
-// line, which says where the list is edited.
+// Every setting of the draft by its name, in the groups of the file: picture, value with its unit, range, and when a
+// change applies. The key of the file is in the tooltip. Values are edited in place. An invalid text is refused with
+// the reason and changes nothing. A problem found by the live check marks its line. Each list of the profile has one
+// line, which says where it is edited.
 namespace boresight::ui {
 
 class SettingTree : public QAbstractItemModel
@@ -28,14 +28,14 @@ public:
     };
     enum Role
     {
-        SearchRole = Qt::UserRole,  // all that a search looks through
+        SearchRole = Qt::UserRole,  // all the text that a search looks through
         ChangedRole,                // not applied yet, waiting for a reconnect, or wrong
         ChoicesRole,                // QStringList; empty unless one of them must be chosen
-        ShareRole,                  // double: of the range, see shareOfRange()
-        DefaultShareRole,           // the same of the default
-        SecretRole,                 // not to be seen while it is typed
+        ShareRole,                  // double: the place in the range, see shareOfRange()
+        DefaultShareRole,           // the same for the default
+        SecretRole,                 // hidden while it is typed
         ExplanationRole,            // some sentences about the line
-        KeyRole                     // QString: as the file calls it
+        KeyRole                     // QString: the key in the file
     };
 
     SettingTree(ProfileDraft& draft, QObject* parent);
@@ -50,13 +50,13 @@ public:
     bool setData(const QModelIndex& index, const QVariant& value, int role) override;
 
 Q_SIGNALS:
-    void refused(const QString& reason);  // empty: the last text was taken
+    void refused(const QString& reason);  // empty: the last text was accepted
 
 private:
     struct Line
     {
-        std::string key;                            // as the file calls it
-        std::string comparedAs;                     // as profile_diff calls it: "site" for its three
+        std::string key;                            // the key in the file
+        std::string comparedAs;                     // the name in profile_diff: "site" for its three settings
         const profile::Setting* setting = nullptr;  // null: a list
     };
     struct Group
@@ -64,7 +64,7 @@ private:
         QString title;
         std::vector<Line> lines;
     };
-    struct State  // of a line, or how many lines of a group
+    struct State  // the state of a line, or the number of such lines in a group
     {
         int wrong = 0;
         int edited = 0;

@@ -110,8 +110,8 @@ void SettingsView::buildTree()
     m_tree->setAllColumnsShowFocus(true);
     m_tree->setIndentation(m_tree->fontMetrics().averageCharWidth() * 2);
     m_tree->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    m_tree->setExpandsOnDoubleClick(false);  // activation does it, by mouse and by Enter
-    m_tree->setTabKeyNavigation(false);      // no focus trap
+    m_tree->setExpandsOnDoubleClick(false);  // activation expands, by mouse and by Enter
+    m_tree->setTabKeyNavigation(false);      // so that the Tab key can leave the tree
     m_tree->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_tree->setMinimumHeight(4 * m_tree->fontMetrics().lineSpacing());
     QHeaderView* const header = m_tree->header();
@@ -149,7 +149,7 @@ void SettingsView::openEditor(const QModelIndex& index)
     }
 }
 
-// No focus proxy: Tab would not reach what stands above the tree.
+// No focus proxy, because then Tab would not reach the controls above the tree.
 void SettingsView::focusTree()
 {
     m_tree->setFocus();
@@ -174,7 +174,7 @@ void SettingsView::showChangedOnly(bool on)
     expandIfSought();
 }
 
-// A section has nothing but its name, which may be longer than that of a setting.
+// A section has only its name, which may be longer than that of a setting.
 void SettingsView::spanSections()
 {
     for (int row = 0; row < m_filter->rowCount(); ++row) {
@@ -215,7 +215,7 @@ void SettingsView::resizeEvent(QResizeEvent* event)
     explain();
 }
 
-// When the lines below it come and go, what is being read or changed stays in sight.
+// The line being read or changed stays visible when the lines below it appear or disappear.
 bool SettingsView::eventFilter(QObject* watched, QEvent* event)
 {
     if (event->type() == QEvent::Resize && m_tree->currentIndex().isValid()) {

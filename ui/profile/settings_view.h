@@ -11,8 +11,8 @@ class QModelIndex;
 class QPushButton;
 class QTreeView;
 
-// The settings of the draft to look through and to edit: a search, a choice of what is shown, the groups, and what the
-// selected line means. Enter edits the selected value; a choice opens its list.
+// The settings of the draft to read and to edit: a search, a choice of what is shown, the groups, and the meaning of
+// the selected line. Enter edits the selected value. A choice opens its list.
 namespace boresight::ui {
 
 class BeamBox;
@@ -32,7 +32,7 @@ public:
     void seek(const QString& words);  // as if typed into the search
 
 Q_SIGNALS:
-    void antennasWanted();  // their table, which has more than one value
+    void antennasWanted();  // the table of the antennas, which have more than one value
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -56,7 +56,7 @@ private:
     SettingPictureView* m_picture;
     ValueLabel* m_explanation;
     BeamBox* m_beam;          // below the explanation of the beam width
-    QPushButton* m_antennas;  // the same of the antennas
+    QPushButton* m_antennas;  // below the explanation of the antennas
     QString m_refusal;
 };
 

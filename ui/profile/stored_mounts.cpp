@@ -20,7 +20,7 @@ namespace {
 
 const QString kNameKey = QStringLiteral("mount.name");
 
-// One line for each setting that differs, as the operator reads it.
+// One line for each setting that differs, in the words of the screen.
 QString differences(const profile::Profile& from, const profile::Profile& to)
 {
     const auto changes = profile::changesBetween(from, to);
@@ -60,7 +60,7 @@ void StoredMounts::showStatus(const StationStatus& status)
     if (status.profile->mount.name != m_inForce) {
         m_inForce = status.profile->mount.name;
         takeList(m_mounts);
-        refresh();  // the station's mount may have got its file by now
+        refresh();  // the mount of the station may have its file by now
     }
 }
 
@@ -149,7 +149,7 @@ void StoredMounts::switchTo(const profile::StoredProfile& mount)
 
 void StoredMounts::duplicate(const profile::StoredProfile& mount)
 {
-    // What was found in a simulation is no mount of its own.
+    // A simulated mount is not listed as a separate mount.
     const bool asApplied = isInForce(mount) && !m_simulated;
     if (mount.path.isEmpty() && !asApplied) {
         Q_EMIT failed(tr("The simulated mount has no profile to duplicate."));
@@ -273,8 +273,8 @@ void StoredMounts::takeOver(const profile::Profile& from, const std::vector<std:
     Q_EMIT done(tr("Edits on this page, not applied yet: %1").arg(m_draft.editedKeys().size()));
 }
 
-// Of the mount in force as it is applied: its file may hold what the command line overrides. What was changed in a
-// simulation goes without the bus, so that no real mount takes it for its own.
+// For the mount in effect its applied settings are exported, because its file may contain values that the command line
+// overrides. Changes made in a simulation are exported without the bus, so that no real mount takes them for its own.
 void StoredMounts::exportTo(const QString& file, const profile::StoredProfile& mount)
 {
     const profile::Profile& inForce = m_draft.applied();

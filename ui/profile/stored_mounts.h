@@ -13,10 +13,10 @@
 #include <string>
 #include <vector>
 
-// The mounts that are kept in the store, and what is done with a whole profile: switch, duplicate, import, take back …
-// Everything that writes a file or changes the mount in force is asked first, with what would change. Changes of the
-// mount in force go through the draft and the station like any other edit. Lives on the gui thread; files are read and
-// written beside it.
+// The mounts in the store, and the actions on a whole profile: switch, duplicate, import, undo and others. Every action
+// that writes a file or changes the mount in effect asks first and shows the changes. Changes of the mount in effect go
+// through the draft and the station like any other edit. Lives on the gui thread. Files are read and written on a
+// worker.
 namespace boresight::ui {
 
 class StoredMounts : public QObject
@@ -24,13 +24,13 @@ class StoredMounts : public QObject
     Q_OBJECT
 
 public:
-    // `configDir` is the folder of the profile store; empty: there is none.
+    // `configDir` is the folder of the profile store. Empty: there is none.
     StoredMounts(ProfileDraft& draft, const QString& configDir);
 
     void showStatus(const StationStatus& status);
     void refresh();  // another program may have changed the folder
 
-    // The mount in force is in the list also before it has a file.
+    // The mount in effect is in the list even before it has a file.
     [[nodiscard]] const std::vector<profile::StoredProfile>& list() const { return m_mounts; }
     [[nodiscard]] bool isInForce(const profile::StoredProfile& mount) const;
 
@@ -38,12 +38,12 @@ public:
     void duplicate(const profile::StoredProfile& mount);
     void rename(const profile::StoredProfile& mount);
     void remove(const profile::StoredProfile& mount);
-    void takeBack(const profile::StoredProfile& mount);  // the last saved change
+    void takeBack(const profile::StoredProfile& mount);  // undoes the last saved change
     void importFile(const QString& file);
     void exportTo(const QString& file, const profile::StoredProfile& mount);
 
 Q_SIGNALS:
-    void listed();  // the list is read again
+    void listed();  // the list was read again
     void asked(const boresight::ui::Question& question);
     void done(const QString& outcome);
     void failed(const QString& reason);
@@ -70,7 +70,7 @@ private:
     std::vector<profile::StoredProfile> m_mounts;
     std::string m_inForce;  // the name of the mount
     bool m_simulated = false;
-    FileWorker m_files;  // last, so that it ends first
+    FileWorker m_files;  // last, so that it is destroyed first
 };
 
 }  // namespace boresight::ui

@@ -14,12 +14,13 @@ namespace boresight::ui {
 
 namespace {
 
-constexpr double kWidthOfPitch = 0.72;  // of the track in a spiral: the rest is the gap to the next turn
+// width of the track as a part of the pitch of the spiral: the rest is the gap to the next turn
+constexpr double kWidthOfPitch = 0.72;
 constexpr Angle kHatchedEnd = Angle::fromDegrees(9.0);
 constexpr Angle kHatchStep = Angle::fromDegrees(1.5);
 constexpr Angle kArcStep = Angle::fromDegrees(1.0);
-constexpr Angle kNoticeable = Angle::fromDegrees(3.0);  // a destination nearer than this lies under the dot
-constexpr double kDotMargin = 2.5;                      // px of the dot beyond the track
+constexpr Angle kNoticeable = Angle::fromDegrees(3.0);  // a destination nearer than this is hidden by the dot
+constexpr double kDotMargin = 2.5;                      // px of the dot outside the track
 
 }  // namespace
 
@@ -88,7 +89,7 @@ QRectF CableRing::dotBox(Angle angle) const
     return {centre.x() - half, centre.y() - half, 2.0 * half, 2.0 * half};
 }
 
-// Slanted strokes across the track: a pattern of the painter is too coarse for so thin a band.
+// Slanted strokes across the track. A pattern of the painter is too coarse for such a thin band.
 void CableRing::hatch(QPainter& painter, Angle from, Angle to) const
 {
     const QPointF zenith = m_frame.sky().zenith;
@@ -104,7 +105,7 @@ void CableRing::hatch(QPainter& painter, Angle from, Angle to) const
     }
 }
 
-// What the axis cannot reach: all of it where that is a part of the ring, else a little beyond each end.
+// The part that the axis cannot reach: all of it if it is a part of the ring, else a short piece beyond each end.
 void CableRing::paintEnds(QPainter& painter) const
 {
     const Angle closed = Angle::fromTurns(1.0) - (m_travel.max - m_travel.min);
@@ -135,7 +136,7 @@ void CableRing::paintTrack(QPainter& painter, bool wrapKnown) const
     painter.drawPath(arc(m_travel.min, m_travel.max));
     if (wrapKnown) {
         const Angle zone = std::min(kCableWarning, (m_travel.max - m_travel.min) * 0.25);
-        QPen striped(colours.warning, m_width, Qt::CustomDashLine, Qt::FlatCap);  // red has one colour for all
+        QPen striped(colours.warning, m_width, Qt::CustomDashLine, Qt::FlatCap);  // the red theme has only one colour
         striped.setDashPattern({2.5, 0.6});
         painter.setPen(striped);
         painter.drawPath(arc(m_travel.min, m_travel.min + zone));

@@ -11,17 +11,17 @@
 
 class QPainter;
 
-// The azimuth cable as a ring around the sky. A travel of more than a turn is a spiral: each angle of the axis has a
-// place of its own. The track, its ends and the zones before them stand still; the used part from 0°, where the cable
-// is not wound, and the dot of the axis move. Angles are those of the axis; each is drawn where the beam looks at it,
-// so that the dot is beside the beam when north is set. Pixels are the widget's own.
+// The azimuth cable as a ring around the sky. A travel of more than 360° is drawn as a spiral, so each angle of the
+// axis has its own place. The track, its ends and the zones before them stand still. The used part from 0°, where the
+// cable is not wound, and the dot of the axis move. Angles are axis angles. Each is drawn at the azimuth where the beam
+// then points, so the dot is beside the beam when north is set. Pixels of the widget.
 namespace boresight::ui {
 
 struct CableState
 {
     TravelRange travel;                // min = max: the mount has no azimuth cable
     Angle zero;                        // the true azimuth where the axis shows 0°
-    std::optional<Angle> actual;       // empty: silent, or the wrap is unknown
+    std::optional<Angle> actual;       // empty: the mount is silent, or the wrap is unknown
     std::optional<Angle> destination;  // of a slew
     bool wrapKnown = true;
     bool late = false;
@@ -46,12 +46,12 @@ public:
 
     void paintTrack(QPainter& painter, bool wrapKnown) const;  // on the ground
     void paintCable(QPainter& painter, const CableState& cable) const;
-    // What must be painted again when the axis has moved.
+    // The region to be painted again after the axis has moved.
     [[nodiscard]] QRegion changed(const CableState& before, const CableState& after) const;
 
 private:
     [[nodiscard]] double radius(Angle angle) const;
-    [[nodiscard]] QPointF outwards(Angle angle) const;  // of length 1
+    [[nodiscard]] QPointF outwards(Angle angle) const;  // a vector of length 1
     [[nodiscard]] QPainterPath arc(Angle from, Angle to) const;
     [[nodiscard]] QRectF dotBox(Angle angle) const;
     void hatch(QPainter& painter, Angle from, Angle to) const;

@@ -6,14 +6,14 @@
 
 #include <QString>
 
-// The azimuth cable in words: two lines for a corner of the plot, and sentences for a screen reader. Angles are those
-// of the axis, which counts turns.
+// The azimuth cable in words: two lines for a corner of the plot, and sentences for a screen reader. Angles are axis
+// angles, beyond 360° too.
 namespace boresight::ui {
 
 struct CableWords
 {
     QString place;   // "cable 335°"; empty: the mount has no azimuth cable
-    QString travel;  // "travel -90…450°"; instead of it that the wrap is unknown, or how soon the cable ends
+    QString travel;  // "travel -90…450°", or that the wrap is unknown, or how soon the cable ends
     QString sentence;
     bool isWarning = false;  // the second line
     Tone tone = Tone::Normal;

@@ -32,7 +32,7 @@ QString bodyName(ephemeris::Body body)
     return body == ephemeris::Body::Sun ? PlotBodies::tr("Sun") : PlotBodies::tr("Moon");
 }
 
-// Beside the symbol, on the side of the zenith, so that it stays on the disc.
+// Beside the symbol, on the side towards the zenith, so that the name stays on the disc.
 QRectF nameBox(const BodyPlace& body, const SkyProjection& sky)
 {
     const QFontMetricsF metrics(fonts::label());

@@ -11,7 +11,7 @@ class QPainter;
 // The Sun and the Moon on the plot: a disc with rays and a crescent, each with its name. Pixels are the widget's own.
 namespace boresight::ui {
 
-// Those above the horizon. A place is kept while it moves by less than a pixel, so that nothing is painted for it.
+// The bodies above the horizon. A body that moves by less than a pixel keeps its place, so nothing is repainted.
 [[nodiscard]] std::vector<BodyPlace> bodiesInTheSky(const std::vector<BodyPlace>& shown,
                                                     const std::vector<BodyPlace>& now);
 [[nodiscard]] QRectF bodyBox(const BodyPlace& body, const SkyProjection& sky);  // symbol and name

@@ -13,7 +13,7 @@ namespace {
 constexpr double kCornerRadius = 6.0;  // px
 constexpr double kStroke = 1.6;
 
-// Each in a square of 20 px around the origin.
+// Each symbol is in a square of 20 px around the origin.
 QPainterPath pencil()
 {
     QPainterPath path;

@@ -5,8 +5,8 @@
 
 #include <QToolButton>
 
-// A button of the plot: a symbol on a card, drawn in the colours of the theme. Its text is its name, for a screen
-// reader; the tooltip says what it does and its key.
+// A button of the plot: a symbol on a card, in the colours of the theme. Its text is its name for a screen reader. The
+// tooltip describes its action and names its key.
 namespace boresight::ui {
 
 class PlotButton : public QToolButton

@@ -14,7 +14,7 @@ namespace boresight::ui {
 
 namespace {
 
-constexpr double kReach = 8.0;  // px around a line or point that still takes hold of it
+constexpr double kReach = 8.0;  // px: how near a click must be to a line or point
 constexpr Angle kSnap = 0.5_deg;
 constexpr Angle kFineSnap = 0.1_deg;
 
@@ -76,7 +76,7 @@ bool PlotEditor::cancelDrag()
     return true;
 }
 
-// The draft also changes by the tables and by Revert: what is selected or held may be gone.
+// The tables and Revert also change the draft, so the selected or dragged part may be gone.
 void PlotEditor::followDraft()
 {
     const auto gone = [this](const Grip& grip) {

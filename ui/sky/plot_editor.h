@@ -10,10 +10,10 @@
 
 #include <optional>
 
-// The layer of the polar plot for the limits being changed. It draws what differs from what is in force, dashed, until
-// it is applied. While editing is on it takes mouse and keys and changes the draft: drag an edge, a corner, a point or
-// a whole keep-out; double click or + adds a point of the horizon; Del removes. While editing is off it lets every
-// click through. Nothing here moves the mount or changes what is in force. Pixels are the widget's own.
+// The layer of the polar plot for limits that are being changed. Until they are applied it draws the differences from
+// the limits in effect, dashed. While editing is on it takes mouse and keys and changes the draft: drag an edge, a
+// corner, a point or a whole keep-out. Double click or + adds a point of the horizon. Del removes. While editing is off
+// every click passes through. Nothing here moves the mount or changes the limits in effect. Pixels of the widget.
 namespace boresight::ui {
 
 class PlotEditor : public QWidget
@@ -28,7 +28,7 @@ public:
     void setTravel(const Travel& travel);
     void addPoint(const SkyPointing& at);       // of the horizon
     void addSector(const SkyPointing& centre);  // a keep-out
-    bool cancelDrag();                          // true if something was being dragged: it is back where it was
+    bool cancelDrag();                          // true if a drag was cancelled and undone
 
     [[nodiscard]] bool isEditing() const { return m_editing; }
     [[nodiscard]] bool isDragging() const { return m_drag.has_value(); }
@@ -36,7 +36,7 @@ public:
     void paint(QPainter& painter) const;
 
 Q_SIGNALS:
-    void readout(const QString& text);  // the numbers under the cursor, empty when it has left
+    void readout(const QString& text);  // the numbers under the cursor, empty when the cursor has left
 
 protected:
     void paintEvent(QPaintEvent* event) override;

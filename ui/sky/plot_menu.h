@@ -10,9 +10,9 @@
 
 class QWidget;
 
-// What can be done at one place of the sky: go there, or change the draft of the profile there. What cannot be done is
-// disabled and says why. It opens with the answer of the station about the place, so that no entry moves under the
-// mouse. Nothing happens before an entry is chosen.
+// The menu for one place of the sky: go there, or change the draft of the profile there. An action that is not possible
+// is disabled and gives the reason. The menu opens with the station's answer about the place, so that no entry moves
+// under the mouse. Nothing happens before an entry is chosen.
 namespace boresight::ui {
 
 class ProfileDraft;
@@ -44,7 +44,7 @@ private:
     SkyPointing m_place;
     QPoint m_at;
     DirectionQuestion m_question;
-    QTimer m_patience{this};  // with a station that does not answer
+    QTimer m_patience{this};  // how long to wait for a station that does not answer
 };
 
 }  // namespace boresight::ui

@@ -20,7 +20,7 @@ void drawSvg(QIODevice& file, QSize size, const std::function<void(QPainter&)>& 
 {
     QSvgGenerator svg;
     svg.setOutputDevice(&file);
-    svg.setResolution(96);  // of a pixel in SVG
+    svg.setResolution(96);  // the resolution of a pixel in SVG
     svg.setSize(size);
     svg.setViewBox(QRect(QPoint(), size));
     svg.setTitle(QCoreApplication::translate("PlotPicture", "Sky plot"));

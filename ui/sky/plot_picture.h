@@ -10,7 +10,7 @@
 
 class QPainter;
 
-// A drawing as a file: .svg as shapes, else a PNG with two pixels for one of the screen.
+// Saves a drawing to a file: .svg as shapes, otherwise a PNG with two pixels for each pixel of the screen.
 namespace boresight::ui {
 
 [[nodiscard]] Result<> savePicture(const QString& path, QSize size, const std::function<void(QPainter&)>& paint);

@@ -24,7 +24,7 @@ QString lossText(double loss)  // dB
     return (loss < 0.05 ? QStringLiteral("%1 dB") : QStringLiteral("-%1 dB")).arg(loss, 0, 'f', 1);
 }
 
-// Over the sky of a magnified plot the words keep a ground of their own.
+// Over the sky of a magnified plot the words have their own background.
 ValueLabel* onGround(ValueLabel* label, Qt::Alignment alignment)
 {
     label->setAlignment(alignment);
@@ -84,7 +84,7 @@ void PlotTools::resizeEvent(QResizeEvent*)
     place();
 }
 
-// One below the other where the disc leaves room for it, else around the corner.
+// One below the other if the disc leaves room for this, otherwise around the corner.
 void PlotTools::placeButtons()
 {
     const int step = PlotButton::kSize + kPlotToolsGap + 2;
@@ -112,8 +112,8 @@ void PlotTools::place()
     showMask();
 }
 
-// What is not masked is the plot's, for eye and mouse. A label without text is hidden: below one with a ground of its
-// own Qt does not paint the plot again, although it is masked.
+// Areas outside the mask belong to the plot, for eye and mouse. A label without text is hidden: Qt does not repaint the
+// plot below a label with its own background, although it is masked.
 void PlotTools::showMask()
 {
     QRegion region;

@@ -11,9 +11,9 @@
 
 class QPainter;
 
-// What stands in the free corners of the plot's square: the tools (edit the limits, magnify, save a picture), how far
-// the mount is off its target, the cable in words, and while something is edited the numbers under the cursor. The
-// widget itself is as large as the plot and lets every click through that hits no button.
+// The contents of the free corners of the plot: the tools (edit the limits, magnify, save a picture), the error of the
+// mount, the cable in words, and during editing the numbers under the cursor. The widget is as large as the plot, and
+// every click beside a button passes through.
 namespace boresight::ui {
 
 class PlotButton;
@@ -37,7 +37,7 @@ public:
     void paintWords(QPainter& painter) const;  // for a picture of the plot
 
     [[nodiscard]] int readoutHeight() const;
-    [[nodiscard]] QList<QWidget*> corners() const;  // what must lie beside the disc
+    [[nodiscard]] QList<QWidget*> corners() const;  // these must lie beside the disc
 
 Q_SIGNALS:
     void editToggled(bool on);

@@ -30,10 +30,10 @@ namespace boresight::ui {
 
 namespace {
 
-constexpr int kWheelStep = 120;  // eighths of a degree of a mouse wheel's notch
+constexpr int kWheelStep = 120;  // one notch of a mouse wheel, in eighths of a degree
 
-// Where the mount should be now. On the way to a fixed target, and while it waits, that is the set-point: the rest of
-// the way is planned.
+// The expected direction of the mount. On the way to a fixed target, and while it waits, this is the set-point: the
+// rest of the way is planned.
 std::optional<SkyPointing> expectedPlace(const StationStatus& status)
 {
     const bool isPlanned = status.slew || !status.route.empty() || status.state == StationState::Hold;
@@ -51,8 +51,8 @@ std::optional<Angle> distanceTo(const StationStatus& status, const std::optional
     return missing ? pointing::leastAngleBetween(actual, there, *missing) : angleBetween(actual, there);
 }
 
-// What is forbidden and how far the axes go. What holds for the axis that there is holds for the whole of the missing
-// angle, and is drawn over the whole of it.
+// The forbidden areas and the travel of the axes. On a mount with one axis a limit of this axis applies to all values
+// of the missing angle, and is drawn for all of them.
 std::pair<pointing::Region, Travel> groundOf(const StationStatus& status)
 {
     pointing::Region region = pointing::withSun(status.profile->limits, status.sunKeepOuts);
@@ -64,7 +64,7 @@ std::pair<pointing::Region, Travel> groundOf(const StationStatus& status)
         (*missing == Axis::Azimuth ? travel.azimuth : travel.elevation) =
             *missing == Axis::Azimuth ? TravelRange{0_deg, 360_deg} : TravelRange{0_deg, 90_deg};
         for (pointing::KeepOut& keepOut : region.keepOuts) {
-            keepOut.elevationMin = std::max(keepOut.elevationMin, 0_deg);  // its name stands in the middle
+            keepOut.elevationMin = std::max(keepOut.elevationMin, 0_deg);  // its name is drawn in the middle
         }
     }
     return {region, travel};
@@ -75,7 +75,7 @@ Freshness worseFreshness(const StationStatus& status)
     return std::max(freshness(status.azimuth.age), freshness(status.elevation.age));
 }
 
-// Without the angle that the mount does not have.
+// The direction as text, without the angle of the missing axis.
 QString knownText(const SkyPointing& direction, std::optional<Axis> missing)
 {
     if (!missing) {
@@ -124,9 +124,9 @@ PolarPlot::PolarPlot(ProfileDraft& draft, RequestDesk& desk, QWidget* parent)
         tr("North is up, east is right, the zenith is in the centre. A click reads a direction. A "
            "right click offers what can be done there."));
     setFocusPolicy(Qt::TabFocus);
-    m_plot->setAutoDelete(false);  // the items are ours
+    m_plot->setAutoDelete(false);  // the plot owns these items itself
     m_plot->setFrameStyle(QFrame::NoFrame);
-    m_plot->hide();  // a draughtsman only: SkyMarkers shows what it draws
+    m_plot->hide();  // only used for drawing: SkyMarkers shows the result
     setUpScales();
     m_regionItem->setZ(1.0);
     m_grid->setZ(2.0);
@@ -145,10 +145,10 @@ PolarPlot::~PolarPlot() = default;
 void PolarPlot::setUpScales()
 {
     m_plot->setAzimuthOrigin(std::numbers::pi / 2.0);
-    m_grid->setGridAttribute(QwtPolarGrid::AutoScaling, false);  // else it chooses its own rings
+    m_grid->setGridAttribute(QwtPolarGrid::AutoScaling, false);  // otherwise Qwt chooses its own rings
     m_grid->setRenderHint(QwtPolarItem::RenderAntialiased);
     for (int axis = 0; axis < QwtPolar::AxesCount; ++axis) {
-        m_grid->showAxis(axis, false);  // LabelsItem: Qwt would label north 360
+        m_grid->showAxis(axis, false);  // LabelsItem draws the labels: Qwt would label north 360
     }
     for (const int scale : {QwtPolar::Azimuth, QwtPolar::Radius}) {
         m_grid->showGrid(scale, true);
@@ -188,17 +188,17 @@ void PolarPlot::setGrid(const SkyGrid& grid)
 void PolarPlot::setColours()
 {
     m_grid->setMajorGridPen(QPen(currentTheme().grid, 1.0));
-    m_plot->setPlotBackground(Qt::NoBrush);  // paintSky()
+    m_plot->setPlotBackground(Qt::NoBrush);  // paintSky() draws it
 }
 
-// Qwt puts the circle at the top of what it is given; this is the largest square in the middle.
+// Qwt puts the circle at the top of its area. This is the largest square in the middle.
 QRectF PolarPlot::square() const
 {
     const double side = std::min(width(), height());
     return {(width() - side) / 2.0, (height() - side) / 2.0, side, side};
 }
 
-// What Qwt draws into: the square, or one so large that the magnified part of it fills the widget.
+// The area that Qwt draws into: the square, or a larger one whose magnified part fills the widget.
 QRectF PolarPlot::canvas() const
 {
     if (!m_zoom.isOn()) {
@@ -220,7 +220,7 @@ SkyProjection PolarPlot::sky() const
     return m_zoom.projection(wholeSky());
 }
 
-// A mount without an azimuth cable has none, nor has a magnified part of the sky.
+// There is no ring for a mount without an azimuth cable, or for a magnified part of the sky.
 std::optional<CableRing> PolarPlot::ring() const
 {
     const bool there = !m_zoom.isOn() && m_cableTravel.min < m_cableTravel.max;
@@ -239,7 +239,7 @@ void PolarPlot::changeView()
     drawGround();
 }
 
-// From the rim to the zenith, more at the rim: where the mount mostly works the sky is plain.
+// Shading from the rim to the zenith, stronger at the rim. Where the mount mostly works the sky is plain.
 void PolarPlot::paintSky(QPainter& painter) const
 {
     const SkyProjection shown = sky();
@@ -250,7 +250,7 @@ void PolarPlot::paintSky(QPainter& painter) const
     painter.setPen(Qt::NoPen);
     painter.setBrush(tone);
     painter.drawEllipse(shown.zenith, shown.radius, shown.radius);
-    painter.setBrush(Qt::NoBrush);  // Qwt draws the rings of its grid with what it finds
+    painter.setBrush(Qt::NoBrush);  // Qwt draws the rings of its grid with the present brush
 }
 
 void PolarPlot::paintGround(QPainter& painter) const
@@ -309,7 +309,7 @@ void PolarPlot::resizeEvent(QResizeEvent*)
     changeView();
 }
 
-// A right click is for the place under the mouse, the menu key for the one that was clicked, else the target.
+// A right click means the place under the mouse. The menu key means the picked place, otherwise the target.
 void PolarPlot::contextMenuEvent(QContextMenuEvent* event)
 {
     const SkyProjection shown = sky();
@@ -374,7 +374,7 @@ void PolarPlot::showStatus(const StationStatus& status)
     m_menu->showStatus(status);
 }
 
-// Its track is a part of the ground; what moves on it is not.
+// The track is a part of the ground. The moving parts are not.
 void PolarPlot::showCable(const StationStatus& status)
 {
     const CableState cable = cableOf(status);
@@ -425,7 +425,7 @@ void PolarPlot::showMarkers(const StationStatus& status)
     markers.targetLabel = targetLabel(status);
     markers.beamWidth = m_beamWidth;
     markers.live = age == Freshness::Live && known;
-    // The beam no longer covers the place: half a beam width on the sky.
+    // The error exceeds half a beam width on the sky.
     markers.offTarget = markers.live && distanceTo(status, markers.expected).value_or(0_deg) > 0.5 * m_beamWidth;
     m_markers->setMarkers(markers, status.utc);
     m_markers->setBodies(status.bodies);

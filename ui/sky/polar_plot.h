@@ -15,11 +15,11 @@
 class QwtPolarGrid;
 class QwtPolarPlot;
 
-// The sky as the mount sees it, and beside the strip charts the only place that touches Qwt. Three layers: Qwt draws
-// what stands still (region of the profile in force, grid, labels) into a picture, again only when size, theme, region
-// or magnification change; SkyMarkers paints what moves over it; PlotEditor the limits being changed. A click picks a
-// direction; it moves nothing, and while editing is on it picks none. A right click, or the menu key, offers what can
-// be done there.
+// The sky as the mount sees it. Apart from the strip charts this is the only user of Qwt. There are three layers. Qwt
+// draws the ground (region of the profile in effect, grid, labels) into a picture, again only when size, theme, region
+// or magnification change. SkyMarkers paints the moving parts on it. PlotEditor draws the limits being changed. A click
+// picks a direction and moves nothing. While editing is on it picks none. A right click, or the menu key, opens the
+// menu for this place.
 // More than 15 members: the layers and parts that it composes.
 namespace boresight::ui {
 
@@ -37,13 +37,13 @@ public:
 
     void showStatus(const StationStatus& status);
     void setPicked(const std::optional<SkyPointing>& direction);
-    void setChosenWay(const targets::SkyWay& way);  // of the pass that is selected in a list; null: none
-    void setSatellites(const std::vector<SatellitePlace>& places);  // that are up, besides what is tracked
+    void setChosenWay(const targets::SkyWay& way);  // of the pass that is selected in a list; null: no pass
+    void setSatellites(const std::vector<SatellitePlace>& places);  // satellites that are up, without the tracked one
     void describe(const StationStatus& status);  // in words, for screen readers; once a second is enough
     void setEditing(bool on);
     void toggleZoom();
     void zoomBy(int steps);
-    void paintPicture(QPainter& painter) const;  // in the widget's size, without buttons and unapplied edits
+    void paintPicture(QPainter& painter) const;  // in the size of the widget, without buttons and unapplied edits
 
     [[nodiscard]] PlotEditor& editor() { return *m_editor; }
     [[nodiscard]] PlotTools& tools() { return *m_tools; }
@@ -51,7 +51,7 @@ public:
     [[nodiscard]] const SkyFrame& frame() const { return m_frame; }
     [[nodiscard]] const SkyMarkers& markers() const { return *m_markers; }
     [[nodiscard]] const SkyZoom& zoom() const { return m_zoom; }
-    // Where Qwt itself puts a direction: the test holds it against SkyProjection.
+    // The pixel where Qwt puts a direction. A test compares it with SkyProjection.
     [[nodiscard]] QPointF qwtPixel(const SkyPointing& direction) const;
 
     [[nodiscard]] QSize minimumSizeHint() const override { return {320, 320}; }
@@ -98,17 +98,17 @@ private:
     PlotMenu* m_menu;
     SkyFrame m_frame;  // of the whole sky
     SkyZoom m_zoom;
-    std::optional<pointing::Region> m_region;  // what is drawn
+    std::optional<pointing::Region> m_region;  // the region as drawn
     Travel m_travel;
-    TravelRange m_cableTravel;  // as the ring is drawn
+    TravelRange m_cableTravel;  // as drawn in the ring
     Angle m_cableZero;
     bool m_wrapKnown = true;
-    bool m_hasSensor = false;  // the legend tells of it
+    bool m_hasSensor = false;  // the legend explains it
     Angle m_beamWidth;
-    SkyPointing m_focus{0_deg, 90_deg};  // what the magnified part shows: target, else actual
+    SkyPointing m_focus{0_deg, 90_deg};  // the centre of the magnified part: the target, else the actual direction
     QString m_caption;                   // of a picture
     targets::SkyWay m_chosenWay;
-    int m_wheel = 0;  // turned, not yet a whole step
+    int m_wheel = 0;  // wheel steps that are not yet a whole notch
 };
 
 }  // namespace boresight::ui

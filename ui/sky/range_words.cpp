@@ -26,7 +26,7 @@ QString withSign(double value, int decimals)
     return (value < 0.0 ? QString() : QStringLiteral("+")) + QString::number(value, 'f', decimals);
 }
 
-// Empty: it is below the horizon, or its orbit cannot be computed.
+// Empty if it is below the horizon or its orbit cannot be computed.
 std::optional<orbit::LookAngles> lookAt(const orbit::ElementSet& elements, const Site& site, UtcTime utc)
 {
     const orbit::JulianDate date = orbit::julianDate(std::chrono::floor<std::chrono::seconds>(utc));

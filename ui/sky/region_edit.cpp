@@ -17,7 +17,7 @@ using pointing::HorizonPoint;
 using pointing::KeepOut;
 using pointing::Region;
 
-constexpr Angle kNarrowest = 0.5_deg;  // of a range or keep-out that was dragged together
+constexpr Angle kNarrowest = 0.5_deg;  // of a range or keep-out made smaller by dragging
 constexpr Angle kKeepOutSize = 20_deg;
 
 class RegionEdit
@@ -43,7 +43,7 @@ std::size_t insertSorted(std::vector<HorizonPoint>& horizon, const HorizonPoint&
     return static_cast<std::size_t>(index);
 }
 
-// As somebody would type it: sums of angles carry the rounding between degrees and radians.
+// Rounded as a person would type it, because sums of angles have rounding errors between degrees and radians.
 Angle tidied(Angle angle)
 {
     return Angle::fromDegrees(std::round(angle.degrees() * 1e6) / 1e6);
@@ -64,7 +64,7 @@ std::string freeName(const std::vector<KeepOut>& keepOuts)
     }
 }
 
-// Whole degrees, at most 0°: what the beam can reach without a horizon stays within reach.
+// In whole degrees, at most 0°: directions that the beam can reach without a horizon must stay in reach.
 Angle lowestOfTheSky(const Region& region, const Travel& travel)
 {
     const Angle axis = std::max(permitted(region, travel).elevation.min, -90_deg);
@@ -75,7 +75,7 @@ Angle lowestOfTheSky(const Region& region, const Travel& travel)
     return std::max(Angle::fromDegrees(std::floor(lowest.degrees() + 1e-6)), -90_deg);
 }
 
-// The points that keep a level horizon as it is on both sides of a new point.
+// The additional points that keep a level horizon unchanged on both sides of a new point.
 std::vector<HorizonPoint> feetOf(const HorizonPoint& point, const Region& region, const Travel& travel)
 {
     const std::vector<HorizonPoint>& horizon = region.horizon;
@@ -103,7 +103,7 @@ std::vector<HorizonPoint> feetOf(const HorizonPoint& point, const Region& region
     return feet;
 }
 
-// Where the axes do not show the truth, an angle of theirs says what it is.
+// If the axes do not show true directions, the text marks the angle as an axis angle.
 QString axisText(Angle angle, const Travel& travel)
 {
     const QString text = angleText(angle, 1);
@@ -114,7 +114,7 @@ QString axisText(Angle angle, const Travel& travel)
 
 Angle snapped(Angle angle, Angle step)
 {
-    // Degrees are counted, not multiplied: 3 × 0.1 is not 0.3, and the table would show it.
+    // Division instead of multiplication: 3 × 0.1 is not 0.3, and the table would show the difference.
     const double perDegree = std::round(1.0 / step.degrees());
     return Angle::fromDegrees(std::round(angle.degrees() * perDegree) / perDegree);
 }
@@ -155,7 +155,7 @@ RegionDrag::RegionDrag(Region start, const Travel& travel, const Grip& grip, con
       m_azimuth(m_at.azimuth)
 {}
 
-// A limit is an angle of the axes: the hand on it moves them, as it were.
+// A limit is an axis angle, so the pointer is converted to axis angles.
 SkyPointing RegionDrag::inHand(const SkyPointing& place) const
 {
     if (m_grip.part == RegionPart::HorizonPoint || m_grip.part == RegionPart::KeepOut) {
@@ -177,7 +177,7 @@ Region RegionDrag::to(const SkyPointing& now, Angle snap)
     const auto within = [snap](Angle angle, Angle min, Angle max) {
         return std::max(min, std::min(snapped(angle, snap), max));
     };
-    // The hand takes hold of a direction; which turn of the cable it means is that of the limit.
+    // The pointer gives a direction. The wrap is that of the limit being dragged.
     const Angle turned = m_azimuth - m_at.azimuth;
     switch (m_grip.part) {
         case RegionPart::AzimuthMin:

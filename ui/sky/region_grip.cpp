@@ -45,7 +45,7 @@ private:
 
     [[nodiscard]] SkyPointing under() const { return m_sky.toSky(m_pixel); }
 
-    // What the axes show where the beam looks there.
+    // The axis angles at which the beam points to this place.
     [[nodiscard]] AxisPosition axesUnder() const { return m_limits.pointing.toAxes(under()).axes; }
     [[nodiscard]] bool onLimitRing(Angle elevation) const
     {
@@ -56,7 +56,7 @@ private:
         return onRay(under().azimuth + (azimuth - axesUnder().azimuth));
     }
 
-    // Pixels from the ring of an elevation, and from the ray of an azimuth on its side of the zenith.
+    // Distance in pixels from the ring of an elevation, and from the ray of an azimuth on its side of the zenith.
     [[nodiscard]] bool onRing(Angle elevation) const
     {
         const double ring = distance(m_sky.toPixel({0_deg, elevation}), m_sky.zenith);
@@ -78,7 +78,7 @@ private:
         return std::nullopt;
     }
 
-    // Where both limits are one direction (0…360°) the permitted side tells which is meant.
+    // If both limits have the same direction (0…360°), the permitted side decides which one is meant.
     [[nodiscard]] std::optional<Grip> azimuthLimit() const
     {
         const auto& [min, max] = m_limits.azimuth;

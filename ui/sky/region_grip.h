@@ -9,7 +9,7 @@
 
 #include <optional>
 
-// The parts of the region of the profile that can be dragged, and which of them lies under a pixel of the plot. Pure
+// The parts of the region of the profile that can be dragged, and which of them is under a pixel of the plot. Pure
 // values.
 namespace boresight::ui {
 
@@ -23,7 +23,7 @@ enum class RegionPart
     KeepOut
 };
 
-// The sides of a keep-out that move with the hand: one for an edge, two for a corner, all for the whole.
+// The sides of a keep-out that move with the pointer: one for an edge, two for a corner, all for the whole.
 struct KeepOutSides
 {
     bool from = false;
@@ -43,11 +43,11 @@ struct Grip
     bool operator==(const Grip&) const = default;
 };
 
-// `reach` in pixels. Points go before edges, edges before areas.
+// `reach` is in pixels. Points have priority over edges, and edges over areas.
 [[nodiscard]] std::optional<Grip> gripAt(const pointing::Region& region, const Travel& travel, const SkyProjection& sky,
                                          QPointF pixel, double reach);
 
-// How far up the mark of an azimuth limit reaches while the whole circle is permitted.
+// The length of the mark of an azimuth limit while the whole circle is permitted.
 inline constexpr Angle kLimitMark = 10_deg;
 
 }  // namespace boresight::ui

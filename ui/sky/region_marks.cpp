@@ -58,7 +58,7 @@ void RegionMarks::paintLimits(QPainter& painter, const pointing::Region& inForce
     }
 }
 
-// New and moved ones dashed; one that is to go is crossed out.
+// New and moved keep-outs are dashed. A keep-out to be removed is crossed out.
 void RegionMarks::paintKeepOuts(QPainter& painter, const std::vector<pointing::KeepOut>& inForce) const
 {
     for (const pointing::KeepOut& keepOut : m_edited.keepOuts) {

@@ -5,7 +5,7 @@
 
 class QPainter;
 
-// How the region of the profile looks on the plot while it is edited. Lives no longer than what it is made with.
+// Draws the region of the profile on the plot while it is edited. Must not outlive its arguments.
 namespace boresight::ui {
 
 class RegionMarks
@@ -15,9 +15,9 @@ public:
         : m_edited(edited), m_travel(travel), m_sky(sky)
     {}
 
-    // What differs from what is in force, dashed.
+    // The differences from the region in effect, dashed.
     void paintChanges(QPainter& painter, const pointing::Region& inForce) const;
-    // What can be dragged.
+    // The parts that can be dragged.
     void paintGrips(QPainter& painter, const std::optional<Grip>& selected) const;
 
 private:

@@ -15,9 +15,9 @@ namespace boresight::ui {
 namespace {
 
 constexpr double kShareOfSide = 0.0475;
-constexpr double kLeastMargin = 24.0;  // px: a letter and two tracks of the ring
+constexpr double kLeastMargin = 24.0;  // px: room for a letter and two tracks of the ring
 constexpr double kLabelGap = 5.0;      // px between the ring and the degrees
-constexpr double kCornerGap = 4.0;     // px between what stands in a corner and the ring
+constexpr double kCornerGap = 4.0;     // px between the contents of a corner and the ring
 constexpr double kEdge = 1.0;          // px
 
 class SkyLabels
@@ -69,8 +69,8 @@ SkyFrame::SkyFrame(const QRectF& view, const SkyProjection& sky)
     }
 }
 
-// As tight as the glyphs are. Letters stand at the edge of the square, degrees beside the ring, where the square is
-// wider than the disc.
+// As tight as the glyphs. Letters are at the edge of the square. Degrees are beside the ring, where the square is wider
+// than the disc.
 QRectF SkyFrame::labelBox(int degrees) const
 {
     const QFontMetricsF metrics(labelFont(degrees));

@@ -10,8 +10,8 @@
 
 class QPainter;
 
-// What surrounds the disc of the sky in its square: ticks on the rim, the room of the cable ring, letters and degrees.
-// It also knows which part of a corner of the square stays free of all of them. Pixels are the widget's own.
+// The surroundings of the disc of the sky in its square: ticks on the rim, the room of the cable ring, letters and
+// degrees. It also knows the free part of each corner of the square. Pixels of the widget.
 namespace boresight::ui {
 
 enum class SkyCorner
@@ -28,18 +28,18 @@ public:
     SkyFrame() = default;
     SkyFrame(const QRectF& view, const SkyProjection& sky);
 
-    // Room around the disc in a square of this side. The disc is nine tenths of it.
+    // The margin around the disc in a square with this side. The disc takes nine tenths of the side.
     [[nodiscard]] static double margin(double side);
 
     [[nodiscard]] const SkyProjection& sky() const { return m_sky; }
-    // The room of the ring: from the centre of its innermost track to that of its outermost.
+    // The room for the ring: from the centre of its innermost track to that of its outermost.
     [[nodiscard]] double innerTrack() const { return m_sky.radius + 0.28 * m_margin; }
     [[nodiscard]] double outerTrack() const { return m_sky.radius + 0.5 * m_margin; }
     [[nodiscard]] double widestTrack() const { return 0.13 * m_margin; }
 
-    // True where neither the disc nor its ring or labels are.
+    // True if the box overlaps neither the disc nor its ring or labels.
     [[nodiscard]] bool isFree(const QRectF& box) const;
-    // How wide a free box in this corner may be that reaches from `from` to `to` pixels away from the horizontal side.
+    // The largest width of a free box in this corner that reaches from `from` to `to` pixels from the horizontal side.
     [[nodiscard]] double freeWidth(SkyCorner corner, double from, double to) const;
 
     void paint(QPainter& painter) const;

@@ -23,7 +23,7 @@ class SkyItems
     Q_DECLARE_TR_FUNCTIONS(SkyItems)
 };
 
-// The tone of the sky shines through.
+// Translucent, so that the colour of the sky is visible.
 QColor shade()
 {
     QColor colour = currentTheme().band;
@@ -56,7 +56,7 @@ void RegionItem::draw(QPainter* painter, const QwtScaleMap&, const QwtScaleMap&,
     painter->restore();
 }
 
-// Each kind has a hatching of its own: a tint alone has too little contrast.
+// Each kind has its own hatching, because a tint alone has too little contrast.
 void RegionItem::drawSectors(QPainter& painter, const SkyProjection& sky, SectorKind kind) const
 {
     QColor hatching = currentTheme().secondary;
@@ -82,7 +82,7 @@ void RegionItem::drawHorizon(QPainter& painter, const SkyProjection& sky) const
     if (line.isEmpty()) {
         return;
     }
-    QPainterPath below;  // between the rim and the line: odd-even fill
+    QPainterPath below;  // odd-even fill: the area between the rim and the line
     below.addEllipse(sky.zenith, sky.radius, sky.radius);
     below.addPath(line);
     painter.fillPath(below, currentTheme().land);
@@ -103,7 +103,7 @@ void RegionItem::drawName(QPainter& painter, const SkySector& sector, const SkyP
     QRectF box = painter.fontMetrics().boundingRect(sector.name);
     const double thickness = (sector.toElevation - sector.fromElevation) / 90_deg * sky.radius;
     if (ring && thickness < 2.0 * box.height()) {
-        return;  // the word would be cut off by the rim, or hide more than it tells
+        return;  // the rim would cut the word off, or the word would hide too much
     }
     box.moveCenter(centre);
     drawOutlinedText(painter, box, sector.name, currentTheme().text, currentTheme().band);
@@ -172,7 +172,7 @@ void LabelsItem::drawInside(QPainter& painter, const SkyProjection& sky) const
 void drawZoomMark(QPainter& painter, const QRectF& view, double above, const SkyProjection& sky, double magnification)
 {
     const double perDegree = sky.radius / 90.0;
-    double length = 0.1;  // of the scale, in degrees: the longest round one that takes a quarter of the view
+    double length = 0.1;  // length of the scale in degrees: the longest round value within a quarter of the view
     for (const double one : {0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0}) {
         length = one * perDegree <= view.width() / 4.0 ? one : length;
     }

@@ -7,15 +7,15 @@
 
 #include <qwt_polar_item.h>
 
-// What stands still in the polar plot, as Qwt items: the parts of the sky that are out of reach, limits or bounds, and
-// the labels. Included by polar_plot.cpp only, so that Qwt stays in one place.
+// The parts of the polar plot that stand still, as Qwt items: areas that are out of reach, limits, keep-outs and the
+// labels. Only polar_plot.cpp includes this file, so that Qwt stays in one place.
 namespace boresight::ui {
 
 class RegionItem final : public QwtPolarItem
 {
 public:
     void setRegion(const pointing::Region& region, const Travel& travel);
-    void setView(const QRectF& view) { m_view = view; }  // what is seen of the canvas
+    void setView(const QRectF& view) { m_view = view; }  // the visible part of the canvas
 
     void draw(QPainter* painter, const QwtScaleMap& azimuthMap, const QwtScaleMap& radialMap, const QPointF& pole,
               double radius, const QRectF& canvasRect) const override;
@@ -30,8 +30,8 @@ private:
     QRectF m_view;
 };
 
-// The whole sky: elevations beside the north line; SkyFrame has the azimuths. A magnified part: both along the lines
-// through the middle of the view.
+// For the whole sky: elevations beside the north line. (SkyFrame draws the azimuths.) For a magnified part: both, along
+// the lines through the middle of the view.
 class LabelsItem final : public QwtPolarItem
 {
 public:
@@ -50,7 +50,8 @@ private:
     bool m_magnified = false;
 };
 
-// That this is a part of the sky only, and its scale: a frame, and a box so far above the lower left corner.
+// Shows that this is only a part of the sky, and its scale: a frame, and a box `above` pixels above the lower left
+// corner.
 void drawZoomMark(QPainter& painter, const QRectF& view, double above, const SkyProjection& sky, double magnification);
 
 }  // namespace boresight::ui

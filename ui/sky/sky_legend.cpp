@@ -58,7 +58,7 @@ double widthOf(const Line& line, const QFontMetricsF& metrics)
     return width;
 }
 
-// From below: a corner beside a disc is widest there.
+// From the bottom upwards, because a corner beside a disc is widest at the bottom.
 std::vector<Line> linesFromBelow(const SkyFrame& frame, const QFontMetricsF& metrics, bool hasSensor)
 {
     std::vector<Entry> left = entries(hasSensor);

@@ -7,7 +7,8 @@ class QPainter;
 
 namespace boresight::ui {
 
-// What the markers mean, in the lower left corner of the plot: as few lines as the corner beside the disc has room for.
+// The meaning of the markers, in the lower left corner of the plot, in as few lines as the corner beside the disc
+// allows.
 void paintLegend(QPainter& painter, const QRectF& view, const SkyFrame& frame, bool hasSensor);
 [[nodiscard]] double legendHeight(const SkyFrame& frame, bool hasSensor);
 

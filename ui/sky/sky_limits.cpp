@@ -22,13 +22,13 @@ TravelRange overlap(const TravelRange& a, const TravelRange& b)
     return {.min = std::max(a.min, b.min), .max = std::min(a.max, b.max)};
 }
 
-// Steps of about a degree, which no eye tells from an arc.
+// Steps of about one degree look like an arc.
 int stepsOf(Angle width)
 {
     return std::max(1, static_cast<int>(std::ceil(width.degrees())));
 }
 
-// The way clockwise from `from` to `to` at one elevation after the other, straight in between.
+// The path clockwise from `from` to `to`, with the elevation changing linearly.
 void addArc(QPolygonF& line, const AxisPosition& from, const AxisPosition& to, const pointing::PointingModel& pointing,
             const SkyProjection& sky)
 {
@@ -61,9 +61,9 @@ std::vector<SkySector> unreachable(const Travel& permitted)
     const auto& [azimuth, elevation, pointing] = permitted;
     std::vector<SkySector> sectors;
     if (azimuth.max <= azimuth.min || elevation.max <= elevation.min) {
-        return sectors;  // no profile heard of yet
+        return sectors;  // no profile received yet
     }
-    // Where the axes look to the horizon and to their zenith.
+    // The axis elevations of the horizon and of the zenith.
     const Angle level = permitted.level();
     const Angle zenith = 90_deg + level;
     const auto add = [&](Angle from, Angle to, Angle low, Angle high, const QString& name, SectorKind kind) {

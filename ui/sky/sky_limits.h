@@ -12,19 +12,20 @@
 
 #include <vector>
 
-// Which parts of the sky travel, limits and keep-outs leave out, and their shapes on the plot. Keep-outs and horizon
-// are true directions; travel and limits are mechanical and are drawn where the beam then looks. For drawing only: the
-// station decides what is permitted, from the same values.
+// The parts of the sky that travel, limits and keep-outs exclude, and their shapes on the plot. Keep-outs and horizon
+// are true directions. Travel and limits are axis angles, and are drawn where the beam then points. For drawing only:
+// the station decides what is permitted, from the same values.
 namespace boresight::ui {
 
 enum class SectorKind
 {
     Band,    // below the lowest elevation: a tint
-    Sector,  // out of reach or limits: hatched
-    KeepOut  // named by the operator: hatched the other way
+    Sector,  // out of reach or outside the limits: hatched
+    KeepOut  // named by the operator: hatched in the other direction
 };
 
-// A piece of sky between two azimuths (clockwise from the first) and two elevations, of the axes if they have a model.
+// A part of the sky between two azimuths (clockwise from the first) and two elevations. They are axis angles if the
+// sector has a pointing model.
 struct SkySector
 {
     Angle fromAzimuth;
@@ -42,38 +43,38 @@ struct SkySector
     bool operator==(const SkySector&) const = default;
 };
 
-// How far the cable and the mechanics let the axes go, and where they look there.
+// The travel of the axes, and where the beam points then.
 struct Travel
 {
     TravelRange azimuth;
     TravelRange elevation;
     pointing::PointingModel pointing{};
 
-    // The elevation of the axes at which they look to the horizon.
+    // The axis elevation at which the beam points to the horizon.
     [[nodiscard]] Angle level() const { return -pointing.terms().elevationOffset; }
     bool operator==(const Travel&) const = default;
 };
 
 [[nodiscard]] Travel travelOf(const profile::Profile& profile);
 
-// Where the mount may work: the limits, as far as the travel goes.
+// The range in which the mount may work: the limits within the travel.
 [[nodiscard]] Travel permitted(const pointing::Region& region, const Travel& travel);
 
-// What the axes may not reach. An axis range over the top reaches a closed azimuth sector from the other side, from the
-// elevation 180° - max on.
+// The areas that the axes may not reach. An elevation range over the top reaches a closed azimuth sector from the other
+// side, above an elevation of 180° - max.
 [[nodiscard]] std::vector<SkySector> unreachable(const Travel& permitted);
 
 [[nodiscard]] SkySector sectorOf(const pointing::KeepOut& keepOut);
 
-// All of it, from below.
+// All of them, from the bottom layer up.
 [[nodiscard]] std::vector<SkySector> sectorsOf(const pointing::Region& region, const Travel& travel);
 
 [[nodiscard]] QPainterPath outline(const SkySector& sector, const SkyProjection& sky);
-// Of the axes: a circle around their zenith, and the way up at one azimuth.
+// In axis angles: a circle around their zenith, and the line upwards at one azimuth.
 [[nodiscard]] QPainterPath ring(Angle elevation, const pointing::PointingModel& pointing, const SkyProjection& sky);
 [[nodiscard]] QPainterPath meridian(Angle azimuth, Angle from, Angle to, const pointing::PointingModel& pointing,
                                     const SkyProjection& sky);
-// The horizon as a closed line, empty without points; the sky below it is between the line and the rim.
+// The horizon as a closed line, empty without points. The sky below it lies between the line and the rim.
 [[nodiscard]] QPainterPath horizonLine(const std::vector<pointing::HorizonPoint>& horizon, const SkyProjection& sky);
 
 }  // namespace boresight::ui

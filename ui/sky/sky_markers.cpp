@@ -18,7 +18,7 @@ namespace boresight::ui {
 
 namespace {
 
-constexpr double kActualSize = 13.0;  // px; inside the diamond, inside the cross, when all is on target
+constexpr double kActualSize = 13.0;  // px: fits inside the diamond and the cross when all are at one place
 constexpr double kMarkerSize = 22.0;
 constexpr double kCommandedSize = 32.0;
 constexpr int kTextMargin = 3;
@@ -146,7 +146,7 @@ double SkyMarkers::beamRadius() const
     return std::max(m_markers.beamWidth / 180_deg * m_projection.radius, kActualSize / 2.0 + 2.0);
 }
 
-// Where the beam is now: around the actual place; all the way up, or all around, if only one angle of it is known.
+// The beam around the actual direction. If only one angle is known: a line upwards, or a circle.
 QPainterPath SkyMarkers::beamPixels() const
 {
     if (m_markers.missing == Axis::Elevation) {
@@ -184,7 +184,7 @@ QRect SkyMarkers::targetLabelBox() const
     return box;
 }
 
-// True if the box would hide where the mount is or is commanded to.
+// True if the box would hide the actual or the commanded direction.
 bool SkyMarkers::covers(const QRect& box) const
 {
     return (m_markers.actual && markerBox(*m_markers.actual, 2.0 * beamRadius()).intersects(box)) ||
@@ -280,7 +280,7 @@ void SkyMarkers::drawWay(QPainter& painter) const
     painter.setPen(pen);
     painter.setBrush(Qt::NoBrush);
     painter.drawPath(
-        m_wayPixels.toReversed());  // from the target, so that the dashes stand still while the way shortens
+        m_wayPixels.toReversed());  // starting at the target, so that the dashes stand still while the way gets shorter
 }
 
 void SkyMarkers::drawTarget(QPainter& painter) const
@@ -296,7 +296,7 @@ void SkyMarkers::drawTarget(QPainter& painter) const
     }
 }
 
-// The beam, under the marks of the places.
+// The beam, below the markers.
 void SkyMarkers::drawActual(QPainter& painter) const
 {
     if (!m_markers.actual) {

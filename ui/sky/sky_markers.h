@@ -16,9 +16,9 @@
 #include <optional>
 #include <vector>
 
-// What moves in the polar plot: the trail, the way ahead, coming paths, the cable, Sun and Moon and the markers,
-// painted over a ready-made picture of what stands still. A new status repaints only the few hundred pixels a marker
-// leaves and enters. Pixels are the widget's own.
+// The moving parts of the polar plot: the trail, the way ahead, coming paths, the cable, Sun and Moon, and the markers.
+// They are painted on a finished picture of the ground. A new status repaints only the few hundred pixels that a marker
+// leaves and enters. Pixels of the widget.
 namespace boresight::ui {
 
 struct MarkerData
@@ -26,15 +26,15 @@ struct MarkerData
     std::optional<SkyPointing> actual;
     std::optional<SkyPointing> commanded;
     std::optional<SkyPointing> target;
-    std::optional<SkyPointing> sensor;    // where the independent sensor says that the beam points
+    std::optional<SkyPointing> sensor;    // the direction of the beam by the independent sensor
     std::optional<SkyPointing> picked;    // clicked by the operator
-    std::optional<SkyPointing> expected;  // where the mount should be now: during a slew the commanded place
+    std::optional<SkyPointing> expected;  // the expected direction: during a slew the commanded one
     std::vector<SkyPointing> way;         // from the commanded place to the target, as the mount will go
-    std::optional<Axis> missing;          // nobody knows this angle of the mount: the beam is somewhere on a line
+    std::optional<Axis> missing;          // this angle of the mount is unknown: the beam is somewhere on a line
     QString targetLabel;
     Angle beamWidth;
-    bool live = false;       // the actual place is measured now; else it is where the mount was last seen
-    bool offTarget = false;  // an error above half a beam width that nobody planned
+    bool live = false;       // the actual direction is measured now; otherwise it is the last known one
+    bool offTarget = false;  // an unplanned error above half a beam width
 
     bool operator==(const MarkerData&) const = default;
 };
@@ -46,17 +46,17 @@ class SkyMarkers : public QWidget
 public:
     explicit SkyMarkers(QWidget* parent = nullptr);
 
-    // The ring of the cable is there only while the whole sky is shown.
+    // The ring of the cable is drawn only while the whole sky is shown.
     void setGround(const QPixmap& ground, const SkyProjection& projection, const std::optional<CableRing>& ring = {});
     void setMarkers(const MarkerData& markers, UtcTime utc);
     void setCable(const CableState& cable);
     void setBodies(const std::vector<BodyPlace>& bodies);
     void setTracked(const targets::SkyWay& way, UtcTime utc);
     void setChosen(const targets::SkyWay& way, UtcTime utc);        // of the pass that is selected in a list
-    void setSatellites(const std::vector<SatellitePlace>& places);  // that are up besides
+    void setSatellites(const std::vector<SatellitePlace>& places);  // satellites that are up, without the tracked one
     void setPicked(const std::optional<SkyPointing>& direction);
-    void setFocused(bool on);             // the plot has the keyboard: its rim shows that
-    void paint(QPainter& painter) const;  // all but the ground, also for a picture of the plot
+    void setFocused(bool on);             // the plot has the keyboard: its rim shows this
+    void paint(QPainter& painter) const;  // everything but the ground, also for a picture of the plot
 
     [[nodiscard]] QRect targetLabelBox() const;  // empty without a target or its text
     [[nodiscard]] const MarkerData& markers() const { return m_markers; }

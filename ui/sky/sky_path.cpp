@@ -64,7 +64,7 @@ void SkyPath::rebuild()
     addEnd(m_way->back(), false);
 }
 
-// A piece is hidden if its end is.
+// A segment is hidden if its end is hidden.
 void SkyPath::addLines()
 {
     for (std::size_t i = m_first + 1; i < m_way->size(); ++i) {
@@ -106,7 +106,7 @@ void SkyPath::addEnd(const targets::SkyMoment& moment, bool isBegin)
     m_ends.push_back(end);
 }
 
-// Towards the middle of the sky, level with the end, else below or above it: where no part of the way passes.
+// Towards the middle of the sky, level with the end, or else below or above it, where the path does not pass.
 QRectF SkyPath::boxBeside(const QPointF& end, const QSizeF& size) const
 {
     const bool isWest = end.x() < m_sky.zenith.x();

@@ -14,9 +14,9 @@
 
 class QPainter;
 
-// The way of a satellite or a body over the sky, as far as it is still to come: a line, dotted where the limits of the
-// mount hide it, with a dot at each whole minute, or hour of a long way, and the times at which it begins and ends.
-// Pixels are the widget's own.
+// The coming path of a satellite or a body across the sky. The line is dotted where the limits of the mount hide it. It
+// has a dot at each whole minute, or each hour of a long path, and the times of its beginning and end. Pixels of the
+// widget.
 namespace boresight::ui {
 
 class SkyPath
@@ -31,7 +31,7 @@ public:
         bool isBegin = false;
     };
 
-    // The rectangle that must be painted again; empty: nothing has changed.
+    // The rectangle to be painted again. Empty if nothing has changed.
     QRect show(const targets::SkyWay& way, UtcTime utc);
     void setSky(const SkyProjection& sky);
 
@@ -52,7 +52,7 @@ private:
 
     SkyProjection m_sky;
     targets::SkyWay m_way;
-    std::size_t m_first = 0;  // of the moments that are still to come
+    std::size_t m_first = 0;  // index of the first moment that is still to come
     QPainterPath m_clear;
     QPainterPath m_hidden;
     std::vector<QPointF> m_dots;

@@ -5,8 +5,9 @@
 
 #include <QPointF>
 
-// Where a direction lies on the polar plot: north up, east right, zenith in the centre, horizon at the rim, radius
-// linear in zenith distance. An elevation above 90° lies at its sky place, one below the horizon on the rim. Pixels.
+// The place of a direction on the polar plot: north up, east right, zenith in the centre, horizon at the rim, radius
+// linear in zenith distance. An elevation above 90° is drawn at its equal direction, one below the horizon on the rim.
+// Pixels.
 namespace boresight::ui {
 
 struct SkyProjection
@@ -15,7 +16,7 @@ struct SkyProjection
     double radius = 0.0;  // of the horizon
 
     [[nodiscard]] QPointF toPixel(const SkyPointing& direction) const;
-    [[nodiscard]] SkyPointing toSky(QPointF pixel) const;  // outside the rim: the horizon
+    [[nodiscard]] SkyPointing toSky(QPointF pixel) const;  // outside the rim the result is on the horizon
     [[nodiscard]] bool contains(QPointF pixel) const;
 
     bool operator==(const SkyProjection&) const = default;

@@ -35,7 +35,7 @@ void SkySatellites::setSky(const SkyProjection& sky)
     rebuild();
 }
 
-// The name stands on the side of the zenith, so that it stays on the disc.
+// The name is on the side towards the zenith, so that it stays on the disc.
 void SkySatellites::rebuild()
 {
     m_marks.clear();

@@ -11,8 +11,8 @@
 
 class QPainter;
 
-// Satellites that are up, besides the one that is tracked: a small ring with the name where the name hides no other.
-// Pixels are the widget's own.
+// Satellites that are up, without the tracked one: a small ring, with the name if it hides no other name. Pixels of the
+// widget.
 namespace boresight::ui {
 
 struct SatellitePlace
@@ -30,10 +30,10 @@ public:
     {
         QPointF pixel;
         QString name;
-        QRectF text;  // empty: it would lie over another name
+        QRectF text;  // empty if it would cover another name
     };
 
-    // What must be painted again; empty: nothing has changed.
+    // The region to be painted again. Empty if nothing has changed.
     QRegion show(const std::vector<SatellitePlace>& places);
     void setSky(const SkyProjection& sky);
 

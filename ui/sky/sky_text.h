@@ -9,7 +9,7 @@ class QPainter;
 
 namespace boresight::ui {
 
-// A text that is read over lines and hatching: the colour of the ground surrounds its letters.
+// A text that is readable on lines and hatching: its letters have an outline in the colour of the ground.
 void drawOutlinedText(QPainter& painter, const QRectF& box, const QString& text, const QColor& colour,
                       const QColor& ground);
 

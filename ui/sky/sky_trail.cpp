@@ -12,17 +12,17 @@ namespace boresight::ui {
 
 namespace {
 
-constexpr Angle kTrailGap = 6_deg;     // three times what the fastest mount goes in one update
+constexpr Angle kTrailGap = 6_deg;     // three times the motion of the fastest mount in one update
 constexpr Angle kTrailStep = 0.2_deg;  // finer than a pixel of any screen
 constexpr std::chrono::minutes kTrailAge{15};
 constexpr std::chrono::minutes kForgetEvery{1};
 constexpr std::chrono::seconds kFadeTime{60};
 constexpr std::chrono::seconds kFadeStep{1};
-constexpr std::size_t kTrailLength = 20000;  // 15 minutes without rest at 4°/s
+constexpr std::size_t kTrailLength = 20000;  // 15 minutes of continuous motion at 4°/s
 constexpr double kFaint = 0.3;
 constexpr double kTrailWidth = 1.8;  // px
 
-// Good enough for small angles, also near the zenith.
+// Accurate enough for small angles, also near the zenith.
 Angle separation(const SkyPointing& a, const SkyPointing& b)
 {
     const double east = (a.azimuth - b.azimuth).wrapped180().radians() * std::cos(a.elevation.radians());
@@ -76,7 +76,7 @@ void SkyTrail::append(const SkyPointing& direction, UtcTime utc)
     m_places.push_back({direction, utc, pixel, begins});
 }
 
-// What is old is forgotten a whole minute at a time: the line is then built again.
+// Old points are removed for a whole minute at a time, because the line is then built again.
 QRect SkyTrail::age(UtcTime utc)
 {
     m_now = utc;

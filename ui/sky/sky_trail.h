@@ -12,15 +12,15 @@
 
 class QPainter;
 
-// Where the mount was in the last quarter of an hour. The last minute is strong and fades, the rest is a faint line. It
-// is drawn only where the mount was seen to go: after silence or a new reference it begins again. Pixels are the
-// widget's own.
+// The path of the mount during the last quarter of an hour. The last minute is strong and fades, the rest is a faint
+// line. It is drawn only where the motion was observed: after silence or a new reference it starts again. Pixels of the
+// widget.
 namespace boresight::ui {
 
 class SkyTrail
 {
 public:
-    // The rectangle that must be painted again; empty: nothing has changed.
+    // The rectangle to be painted again. Empty if nothing has changed.
     QRect add(const SkyPointing& place, UtcTime utc);
     QRect age(UtcTime utc);
     void setSky(const SkyProjection& sky);
@@ -29,7 +29,7 @@ public:
 
     [[nodiscard]] std::size_t length() const { return m_places.size(); }
     [[nodiscard]] const QPainterPath& pixels() const { return m_pixels; }
-    // 1 at the mount, down to that of the faint line after a minute.
+    // 1 at the mount, decreasing within a minute to the value of the faint line.
     [[nodiscard]] double strength(UtcTime utc) const;
 
 private:
@@ -38,7 +38,7 @@ private:
         SkyPointing direction;
         UtcTime utc;
         QPointF pixel;
-        bool begins;  // a new piece
+        bool begins;  // starts a new segment
     };
 
     void append(const SkyPointing& direction, UtcTime utc);
@@ -49,7 +49,7 @@ private:
     std::deque<Place> m_places;  // eldest first
     QPainterPath m_pixels;
     UtcTime m_now{};
-    UtcTime m_painted{};  // when the fading was last shown
+    UtcTime m_painted{};  // the time of the last fading that was painted
 };
 
 }  // namespace boresight::ui

@@ -25,7 +25,7 @@ double stepFor(double pixelsPerDegree)
     return kSkyZoomSteps[std::size(kSkyZoomSteps) - 1];
 }
 
-// Multiples of `step` from the highest at or below `max` down to `min`.
+// Multiples of `step` in descending order, from `max` down to `min`.
 std::vector<double> multiples(double step, double min, double max)
 {
     std::vector<double> values;
@@ -74,7 +74,7 @@ SkyProjection SkyZoom::projection(const SkyProjection& whole) const
     if (!isOn()) {
         return whole;
     }
-    const double radius = std::round(whole.radius * m_magnification);  // Qwt draws circles of whole pixels
+    const double radius = std::round(whole.radius * m_magnification);  // Qwt draws circles with whole pixels
     return {.zenith = whole.zenith - offsetFromZenith(m_centre, radius), .radius = radius};
 }
 

@@ -8,8 +8,8 @@
 
 #include <vector>
 
-// The magnified part of the polar plot: how much, around what, and which grid lines suit it. The view stands still
-// while what it follows stays in its inner half, so that the ground is not drawn again with every status. Pure.
+// The magnified part of the polar plot: its magnification, its centre, and suitable grid lines. The view stands still
+// while the followed direction stays in its inner half, so that not every status redraws the ground. Pure.
 namespace boresight::ui {
 
 class SkyZoom
@@ -19,9 +19,9 @@ public:
     [[nodiscard]] double magnification() const { return m_magnification; }
     [[nodiscard]] Angle halfView() const { return 90_deg / m_magnification; }  // from the middle to the edge
 
-    void toggle(Angle beamWidth);           // the whole sky, or a few beam widths
-    void step(int steps, Angle beamWidth);  // inwards, or outwards if negative
-    bool follow(const SkyPointing& place);  // true: the view has moved
+    void toggle(Angle beamWidth);           // switches between the whole sky and a few beam widths
+    void step(int steps, Angle beamWidth);  // magnifies, or reduces if negative
+    bool follow(const SkyPointing& place);  // returns true if the view has moved
     void centreOn(const SkyPointing& place);
 
     // `whole` is the projection of the whole sky into the same widget.
@@ -32,7 +32,7 @@ private:
     SkyPointing m_centre{0_deg, 90_deg};
 };
 
-// Grid lines in degrees, fine enough for the magnification, as far as `view` shows them.
+// Grid lines in degrees, fine enough for the magnification, for the part shown in `view`.
 struct SkyGrid
 {
     std::vector<double> azimuths;    // descending
@@ -42,7 +42,7 @@ struct SkyGrid
     bool operator==(const SkyGrid&) const = default;
 };
 
-[[nodiscard]] SkyGrid wholeSkyGrid();  // each 30°
+[[nodiscard]] SkyGrid wholeSkyGrid();  // every 30°
 [[nodiscard]] SkyGrid gridOf(const SkyProjection& sky, const QRectF& view);
 
 }  // namespace boresight::ui

@@ -40,7 +40,7 @@ private:
         bool operator==(const Row&) const = default;
     };
 
-    // Of both results, by the name of the figure.
+    // From both results, by the name of the figure.
     [[nodiscard]] static std::vector<Row> rowsOf(const BeforeAndAfter& results);
 
     std::vector<Row> m_rows;

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-// The gains of one drive: as found first, as in force now, and what may be written.
+// The gains of one drive: the value first found, the value in effect, and the permitted range.
 namespace boresight::ui {
 
 class GainsModel : public TableModel

@@ -23,7 +23,7 @@ namespace boresight::ui {
 namespace {
 
 constexpr int kGainDigits = 6;  // as many as the drive prints
-constexpr int kGainSteps = 50;  // from the least to the most, about
+constexpr int kGainSteps = 50;  // approximate number of steps over the range
 constexpr int kMostDecimals = 12;
 
 int exponentOf(double value)
@@ -31,7 +31,7 @@ int exponentOf(double value)
     return static_cast<int>(std::floor(std::log10(value)));
 }
 
-// So that the most has the digits of the drive, and the least three of them.
+// So that the largest value has the digits of the drive, and the smallest has three of them.
 int decimalsOf(const GainLine& line)
 {
     const int forMost = line.most > 0.0 ? kGainDigits - 1 - exponentOf(line.most) : 0;
@@ -121,7 +121,7 @@ const DriveGains& GainsPage::gains() const
     return driveOf(m_status, m_axis).gains;
 }
 
-// Empty: none, or one that was not read.
+// Empty if no gain is selected, or it was not read.
 const GainLine* GainsPage::selected() const
 {
     const QModelIndex current = m_table->currentIndex();
@@ -187,7 +187,7 @@ void GainsPage::showSelected()
     showButtons();
 }
 
-// What the operator has typed stays until there is another value to begin from.
+// The typed value stays until a different value is read from the drive.
 void GainsPage::load(const GainLine& line)
 {
     const int row = m_table->currentIndex().row();
@@ -213,7 +213,7 @@ bool GainsPage::isEdited() const
         return false;
     }
     const GainLine& line = m_loaded->line;
-    const bool isWithin = *line.value >= line.least && *line.value <= line.most;  // else the box offers the bound
+    const bool isWithin = *line.value >= line.least && *line.value <= line.most;  // otherwise the box shows the bound
     return !isWithin || m_value->value() != m_loaded->offered;
 }
 

@@ -6,7 +6,7 @@
 class QDoubleSpinBox;
 class QTableView;
 
-// The gains of the drive of one axis: read, one changed within its bounds, put back, stored.
+// The gains of the drive of one axis: read all, change one within its bounds, restore, store.
 namespace boresight::ui {
 
 class GainsModel;
@@ -35,7 +35,7 @@ private:
     [[nodiscard]] bool isEdited() const;
     [[nodiscard]] const DriveGains& gains() const;
 
-    // What the box was filled from, and what it showed then.
+    // The source of the value in the box, and the value shown at that time.
     struct Loaded
     {
         Axis axis;

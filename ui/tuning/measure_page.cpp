@@ -139,7 +139,7 @@ void MeasurePage::showStatus(const StationStatus& status)
     const bool wasRunning = m_status.tuning->running.has_value();
     m_status = status;
     if (const auto running = status.tuning->running; running && !wasRunning) {
-        m_run = *running;  // then the figures of another may be looked at meanwhile
+        m_run = *running;  // afterwards the figures of another run may be selected meanwhile
         m_choices[static_cast<std::size_t>(m_run)]->setChecked(true);
     }
     const BeforeAndAfter results = resultsOf(*status.tuning, m_axis, m_run);

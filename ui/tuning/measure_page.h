@@ -7,8 +7,8 @@
 
 class QTableView;
 
-// The runs by which an axis is measured, one press each; their figures and curves before and after a change of the
-// gains; and the first tuning, which says which press is next.
+// The runs that measure an axis, one press each, and their figures and curves before and after a change of the gains.
+// Also the first tuning, which says what to press next.
 namespace boresight::ui {
 
 class ChoiceButton;
@@ -26,7 +26,7 @@ public:
     void showStatus(const StationStatus& status);
 
 Q_SIGNALS:
-    void gainsWanted();  // what is next is on the other page
+    void gainsWanted();  // the next step is on the other page
 
 private:
     void build();
@@ -42,7 +42,7 @@ private:
 
     StationStatus m_status;
     Axis m_axis = Axis::Azimuth;
-    TuningRun m_run = TuningRun::Step;  // whose figures are shown
+    TuningRun m_run = TuningRun::Step;  // the run whose figures are shown
     std::array<ChoiceButton*, kTuningRuns.size()> m_choices{};
     FiguresModel* m_model;
     QTableView* m_table;

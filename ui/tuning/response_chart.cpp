@@ -47,7 +47,7 @@ std::optional<double> valueOf(const response::Sample& sample, ResponseChart::Qua
                                                       : sample.torque;
 }
 
-// A new piece after each gap.
+// A new piece starts after each gap.
 std::vector<QPolygonF> piecesOf(const std::vector<response::Sample>& samples, ResponseChart::Quantity quantity)
 {
     std::vector<QPolygonF> pieces;
@@ -88,7 +88,7 @@ ResponseChart::~ResponseChart() = default;
 
 void ResponseChart::setUpPlot()
 {
-    m_plot->setAutoDelete(false);  // the items are ours
+    m_plot->setAutoDelete(false);  // the plot owns these items itself
     m_plot->setMinimumSize(1, 1);
     for (const int axis : {QwtAxis::XBottom, QwtAxis::YLeft}) {
         m_plot->setAxisMaxMinor(axis, 0);

@@ -10,8 +10,8 @@
 class QwtPlot;
 class QwtPlotGrid;
 
-// What an axis did in a run, before and after a change of the gains: its tracking error or its torque over the time.
-// Beside the polar plot, the strip charts and the deviation plot the only place that touches Qwt.
+// The response of an axis in a run, before and after a change of the gains: its tracking error or its torque over time.
+// Apart from the polar plot, the strip charts and the deviation plot the only user of Qwt.
 namespace boresight::ui {
 
 class ResponseItem;
@@ -32,7 +32,7 @@ public:
 
     void show(const BeforeAndAfter& results);
     void choose(Quantity quantity);
-    [[nodiscard]] double highest() const { return m_highest; }  // of the scale, on either side
+    [[nodiscard]] double highest() const { return m_highest; }  // end of the scale, on both sides
 
     [[nodiscard]] QSize minimumSizeHint() const override { return {160, 90}; }
     [[nodiscard]] QSize sizeHint() const override { return {260, 140}; }

@@ -7,7 +7,7 @@
 
 class QStackedWidget;
 
-// How well an axis is controlled, and the gains of its drive: two pages about one axis.
+// The control quality of an axis, and the gains of its drive: two pages for one axis.
 namespace boresight::ui {
 
 class ChoiceButton;

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-// How runs, gains and figures of the tuning are called, and which step of the first tuning is next. Pure.
+// The names of the runs, gains and figures of the tuning, and the next step of the first tuning. Pure.
 namespace boresight::ui {
 
 [[nodiscard]] QString runName(TuningRun run);  // "Step"
@@ -23,26 +23,27 @@ struct Figure
     bool operator==(const Figure&) const = default;
 };
 
-// In the same order for each result of a kind.
+// In the same order for each result of the same kind.
 [[nodiscard]] std::vector<Figure> figuresOf(const TuningResult& result);
 
 struct BeforeAndAfter
 {
-    const TuningResult* before = nullptr;  // with the gains as they were found
-    const TuningResult* after = nullptr;   // with others
+    const TuningResult* before = nullptr;  // with the gains as first found
+    const TuningResult* after = nullptr;   // with other gains
 };
 [[nodiscard]] BeforeAndAfter resultsOf(const TuningStatus& tuning, Axis axis, TuningRun run);
 
-// What counts for the axis as it is: the newest with the gains in force, or while they are not read the newest of all.
-// Empty: to be measured.
+// The result that applies to the present state of the axis: the newest with the gains in effect, or while the gains are
+// not read the newest of all. Empty: to be measured.
 [[nodiscard]] const TuningResult* resultInForce(const StationStatus& status, Axis axis, TuningRun run);
 
-// The first tuning of an axis: read the gains, step, ramp, swings, verdict. Where it is follows from what is there.
+// The first tuning of an axis: read the gains, step, ramp, sweep, verdict. The next step follows from the existing
+// results.
 struct FirstTuning
 {
     QString text;
-    bool reads = false;            // next: read the gains
-    std::optional<TuningRun> run;  // next: this one. Neither: it is done
+    bool reads = false;            // next step: read the gains
+    std::optional<TuningRun> run;  // next step: this run. Without both the tuning is done
 };
 [[nodiscard]] FirstTuning firstTuning(const StationStatus& status, Axis axis);
 

@@ -3,7 +3,7 @@
 
 #include <QDialog>
 
-// What this program is: version, licence, libraries. Not modal: STOP stays in reach.
+// Version, licence and libraries of this program. Not modal, so that STOP stays in reach.
 namespace boresight::ui {
 
 class AboutPage : public QDialog

@@ -30,7 +30,7 @@ constexpr int kAlarmEnds = 8;                 // px
 constexpr int kLowAlarmEnds = 4;              // px
 constexpr int kAlarmSpacing = 4;              // px
 constexpr int kLowAlarmSpacing = 2;           // px
-constexpr double kCardTint = 0.09;            // of the alarm's colour in the ground
+constexpr double kCardTint = 0.09;            // of the alarm's colour in the background
 
 QFont boldOf(QFont font)
 {
@@ -45,7 +45,7 @@ QColor mixed(const QColor& ground, const QColor& colour, double part)
                             mix(ground.blueF(), colour.blueF()));
 }
 
-// What brings the station back, whatever the alarm on top is about.
+// The action that brings the station back to work, whatever the top alarm is about.
 AlarmHelp recoveryOf(const StationStatus& status)
 {
     if (status.state == StationState::Fault) {
@@ -54,7 +54,7 @@ AlarmHelp recoveryOf(const StationStatus& status)
     return status.stopLatched ? AlarmHelp::ResetStop : AlarmHelp::None;
 }
 
-// Why the button that helps cannot act now; empty: it can, and what only opens a panel always can.
+// The reason why the help button cannot act now. Empty if it can. Opening a panel is always possible.
 QString whyNot(AlarmHelp help, const Permissions& may)
 {
     switch (help) {
@@ -73,7 +73,7 @@ QString whyNot(AlarmHelp help, const Permissions& may)
     }
 }
 
-// A latched STOP is no alarm of the station: the operator knows it, and needs the way back.
+// A latched STOP is no alarm of the station. The operator knows it, but needs the way back.
 std::optional<Alarm> mostUrgent(const StationStatus& status)
 {
     if (!status.alarms.empty()) {
@@ -99,7 +99,7 @@ QString linesOf(QStringList sentences)
     return sentences.join(QLatin1Char('\n'));
 }
 
-// What the two choices at the end of the cable cost, where that is known.
+// The seconds that the two choices at the end of the cable lose, if they are known.
 QString costOf(const StationStatus& status)
 {
     const std::optional<CableEnd>& end = status.cableEnd;
@@ -173,7 +173,7 @@ void AlarmCard::build()
     for (QWidget* const part : std::initializer_list<QWidget*>{m_help, m_holdAtEnd, m_recover}) {
         buttons->addWidget(part);
     }
-    // At the other end: a second press on a button that has just gone does not acknowledge.
+    // At the other end of the row, so that a second press on a button that has just disappeared does not acknowledge.
     for (QWidget* const part : std::initializer_list<QWidget*>{m_since, m_more, m_count, m_acknowledge}) {
         buttons->addWidget(part);
         buttons->setAlignment(part, Qt::AlignRight);
@@ -194,7 +194,7 @@ void AlarmCard::setLow(bool low)
     layout()->setSpacing(low ? kLowAlarmSpacing : kAlarmSpacing);
 }
 
-// Who acknowledged it has read it. The choice is still open.
+// An alarm that was acknowledged has been read. The choice is still open.
 QString AlarmCard::adviceIn(AlarmForm form) const
 {
     if (!m_shown) {
@@ -207,7 +207,7 @@ QString AlarmCard::adviceIn(AlarmForm form) const
     return form == AlarmForm::Lines ? lines : QString(lines).replace(QLatin1Char('\n'), QLatin1Char(' '));
 }
 
-// Without laying out: a station that reports twenty times a second asks for it each time.
+// Computed without a layout, because it is needed for each of twenty status values a second.
 int AlarmCard::heightWith(AlarmForm form, int width) const
 {
     const int text = width - layout()->contentsMargins().left() - layout()->contentsMargins().right();
@@ -270,7 +270,7 @@ void AlarmCard::showAlarm(const StationStatus& status)
 void AlarmCard::showButtons(const StationStatus& status)
 {
     const AlarmHelp shown = m_shown && m_shown->active ? m_shown->help : AlarmHelp::None;
-    // Re-arm and Reset stop are there while a fault or STOP is latched, and once.
+    // Re-arm and Reset stop are shown once, while a fault or STOP is latched.
     const bool recovers = shown == AlarmHelp::Rearm || shown == AlarmHelp::ResetStop;
     m_help->setVisible(shown != AlarmHelp::None && !recovers);
     m_help->setCommand(buttonText(shown), m_shown ? m_shown->remedy : QString());
@@ -303,7 +303,7 @@ void AlarmCard::showWhetherNeeded()
     }
 }
 
-// A notice comes and goes at any time.
+// The notice may appear or disappear at any time.
 bool AlarmCard::eventFilter(QObject* watched, QEvent* event)
 {
     if (event->type() == QEvent::ShowToParent || event->type() == QEvent::HideToParent) {

@@ -9,10 +9,10 @@
 
 class QPushButton;
 
-// The alarm that matters most, whole: what happened in bold, what Boresight did, what to do, and the one button that
-// helps. Beside it the way back from a STOP or a fault, Acknowledge, and how many alarms there are. A click on the text
-// opens its line in the log. There only while there is an alarm, a latched STOP, or something to report. An alarm not
-// yet acknowledged flashes its symbol at 1 Hz, never its text. Gui thread.
+// The most important alarm with its complete text: what happened in bold, what Boresight did, what to do, and the one
+// button that helps. Beside it the way back from a STOP or a fault, Acknowledge, and the number of alarms. A click on
+// the text opens its line in the log. The card is shown only while there is an alarm, a latched STOP, or something to
+// report. The symbol of an alarm that is not yet acknowledged flashes at 1 Hz, its text never does. Gui thread.
 // More than 15 members: the widgets that it composes.
 namespace boresight::ui {
 
@@ -21,12 +21,12 @@ class ProfileDraft;
 class RequestDesk;
 class ValueLabel;
 
-// Of what Boresight did and what to do, by the room there is.
+// The form of the two sentences "what Boresight did" and "what to do", by the available room.
 enum class AlarmForm
 {
-    Lines,    // a line each
+    Lines,    // one line each
     Flowing,  // one paragraph
-    Remedy    // only what to do. The button More opens the whole text
+    Remedy    // only what to do; the button More opens the whole text
 };
 
 class AlarmCard : public QWidget
@@ -38,22 +38,22 @@ public:
 
     void showStatus(const StationStatus& status);
     void beat(SteadyTime now, bool flashing);
-    // In the place of a refusal, for some seconds.
+    // Shows a text for some seconds in the place of a refusal.
     void sayForAWhile(const QString& what, SteadyTime now);
     void acknowledge();  // F8
-    // For a low window: smaller letters for what happened, and less ground around the text. Nothing is left out.
+    // For a low window: smaller letters for what happened, and less space around the text. No text is left out.
     void setLow(bool low);
     void setForm(AlarmForm form);
     [[nodiscard]] int heightWith(AlarmForm form, int width) const;
 
-    // For refusals of controls that have no line of their own (STOP).
+    // For refusals of controls without their own notice line (STOP).
     [[nodiscard]] ValueLabel& notice() { return *m_notice; }
 
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 Q_SIGNALS:
-    void lineWanted(const boresight::Alarm& alarm);  // of the log
-    void listWanted();                               // of all alarms
+    void lineWanted(const boresight::Alarm& alarm);  // the line of this alarm in the log
+    void listWanted();                               // the list of all alarms
     void panelWanted(boresight::AlarmHelp help);
 
 protected:
@@ -82,13 +82,13 @@ private:
     ValueLabel* m_notice;
     ValueLabel* m_since;
     CommandButton* m_help;
-    CommandButton* m_holdAtEnd;  // the other choice beside Unwrap now
+    CommandButton* m_holdAtEnd;  // the other choice beside "Unwrap now"
     CommandButton* m_recover;
     CommandButton* m_acknowledge;
     QPushButton* m_count;
     QPushButton* m_more;
     std::optional<Alarm> m_shown;
-    QString m_cost;  // of the choices at the end of the cable
+    QString m_cost;  // cost of the choices at the end of the cable
     AlarmForm m_form = AlarmForm::Lines;
     AlarmHelp m_recovery = AlarmHelp::None;
     bool m_flashing = false;

@@ -56,7 +56,7 @@ void AntennaRow::showStatus(const StationStatus& status)
         setVisible(hasChoice());
     }
     m_inUse = QString::fromStdString(status.antenna);
-    if (!m_antennas->view()->isVisible()) {  // else it would go from below the finger
+    if (!m_antennas->view()->isVisible()) {  // otherwise the list would move away below the finger
         m_antennas->setCurrentIndex(static_cast<int>(m_names.indexOf(m_inUse)));
     }
     m_beam->setValue(tr("beam %1").arg(angleText(antennaOf(status).beamWidth)), Tone::Secondary);
@@ -65,7 +65,7 @@ void AntennaRow::showStatus(const StationStatus& status)
     m_antennas->setToolTip(why.isEmpty() ? m_help : why);
 }
 
-// Until the station has answered, the one that is in use stays shown.
+// Until the station has answered, the row keeps showing the antenna in use.
 void AntennaRow::choose(int index)
 {
     const QString name = m_names.value(index);

@@ -6,9 +6,9 @@
 
 #include <QWidget>
 
-// Which antenna is in use, to choose another one, and how wide its beam is. What the station refuses is told in the
-// notice line. A button leads to where the antennas are edited. Not there where the mount has one antenna only. Gui
-// thread.
+// Shows the antenna in use and its beam width, and lets the operator choose another. A refusal of the station is shown
+// in the notice line. A button opens the page where the antennas are edited. Hidden for a mount with one antenna only.
+// Gui thread.
 namespace boresight::ui {
 
 class TouchCombo;
@@ -25,7 +25,7 @@ public:
     [[nodiscard]] bool hasChoice() const { return m_names.size() > 1; }
 
 Q_SIGNALS:
-    void editWanted();  // of the antennas
+    void editWanted();  // opens the page of the antennas
 
 private:
     void choose(int index);

@@ -24,7 +24,7 @@ namespace boresight::ui {
 namespace {
 
 constexpr int kCardSides = 12;   // px
-constexpr int kNarrowSides = 4;  // px, where two cards stand beside each other
+constexpr int kNarrowSides = 4;  // px, when two cards are side by side
 constexpr int kCardEnds = 3;     // px
 constexpr double kTurn = 360.0;  // degrees
 
@@ -35,7 +35,7 @@ struct Worded
     Symbol symbol = Symbol::None;
 };
 
-// On an unknown turn the word says so, unless there is something worse, or the axis moves.
+// While the wrap is unknown the word says so, unless there is something worse, or the axis moves.
 Worded worded(const AxisStatus& axis, bool turnKnown)
 {
     const AxisState state = freshness(axis.age) == Freshness::NoData ? AxisState::NoData : axis.state;
@@ -54,7 +54,7 @@ Worded worded(const AxisStatus& axis, bool turnKnown)
     return state == AxisState::Limit ? Worded{word(state), Tone::Warning, Symbol::Warning} : Worded{word(state)};
 }
 
-// Late data names its age, whatever else there is to say.
+// Late data shows its age, whatever else there is to report.
 QString detailText(const AxisStatus& axis, bool turnKnown)
 {
     if (freshness(axis.age) != Freshness::Live && axis.age) {
@@ -69,7 +69,7 @@ QString line(const QString& what, const std::optional<double>& value, const char
     return value ? QLatin1Char('\n') + what + QString::asprintf(format, *value) : QString();
 }
 
-// What the drive says of itself: volts, degrees, amperes.
+// What the drive reports: voltage, temperature, current.
 QString driveHelp(const QString& axisName, const AxisStatus& axis, const QString& registers)
 {
     QString text =
@@ -97,7 +97,7 @@ QWidget* makeName(const QString& text, QWidget* parent)
     QFont bold = fonts::text();
     bold.setBold(true);
     label->setFont(bold);
-    label->setIndent(2);  // as its state below
+    label->setIndent(2);  // as the state below
     return label;
 }
 
@@ -111,7 +111,7 @@ QLayout* stacked(std::initializer_list<QWidget*> parts)
     return column;
 }
 
-// The last of them is that much wider than the others; 0: as wide as it needs.
+// The last part is wider by this stretch. 0: as wide as it needs.
 QLayout* inRow(std::initializer_list<QWidget*> parts, int stretchOfLast, int spacing)
 {
     auto* const row = new QHBoxLayout;
@@ -140,7 +140,7 @@ int pointsOf(Numerals numerals)
     return 60;
 }
 
-// Where the axis should be now. On the way to a fixed target, and while it waits, that is the set-point: the rest of
+// The expected angle of the axis. On the way to a fixed target, and while it waits, this is the set-point: the rest of
 // the way is planned.
 std::optional<Angle> expectedAngle(const StationStatus& status, const BeamAngles& beam)
 {
@@ -185,8 +185,8 @@ AxisCard::AxisCard(Axis axis, QWidget* parent)
     setNumerals(Numerals::Small);
 }
 
-// The name with the state below it, the numeral, and beside it a line for each further number. In the narrow cards the
-// lines of target and error are one, below the numeral.
+// The name with the state below it, the number, and beside it a line for each further value. In the narrow cards the
+// lines of target and error are one line, below the number.
 void AxisCard::build(Numerals numerals)
 {
     delete layout();
@@ -211,7 +211,7 @@ void AxisCard::build(Numerals numerals)
     grid->setColumnStretch(1, 1);
 }
 
-// The bare card has the age of late data in the place of the error.
+// The bare card shows the age of late data in the place of the error.
 void AxisCard::buildBeside(QGridLayout& grid, Numerals numerals)
 {
     const bool bare = numerals == Numerals::Bare;
@@ -271,7 +271,7 @@ void AxisCard::showStatus(const StationStatus& status)
     m_hasModel = termsOf(status) != pointing::PointingTerms{};
     const bool turnKnown = isTurnKnown(status, m_axis);
     showNumbers(turnKnown);
-    // On an unknown turn the drive counts from anywhere: there is nothing to compare.
+    // While the wrap is unknown the count of the drive has no meaning: there is nothing to compare.
     showError(status, freshness(m_shown.age) == Freshness::Live && turnKnown && m_shown.state != AxisState::Missing);
     const Worded state = worded(m_shown, turnKnown || isTurnAwaited(status, m_axis));
     m_state->setValue(state.word, state.tone, state.symbol);
@@ -287,7 +287,7 @@ void AxisCard::showNumbers(bool turnKnown)
     };
     const Freshness age = freshness(m_shown.age);
     const bool missing = m_shown.state == AxisState::Missing;
-    // On an unknown turn the drive counts from anywhere: no number at all.
+    // While the wrap is unknown the count of the drive has no meaning: no number is shown.
     const bool known = m_shown.actual && age != Freshness::NoData && turnKnown && !missing;
     const Tone tone = age == Freshness::Live ? Tone::Normal : Tone::Secondary;
     const auto show = [](ValueLabel& label, const QString& value, Tone of) {
@@ -312,7 +312,7 @@ void AxisCard::showError(const StationStatus& status, bool known)
         m_bar->setError(std::nullopt, false);
         return;
     }
-    // A degree of azimuth is less of the sky the higher the beam.
+    // The higher the beam, the smaller a degree of azimuth is on the sky.
     const double onSky = m_axis == Axis::Azimuth && status.actual ? std::cos(status.actual->elevation.radians()) : 1.0;
     const Angle width = antennaOf(status).beamWidth;
     const auto share = [&](Angle to) { return (to - *beam.actual) / width * onSky; };

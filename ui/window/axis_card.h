@@ -10,27 +10,27 @@
 
 class QGridLayout;
 
-// One axis: actual and target as true directions, error (target minus actual, along the way the axis really goes), rate
-// and a word. Below it the error as a bar, and what else there is to say: what is trimmed, what the axis shows where
-// that is not the truth, a detail. An old number is dimmed with its age, a very old one is not shown at all. On an
-// unknown turn there is no number. Gui thread.
+// One axis: actual and target as true directions, error (target minus actual, along the real way of the axis), rate and
+// a state word. Below it the error as a bar, and further values: the trim, the axis angle if it is not the true
+// direction, a detail. An old number is dimmed with its age, a very old one is not shown. While the wrap is unknown
+// there is no number. Gui thread.
 // More than 15 members: the widgets that it composes.
 namespace boresight::ui {
 
 class ErrorBar;
 class ValueLabel;
 
-// Of the numeral of the actual angle, by the room there is in the window.
+// The size of the number of the actual angle, by the available room in the window.
 enum class Numerals
 {
-    Bare,    // 20 pt, the word beside the name, and neither bar nor detail: a long alarm in a low window
-    Beside,  // 22 pt, and no line for the rate: both cards in one row, while an alarm needs room
-    Small,   // 28 pt, and no line for the rate: a window of 1024×700 has no room for more
+    Bare,    // 20 pt, the word beside the name, without bar and detail: a long alarm in a low window
+    Beside,  // 22 pt, without a line for the rate: both cards in one row, while an alarm needs room
+    Small,   // 28 pt, without a line for the rate: a window of 1024×700 has no room for more
     Usual,   // 44 pt
     Large    // 60 pt
 };
 
-// Both cards beside each other.
+// Whether both cards are side by side.
 [[nodiscard]] constexpr bool areBeside(Numerals numerals)
 {
     return numerals == Numerals::Bare || numerals == Numerals::Beside;
@@ -73,10 +73,10 @@ private:
     ValueLabel* m_detail;
     std::optional<Numerals> m_numerals;
     AxisStatus m_shown;
-    QString m_registers;  // what the drive says of itself
+    QString m_registers;  // the values reported by the drive
     std::optional<SkyPointing> m_trim;
-    bool m_hasModel = false;  // the axis does not show the truth
-    // What is measured trembles also while the axis stands.
+    bool m_hasModel = false;  // the axis angle is not the true direction
+    // A measured value varies a little even while the axis stands still.
     SteadyNumber m_steadyActual;
     SteadyNumber m_steadyAxis{2};
     SteadyNumber m_steadyError{2};

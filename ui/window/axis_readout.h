@@ -13,9 +13,9 @@ class QBoxLayout;
 // A card for each axis. Gui thread.
 namespace boresight::ui {
 
-// The largest that a window of this size has room for.
+// The largest numbers that fit into a window of this size.
 [[nodiscard]] Numerals numeralsFor(QSize window);
-// Lower or narrower than 1280×760: each line counts.
+// Lower or narrower than 1280×760, where each line counts.
 [[nodiscard]] bool isLow(QSize window);
 
 class AxisReadout : public QWidget
@@ -27,7 +27,7 @@ public:
 
     void showStatus(const StationStatus& status);
     void setNumerals(Numerals numerals);
-    [[nodiscard]] QSize sizeWith(Numerals numerals);  // px that it would need
+    [[nodiscard]] QSize sizeWith(Numerals numerals);  // px that this form needs
 
 private:
     QBoxLayout* m_cards;

@@ -17,7 +17,7 @@ constexpr int kParts = 4;
 constexpr int kFull = 3;
 constexpr int kCell = 8;  // px
 constexpr int kGap = 3;
-constexpr int kTrusted = 2;  // below, the compass is no evidence
+constexpr int kTrusted = 2;  // below this level the compass is no evidence
 
 QString partName(int part)
 {

@@ -8,8 +8,8 @@
 #include <array>
 #include <optional>
 
-// How sure the sensor is of itself: four bars of three, for its fusion, gyro, accelerometer and magnetometer. The
-// tooltip over each tells how to raise it. The words carry it too: nothing depends on colour.
+// The calibration levels of the sensor, 0 to 3: four bars for its fusion, gyro, accelerometer and magnetometer. The
+// tooltip over each says how to raise it. The levels are also in words, so nothing depends on colour.
 namespace boresight::ui {
 
 class CalibrationBars : public QWidget

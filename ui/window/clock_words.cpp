@@ -18,7 +18,7 @@ struct ClockWords
     Q_DECLARE_TR_FUNCTIONS(ClockWords)
 };
 
-// How fast what is tracked goes across the sky.
+// The speed of the tracked target across the sky.
 AngularRate skyRate(const StationStatus& status)
 {
     const Angle elevation = status.elevation.actual.value_or(Angle{});

@@ -5,12 +5,12 @@
 
 #include <QString>
 
-// The clock of the computer of the station, in words. Pure.
+// The clock of the station's computer, in words. Pure.
 namespace boresight::ui {
 
-// "17:06:19Z", with a question mark where no time source sets it.
+// "17:06:19Z", with a question mark if no time source sets the clock.
 [[nodiscard]] QString utcText(const StationStatus& status);
-// How far it is off, and how far the beam is off for that.
+// The error of the clock, and the error of the beam caused by it.
 [[nodiscard]] QString clockHelp(const StationStatus& status);
 
 }  // namespace boresight::ui

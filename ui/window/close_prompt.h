@@ -3,7 +3,7 @@
 
 #include "ui/kit/prompt_bar.h"
 
-// Asks whether to close the window while the mount moves, and then says that it is being done.
+// Asks whether to close the window while the mount moves, and then reports that the closing is in progress.
 namespace boresight::ui {
 
 class ClosePrompt : public PromptBar
@@ -14,8 +14,8 @@ public:
     explicit ClosePrompt(QWidget* parent);
 
     void ask();
-    void confirm();   // also without having asked
-    void withdraw();  // the mount stands: there is nothing to ask any more
+    void confirm();   // also without a question before
+    void withdraw();  // the mount stands still, so the question is not needed any more
 
 Q_SIGNALS:
     void confirmed();

@@ -15,7 +15,7 @@ namespace boresight::ui {
 
 namespace {
 
-// px of a low window. The last line of the log, which stands below the sky there, left 22 of them.
+// px in a low window. The last line of the log, which is below the sky there, left 22 of them.
 constexpr int kKeptForAlarms = 46;
 
 }  // namespace
@@ -58,7 +58,7 @@ int ColumnHead::heightOfAlarm(AlarmForm form) const
     return m_alarms.isHidden() ? 0 : m_alarms.heightWith(form, width()) + layout()->spacing();
 }
 
-// The fullest arrangement that the room without an alarm has place for.
+// The most complete arrangement that fits into the room without an alarm.
 void ColumnHead::arrange()
 {
     struct Arrangement

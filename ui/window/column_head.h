@@ -5,9 +5,9 @@
 
 #include <QWidget>
 
-// What stands above the tabs: the alarm card while there is one, the readouts of the axes, the antenna in use where
-// there are several, the readout of the sensor. Tabs and buttons stay where the operator's hand is: an alarm takes its
-// room from the readouts, which get smaller. The longest alarms leave out a sentence. Gui thread.
+// The part above the tabs: the alarm card while there is one, the readouts of the axes, the antenna in use if there are
+// several, and the readout of the sensor. Tabs and buttons do not move: an alarm takes its room from the readouts,
+// which get smaller. The longest alarms leave out a sentence. Gui thread.
 namespace boresight::ui {
 
 class AlarmCard;
@@ -28,7 +28,7 @@ public:
     void setRoom(QSize window);
 
 Q_SIGNALS:
-    void antennasWanted();  // where they are edited
+    void antennasWanted();  // opens the page where they are edited
 
 private:
     void arrange();

@@ -12,8 +12,8 @@
 
 class QWidget;
 
-// Saves the diagnostics of core/diagnostics with the last minutes of telemetry: asks where, gathers on the gui thread
-// only what is in its memory, and leaves the rest to a worker.
+// Saves the diagnostics of core/diagnostics with the last minutes of telemetry. It asks for the place, collects on the
+// gui thread only data in memory, and leaves the rest to a worker.
 namespace boresight::ui {
 
 class DiagnosticsSaver : public QObject
@@ -25,7 +25,7 @@ public:
 
     using QObject::QObject;
 
-    // `gather` is called once a place is chosen, for what is known then.
+    // `gather` is called once a place is chosen, for the data at that moment.
     using Gather = std::function<std::pair<diagnostics::Snapshot, TelemetryExcerpt>()>;
     void askWhere(QWidget& owner, UtcTime now, const Gather& gather);
 

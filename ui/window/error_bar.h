@@ -7,9 +7,8 @@
 
 #include <optional>
 
-// How far one axis is beside its target, in beam widths: the middle is the target, an end is a whole beam width. Beyond
-// it the mark stays at the end as an arrow. Drawn in the warning colour where nobody planned so large an error. Gui
-// thread.
+// The error of one axis in beam widths: the middle is the target, an end is a whole beam width. Beyond it the mark
+// stays at the end as an arrow. An unplanned large error has the warning colour. Gui thread.
 namespace boresight::ui {
 
 class ErrorBar : public QWidget
@@ -19,7 +18,8 @@ class ErrorBar : public QWidget
 public:
     explicit ErrorBar(const QString& accessibleName, QWidget* parent = nullptr);
 
-    // `share`: the way on the sky from the beam to the target, in beam widths; empty: there is nothing to compare.
+    // `share` is the angle on the sky from the beam to the target, in beam widths. Empty if there is nothing to
+    // compare.
     void setError(const std::optional<double>& share, bool unplanned);
 
     [[nodiscard]] const std::optional<double>& error() const { return m_share; }

@@ -40,7 +40,7 @@ int FlowRow::heightForWidth(int width) const
     return arrange(QRect(0, 0, width, 0), false);
 }
 
-// The widest alone; the height depends on the width.
+// The minimum width is that of the widest item. The height depends on the width.
 QSize FlowRow::minimumSize() const
 {
     QSize least;

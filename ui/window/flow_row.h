@@ -6,8 +6,8 @@
 #include <memory>
 #include <vector>
 
-// Widgets in a row, which continues below where they are wider than their room. What is hidden takes no place. From the
-// first that is aligned to the right on, they stand at the right end, where there is room.
+// Widgets in a row that continues in the next line when they need more width. A hidden widget takes no room. The first
+// right-aligned widget and all after it are at the right end, if there is room.
 namespace boresight::ui {
 
 class FlowRow : public QLayout

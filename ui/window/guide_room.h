@@ -6,7 +6,7 @@
 
 #include <QStackedWidget>
 
-// The panels, or the guide in their place. The guide is made when it is first opened. Gui thread.
+// Shows the panels, or the guide in their place. The guide is made when it is first opened. Gui thread.
 namespace boresight::ui {
 
 class GuidePage;
@@ -21,12 +21,12 @@ class GuideRoom : public QStackedWidget
     Q_OBJECT
 
 public:
-    // None of them is used while it is being destroyed.
+    // Uses none of the arguments while it is being destroyed.
     GuideRoom(PanelTabs& panels, const LastStatus& last, ProfileDraft& draft, RequestDesk& desk, HostDesk& host,
               GuideProgress progress, QWidget* parent = nullptr);
 
     void showStatus(const StationStatus& status);
-    // Where the program ended with the guide. Not before it is known which mount the guide is about.
+    // Shows the guide if the last run of the program ended in it. It waits until the mount of the guide is known.
     void resume();
     void showGuide();
     void showPanels();
@@ -45,7 +45,7 @@ private:
     ProfileDraft& m_draft;
     RequestDesk& m_desk;
     HostDesk& m_host;
-    GuideProgress m_progress;  // of the start
+    GuideProgress m_progress;  // as it was at the start
     GuidePage* m_guide = nullptr;
 };
 

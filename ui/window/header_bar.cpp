@@ -24,7 +24,7 @@ namespace {
 
 constexpr QSize kMenuSize{44, 44};
 constexpr long kLongestInMinutes = 6000;  // s
-constexpr int kControlMargin = 8;         // px, around who has the control
+constexpr int kControlMargin = 8;         // px, around the name of the client in control
 
 struct Shown
 {
@@ -88,7 +88,7 @@ Shown sensorShown(const SensorStatus& sensor)
     if (sensor.presence == orientation::Presence::Late) {
         return {HeaderBar::tr("Sensor late"), Tone::Warning, Symbol::Warning};
     }
-    // The broker or the port does not answer: the readout, where there is room for it, and the alarm say why.
+    // The broker or the port does not answer. The readout, if there is room for it, and the alarm give the reason.
     if (sensor.presence == orientation::Presence::Awaited && !sensor.problem.isEmpty()) {
         return {HeaderBar::tr("Sensor silent"), Tone::Warning, Symbol::Warning};
     }
@@ -187,7 +187,7 @@ QString trackingText(const TrackedTarget& tracked, UtcTime now)
                         : HeaderBar::tr("Waiting for %1, rises in %2").arg(tracked.name, time);
 }
 
-// The mount's doing in one sentence: what, how long still, by whom. What matters least stands last.
+// What the mount does in one sentence: the action, the remaining time, the source. The least important part is last.
 QStringList doing(const StationStatus& status)
 {
     if (status.tracked) {
@@ -226,8 +226,8 @@ QString whoControls(const StationStatus& status)
     return leader->program.isEmpty() ? leader->address : leader->program;
 }
 
-// Who has the control, and how many wait for it. Where there is little room, without the words around it:
-// the whole is in the tooltip.
+// Who has control, and how many clients wait for it. If there is little room, without the words around it: the complete
+// text is in the tooltip.
 QString controlText(const StationStatus& status, int room)
 {
     const QString who = whoControls(status);
@@ -249,7 +249,7 @@ QString notListening(int room)
                                                                                       : HeaderBar::tr("no clients");
 }
 
-// Where there is little room; a longer name of a program is cut.
+// For little room. A longer name of a program is cut.
 int widestControl()
 {
     const QFontMetrics metrics(fonts::label());
@@ -262,7 +262,7 @@ Tone stateTone(const StationStatus& status)
 {
     switch (status.state) {
         case StationState::Disconnected:
-            return drivesOf(status).released ? Tone::Warning : Tone::Alarm;  // released is what the operator wanted
+            return drivesOf(status).released ? Tone::Warning : Tone::Alarm;  // the operator wanted the release
         case StationState::Fault:
             return Tone::Alarm;
         case StationState::Stopped:
@@ -344,7 +344,7 @@ void HeaderBar::build(AuthorityButton& authority)
     targetRow->addWidget(m_limited);
     targetRow->addWidget(m_target, 1);
     targetRow->addWidget(m_transmit);
-    targetRow->addWidget(m_sensor);  // in the row below there is no room for it at 1024 px
+    targetRow->addWidget(m_sensor);  // the row below has no room for it at 1024 px
     auto* const linkRow = new QHBoxLayout;
     grid->addLayout(linkRow, 1, 1);
     linkRow->setSpacing(1);
@@ -396,7 +396,7 @@ void HeaderBar::showState(const StationStatus& status)
 {
     const Tone tone = stateTone(status);
     m_state->setValue(word(status.state), tone, stateSymbol(tone));
-    // What the mount does stands beside it, once.
+    // The action of the mount is shown beside it, once.
     m_reason->setValue(status.stateReason == status.targetText ? QString() : status.stateReason, Tone::Secondary);
     const bool latched = status.stopLatched;
     m_stopRequested = m_stopRequested && !latched;
@@ -424,7 +424,7 @@ void HeaderBar::showTarget(const StationStatus& status)
     m_target->setValue(withRange(inTwoLines(doing(status)), trackedRangeText(status)));
 }
 
-// As many of the parts as two lines have room for. Who has control stands beside it.
+// As many parts as fit into two lines. The client in control is shown beside them.
 QString HeaderBar::inTwoLines(QStringList parts) const
 {
     const QString comma = QStringLiteral(", ");
@@ -440,7 +440,7 @@ bool HeaderBar::isWhole(const QString& text) const
            m_target->heightWith(QStringLiteral("1\n2"), m_target->width());
 }
 
-// The second line, where both lines are whole.
+// The second line, if both lines fit completely.
 QString HeaderBar::withRange(const QString& doing, const QString& range) const
 {
     const QString both = doing + QLatin1Char('\n') + range;

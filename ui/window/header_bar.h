@@ -7,8 +7,8 @@
 
 class QToolButton;
 
-// The top row, visible in every panel: the state in a word with its reason, the target and who gave it, the links,
-// UTC, the SIMULATED tag, STOP. Shows what the status says and decides nothing.
+// The top row, visible with every panel: the state in a word with its reason, the target and its source, the links,
+// UTC, the SIMULATED tag, STOP. Shows the status and decides nothing.
 namespace boresight::ui {
 
 class StopButton;
@@ -20,11 +20,11 @@ class HeaderBar : public QWidget
     Q_OBJECT
 
 public:
-    // `authority` stands below who has the control.
+    // `authority` is the button below the name of the client in control.
     explicit HeaderBar(AuthorityButton& authority, QWidget* parent = nullptr);
 
     void showStatus(const StationStatus& status);
-    void setOnlySimulated();  // says so by the word SIMULATED
+    void setOnlySimulated();  // shows the word SIMULATED
     void setStopRequested();  // until the status says STOPPED
     void setStopRefused();
 

@@ -18,7 +18,7 @@ struct Line
     const char* does;
 };
 
-// The keys of the window; MainWindow and JogPad act on them.
+// The keys of the window. MainWindow and JogPad handle them.
 constexpr Line kLines[] = {
     {nullptr, QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "Stop")},
     {QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "Pause, F12"),

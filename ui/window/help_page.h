@@ -3,7 +3,7 @@
 
 #include <QDialog>
 
-// One page with every key of the window. Not modal: STOP stays in reach.
+// One page with every key of the window. Not modal, so that STOP stays in reach.
 namespace boresight::ui {
 
 class HelpPage : public QDialog

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::chrono::seconds kStopUnanswered{1};
 
-// What would be done with the place that the station has reported last.
+// Refuses the actions that would use the last reported position.
 void refuseOldPlaces(Permissions& may)
 {
     const QString why = Text::tr("no fresh position from the %1");
@@ -24,7 +24,7 @@ void refuseOldPlaces(Permissions& may)
     may.refuse(Action::TakeKnownPoint, why.arg(Text::of("azimuth drive")));
 }
 
-// It goes by itself. There is nothing to acknowledge at the station.
+// This alarm ends by itself. The station has nothing to acknowledge.
 void complain(StationStatus& status, const AlarmEntry& entry, const QStringList& arguments = {})
 {
     const AlarmText text = textOf(entry, arguments);
@@ -38,7 +38,7 @@ void complain(StationStatus& status, const AlarmEntry& entry, const QStringList&
     status.alarms.insert(status.alarms.begin(), alarm);
 }
 
-// Nobody knows whether it is still being done.
+// It is unknown whether this work still goes on.
 void hideWork(StationStatus& status)
 {
     status.power.total.reset();
@@ -58,7 +58,7 @@ void hideWork(StationStatus& status)
 
 LastStatus::LastStatus(const Clock& clock) : m_clock(clock), m_taken(clock.now())
 {
-    m_received.drives.emplace();  // their page is there until the station reports a mount without drives of that kind
+    m_received.drives.emplace();  // their page is shown until the station reports a mount without drives of that kind
 }
 
 void LastStatus::take(const StationStatus& status)

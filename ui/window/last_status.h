@@ -6,8 +6,9 @@
 
 #include <optional>
 
-// The last status that the station has sent, and how it looks now: its ages grow while the station is silent, what
-// would use an old position is refused, and two alarms report the silence and a STOP without an answer. Gui thread.
+// The last status that the station has sent, adjusted to the present time: its ages grow while the station is silent,
+// actions that would use an old position are refused, and two alarms report the silence and a STOP without an answer.
+// Gui thread.
 namespace boresight::ui {
 
 class LastStatus
@@ -19,11 +20,11 @@ public:
     void take(const StationStatus& status);
     [[nodiscard]] const StationStatus& received() const { return m_received; }
 
-    // Until a status shows it, or it is refused.
+    // Lasts until a status shows the STOP, or it is refused.
     void stopAsked();
     void stopRefused() { m_stopSince.reset(); }
 
-    // It may look otherwise than when it was received.
+    // Whether the status looks different from when it was received.
     [[nodiscard]] bool ages() const;
     [[nodiscard]] StationStatus now() const;
 
@@ -31,7 +32,7 @@ private:
     const Clock& m_clock;
     StationStatus m_received;
     SteadyTime m_taken;
-    std::optional<SteadyTime> m_stopSince;  // a STOP the status does not show yet
+    std::optional<SteadyTime> m_stopSince;  // a STOP that the status does not show yet
 };
 
 }  // namespace boresight::ui

@@ -14,7 +14,7 @@ namespace boresight::ui {
 
 namespace {
 
-// The window's own shortcuts act on the keys: the menu only shows them.
+// The shortcuts of the window handle the keys. The menu only shows them.
 QString withKey(const QString& text, const QString& key)
 {
     return key.isEmpty() ? text : text + QLatin1Char('\t') + key;
@@ -108,7 +108,7 @@ void MainMenu::showChoice()
     m_brightness->setEnabled(now != ThemeKind::Day);
 }
 
-// Its right edge is that of the button, so that it never covers STOP, which is farther right.
+// Its right edge is at that of the button, so it never covers STOP, which is farther right.
 void MainMenu::openBelow(const QWidget& button)
 {
     const QPoint corner = button.mapToGlobal(QPoint(button.width() - sizeHint().width(), button.height() + 2));
@@ -116,7 +116,7 @@ void MainMenu::openBelow(const QWidget& button)
     setActiveAction(actions().front());
 }
 
-// Alt is pressed and released with nothing between: Alt+Left and the like are other keys.
+// Alt is pressed and released without another key in between. Alt+Left and similar are other keys.
 bool MainMenu::eventFilter(QObject* watched, QEvent* event)
 {
     const bool isRelease = event->type() == QEvent::KeyRelease;

@@ -9,8 +9,8 @@
 
 class QActionGroup;
 
-// The menu behind the button in the header: what belongs to the window and to no panel. Each line shows its key. Alt
-// alone opens it, as F10 does. It decides nothing: each line is a signal.
+// The menu behind the button in the header, for what belongs to the window and to no panel. Each line shows its key.
+// Alt alone opens it, and so does F10. It decides nothing: each line is a signal.
 namespace boresight::ui {
 
 enum class Glyph;
@@ -20,7 +20,7 @@ class MainMenu : public QMenu
     Q_OBJECT
 
 public:
-    // `language` is the one chosen now (ui/kit/language.h). `window` opens the menu by Alt.
+    // `language` is the chosen one (ui/kit/language.h). Alt in `window` opens the menu.
     MainMenu(const QString& language, QWidget& window);
 
     void openBelow(const QWidget& button);

@@ -57,10 +57,10 @@ namespace {
 constexpr std::chrono::milliseconds kBeat{100};
 constexpr int kBeatsPerSecond = 10;
 constexpr int kWidthWithCharts = 1600;
-constexpr int kColumnOfLowWindow = 520;  // px: the sky's disc has 440 px beside it in a window of 1024x700
-constexpr int kColumn = 576;             // px: 590 px and more in one of 1280x800, where the numerals are larger
+constexpr int kColumnOfLowWindow = 520;  // px: in a window of 1024x700 the disc of the sky beside it has 440 px
+constexpr int kColumn = 576;             // px: at least 590 px in a window of 1280x800, where the numbers are larger
 
-// Before the first widget is made: its size depends on the style, and what a screen reader is told of it is settled
+// Must come before the first widget: its size depends on the style, and its description for screen readers is created
 // with it.
 void prepare(const WindowSettings& settings)
 {
@@ -149,7 +149,7 @@ MainWindow::MainWindow(const Clock& clock, const WindowSettings& settings, QWidg
 
 MainWindow::~MainWindow()
 {
-    // The panels end what is still held with a last request, and that needs the desk: they go first.
+    // The panels end what is still pressed with a last request, and this needs the desk. So they are deleted first.
     const std::unique_ptr<QWidget> panels(takeCentralWidget());
 }
 
@@ -163,7 +163,7 @@ void MainWindow::build()
 {
     auto* const ground = new QWidget(this);
     auto* const grid = new QGridLayout(ground);
-    grid->setContentsMargins(0, 4, 4, 4);  // the square of the sky has free corners: beside it none is lost
+    grid->setContentsMargins(0, 4, 4, 4);  // the square of the sky has free corners, so beside it no margin is lost
     grid->setHorizontalSpacing(4);
     grid->setVerticalSpacing(4);
     grid->addWidget(m_header, 0, 0, 1, 3);
@@ -181,8 +181,8 @@ void MainWindow::build()
     setCentralWidget(ground);
 }
 
-// As wide in every language, with every panel and alarm: the sky keeps its size. Wider only where large letters need
-// it.
+// The same width in every language, with every panel and alarm, so that the sky keeps its size. Wider only if large
+// letters need it.
 QWidget* MainWindow::makeSide(QWidget& ground)
 {
     auto* const side = new QWidget(&ground);
@@ -199,8 +199,8 @@ QWidget* MainWindow::makeSide(QWidget& ground)
     scroll->setFocusPolicy(Qt::NoFocus);
     scroll->setWidget(m_side);
     scroll->setMinimumWidth(m_side->minimumSizeHint().width() + scroll->verticalScrollBar()->sizeHint().width());
-    // A control that gets the focus from another one comes into sight. Nothing moves under a pressed button of the
-    // mouse, when the window is used again, or when a blocked button gives its focus to its page.
+    // A control that receives the focus from another control is scrolled into view. Nothing moves under a pressed mouse
+    // button, when the window is activated again, or when a blocked button gives its focus to its page.
     connect(qApp, &QApplication::focusChanged, scroll, [scroll](const QWidget* before, QWidget* now) {
         const bool isControl = before != nullptr && now != nullptr && now->focusPolicy() != Qt::NoFocus;
         if (isControl && scroll->widget()->isAncestorOf(now) && QGuiApplication::mouseButtons() == Qt::NoButton) {
@@ -305,7 +305,7 @@ void MainWindow::showStatus(const StationStatus& status)
     m_pickBar->showStatus(status);
 }
 
-// Ten times a second, whether the station speaks or not: old numbers age, alarms flash, the pad disarms.
+// Ten times a second, also without a status from the station: old numbers age, alarms flash, the pad disarms.
 void MainWindow::beat()
 {
     ++m_beats;
@@ -338,7 +338,7 @@ void MainWindow::warn(const QString& what)
     m_alarms->notice().setValue(what, Tone::Warning, what.isEmpty() ? Symbol::None : Symbol::Warning);
 }
 
-// A wide window has room for all at once: sky, panels, and the charts beside them.
+// A wide window has room for everything: sky, panels, and the charts beside them.
 void MainWindow::resizeEvent(QResizeEvent* event)
 {
     QMainWindow::resizeEvent(event);
@@ -360,7 +360,8 @@ void MainWindow::resizeEvent(QResizeEvent* event)
     m_panels->offerCharts(!beside);
 }
 
-// At the end of the column. In a low window there is room below the sky, whose disc is as large as the cell is wide.
+// At the end of the column. In a low window below the sky, because its disc is as large as the cell is wide and leaves
+// room there.
 void MainWindow::placeLastCommand()
 {
     QLayout* const column = m_head->parentWidget()->layout();
@@ -508,7 +509,7 @@ void MainWindow::hold()
 
 void MainWindow::park()
 {
-    m_side->showPanels();  // a refusal stands below the panels
+    m_side->showPanels();  // a refusal is shown below the panels
     m_places->park();
 }
 

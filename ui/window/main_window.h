@@ -15,8 +15,8 @@
 
 class QGridLayout;
 
-// The desktop window: it composes the panels and connects their signals, nothing else. It knows the station by two
-// values only: StationUpdate comes in, NumberedRequest goes out. Gui thread.
+// The desktop window. It composes the panels and connects their signals, nothing else. It exchanges only two values
+// with the station: StationUpdate comes in, NumberedRequest goes out. Gui thread.
 // More than 15 members and 600 lines: the widgets that it composes, and its keys.
 namespace boresight::ui {
 
@@ -53,29 +53,30 @@ public:
 
     void useGamepad(Gamepad& gamepad);
 
-    // What the owner calls when the station has ended: closes without a question.
+    // The owner calls this when the station has ended. It closes without a question.
     void closeNow();
 
     [[nodiscard]] WindowLayout arrangement() const;
 
-    // What its pages ask of this computer.
+    // What its pages need from this computer.
     [[nodiscard]] HostDesk& host() { return m_host; }
 
 public Q_SLOTS:
     void showUpdate(const boresight::StationUpdate& update);
-    // What went wrong outside of the station, beside the alarm line; empty clears it.
+    // A problem outside the station, shown beside the alarm line. An empty text clears it.
     void warn(const QString& what);
 
 Q_SIGNALS:
     void requested(const boresight::NumberedRequest& request);
     void updateShown();  // the station may send the next update
-    // The operator closes the window (and, asked because the mount was moving, said yes): stop, then closeNow().
+    // The operator closes the window, and has confirmed it if the mount was moving. The owner must stop the mount, then
+    // call closeNow().
     void closeRequested();
     void themeChanged(boresight::ui::ThemeKind theme, boresight::ui::Brightness brightness);
     void alarmSoundChanged(bool on);
     void languageChanged(const QString& language);  // for the next start
     void recentGoTosChanged(const QStringList& recent);
-    void guideProgressed(const boresight::ui::GuideProgress& progress);  // to be kept for the next start
+    void guideProgressed(const boresight::ui::GuideProgress& progress);  // to be stored for the next start
 
 protected:
     void closeEvent(QCloseEvent* event) override;

@@ -32,7 +32,7 @@
 namespace boresight::ui {
 
 namespace {
-constexpr int kLeastTabSpace = 4;  // px beside the words of a tab, both sides together
+constexpr int kLeastTabSpace = 4;  // px beside the words of a tab, on both sides together
 }  // namespace
 
 PanelTabs::PanelTabs(const Clock& clock, RequestDesk& desk, ProfileDraft& draft, const WindowSettings& settings,
@@ -96,10 +96,10 @@ void PanelTabs::spaceTabs(int space)
 {
     setTabSpace(*tabBar(), space);
     const int size = style()->pixelMetric(QStyle::PM_TabBarIconSize, nullptr, this);
-    setIconSize({size, size});  // lays the tabs out
+    setIconSize({size, size});  // this lays the tabs out
 }
 
-// In a narrow window the words alone, and where they are long closer to each other: all tabs stay in sight.
+// In a narrow window only words without symbols, and long words closer to each other, so that all tabs stay visible.
 void PanelTabs::fitTabs()
 {
     const auto fit = [this] { return tabBar()->sizeHint().width() <= width(); };
@@ -165,7 +165,7 @@ void PanelTabs::addPanel(QTabWidget& tabs, QWidget& panel, const QString& text, 
 {
     tabs.setTabToolTip(tabs.addTab(&panel, text), help);
     m_keys[key - Qt::Key_0] = &panel;
-    auto* const shortcut = new QShortcut(Qt::CTRL | key, window());  // also while the guide stands in our place
+    auto* const shortcut = new QShortcut(Qt::CTRL | key, window());  // also while the guide is shown in our place
     shortcut->setContext(Qt::WindowShortcut);
     shortcut->setAutoRepeat(false);
     connect(shortcut, &QShortcut::activated, this, [this, &panel] { bringUpByKey(panel); });
@@ -220,7 +220,7 @@ void PanelTabs::open(AlarmHelp help)
             break;
         case AlarmHelp::OpenNorth:
         case AlarmHelp::ConfirmWrap:
-            bringUpByKey(*m_north);  // or the question, which stands in its place
+            bringUpByKey(*m_north);  // or the question, which is shown in its place
             break;
         case AlarmHelp::OpenProfile:
             bringUp(*m_profile);
@@ -296,13 +296,13 @@ void PanelTabs::showStatus(const StationStatus& status)
     showQuestion(status);
 }
 
-// A mount without such drives has nothing to be shown there.
+// For a mount without such drives there is nothing to show.
 void PanelTabs::showMountTabs(const StationStatus& status)
 {
     for (QWidget* const panel : std::initializer_list<QWidget*>{m_drives, m_readings, m_protection, m_tuning}) {
         const int tab = m_mountTabs->indexOf(panel);
         if (m_mountTabs->isTabVisible(tab) != status.drives.has_value()) {
-            m_mountTabs->setTabVisible(tab, status.drives.has_value());  // lays the tabs out, each time
+            m_mountTabs->setTabVisible(tab, status.drives.has_value());  // this lays the tabs out each time
         }
     }
 }

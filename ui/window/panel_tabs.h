@@ -10,10 +10,10 @@
 #include <map>
 #include <optional>
 
-// The panels, one at a time: those for the night's work side by side, those about the mount itself behind one tab of
-// their own; each has its key. The question about a turn is one of them, there only while it is open, in the place and
-// with the key of the North panel, which needs the answer: it comes to the front by itself once, covers nothing but the
-// other panels, and waits behind its tab when the operator leaves it.
+// The panels, one at a time. Those for daily operation are side by side, and those about the mount itself are behind
+// one tab. Each has its key. The question about a wrap is one of them and is shown only while it is open. It has the
+// place and the key of the North panel, which needs the answer. It comes to the front once by itself, covers nothing
+// but the other panels, and waits behind its tab when the operator leaves it.
 // More than 15 members: the panels that it composes.
 namespace boresight::ui {
 
@@ -46,8 +46,8 @@ public:
     void showStatus(const StationStatus& status);
     [[nodiscard]] WindowLayout arrangement() const;
     void arrange(const WindowLayout& layout);
-    void offerCharts(bool on);     // off while they stand beside the panels
-    void bringUp(QWidget& panel);  // to the front, also from behind "Mount"
+    void offerCharts(bool on);     // off while they are shown beside the panels
+    void bringUp(QWidget& panel);  // to the front, also from behind the tab "Mount"
     void open(AlarmHelp help);     // the panel that helps against an alarm
 
     [[nodiscard]] JogPanel& jog() { return *m_jog; }
@@ -59,7 +59,7 @@ public:
     [[nodiscard]] ProfilePage& profile() { return *m_profile; }
 
 Q_SIGNALS:
-    void broughtUp();  // a panel is to be shown, in the place of whatever covers the panels
+    void broughtUp();  // a panel must be shown in place of whatever covers the panels
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -98,7 +98,7 @@ private:
     TurnPage* m_turn;
     QTabWidget* m_passesTabs;
     QTabWidget* m_mountTabs;
-    std::optional<Axis> m_asking;  // the question that was brought to the front
+    std::optional<Axis> m_asking;  // the axis of the question that was brought to the front
 };
 
 }  // namespace boresight::ui

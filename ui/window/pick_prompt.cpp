@@ -26,7 +26,7 @@ void PickPrompt::pick(const SkyPointing& direction)
     m_forbidden.clear();
     notice().setValue({});
     setText(directionText(direction));
-    showVerdict();  // of the same direction it is known already
+    showVerdict();  // for the same direction the verdict is already known
     show();
     Q_EMIT picked(direction);
 }
@@ -59,7 +59,7 @@ void PickPrompt::showStatus(const StationStatus& status)
     block();
 }
 
-// A refusal of Go here stays where it is while the station says nothing else about the direction.
+// A refusal of Go here stays as long as the station's verdict about the direction does not change.
 void PickPrompt::showVerdict()
 {
     const QString forbidden = m_whyNoMotion.isEmpty() ? m_question.whyNot() : QString();

@@ -7,8 +7,8 @@
 
 #include <optional>
 
-// The direction that was picked on the sky, with Go here: the second act, which moves the mount. Says why the mount may
-// not go there.
+// The direction that was picked on the sky, with the button Go here, the second step, which moves the mount. If the
+// mount may not go there it gives the reason.
 namespace boresight::ui {
 
 class CommandButton;
@@ -22,11 +22,11 @@ public:
 
     void pick(const SkyPointing& direction);
     void withdraw();
-    void goTo(const SkyPointing& direction);  // picked and asked for at once
+    void goTo(const SkyPointing& direction);  // picks the direction and requests the motion at once
     void showStatus(const StationStatus& status);
 
 Q_SIGNALS:
-    void picked(const std::optional<boresight::SkyPointing>& direction);  // empty: nothing is
+    void picked(const std::optional<boresight::SkyPointing>& direction);  // empty: no direction is picked
 
 private:
     void go();

@@ -5,7 +5,7 @@
 
 #include <optional>
 
-// A thin line below the header: how much of the slew is done. Without a slew it is a hairline.
+// A thin line below the header that shows how much of the slew is done. Without a slew it is a hairline.
 namespace boresight::ui {
 
 class ProgressLine : public QWidget

@@ -11,7 +11,7 @@ namespace boresight::ui {
 
 namespace {
 
-// Tenths: more is not in a compass.
+// In tenths of a degree: a compass is not more accurate.
 QString directionText(const SensorStatus& sensor)
 {
     return sensor.direction
@@ -25,7 +25,7 @@ QString difference(const QString& name, const std::optional<Angle>& angle)
     return angle ? name + QLatin1Char(' ') + signedAngleText(*angle) : QString();
 }
 
-// The worst first; all well: how far it is from the axes.
+// The worst trouble first. If all is well: the difference from the axes.
 QString detailText(const SensorStatus& sensor)
 {
     for (const QString& trouble : {sensor.problem, sensor.doubt}) {

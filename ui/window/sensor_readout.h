@@ -5,8 +5,8 @@
 
 #include <QWidget>
 
-// What the orientation sensor says, below the axes: its true direction, how old that is, how far it is from the axes,
-// and how well it is calibrated. Not there without a sensor, and where an alarm needs its room. Gui thread.
+// The report of the orientation sensor, below the axes: its true direction, its age, the difference from the axes, and
+// its calibration. Hidden without a sensor, and while an alarm needs its room. Gui thread.
 namespace boresight::ui {
 
 class CalibrationBars;
@@ -20,7 +20,7 @@ public:
     explicit SensorReadout(QWidget* parent = nullptr);
 
     void showStatus(const SensorStatus& sensor);
-    void setRoom(bool has);  // for it
+    void setRoom(bool has);  // whether there is room for it
     [[nodiscard]] bool isConfigured() const { return m_isConfigured; }
 
 private:

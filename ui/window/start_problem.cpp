@@ -44,7 +44,7 @@ void StartProblem::build(const QString& reason)
         auto* const label = new QLabel(text, this);
         label->setObjectName(name);
         label->setFont(font);
-        label->setTextFormat(Qt::PlainText);  // a file's own words are in it
+        label->setTextFormat(Qt::PlainText);  // it contains text from a file
         label->setWordWrap(true);
         label->setMinimumWidth(kTextWidth);
         label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);

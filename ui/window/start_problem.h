@@ -3,7 +3,7 @@
 
 #include <QDialog>
 
-// What a program shows that cannot start, when there is no terminal to print it to: the reason whole, to be selected
+// Shown when a program cannot start and there is no terminal to print to: the complete reason, which can be selected
 // and copied, what Boresight did, what to do, and a button that helps. Gui thread.
 namespace boresight::ui {
 
@@ -14,7 +14,7 @@ class StartProblem : public QDialog
 public:
     explicit StartProblem(const QString& reason, QWidget* parent = nullptr);
 
-    // The profile to start with instead; empty: the operator quits.
+    // The profile to start with instead. Empty: the operator quits.
     [[nodiscard]] const QString& chosenProfile() const { return m_chosen; }
 
 protected:

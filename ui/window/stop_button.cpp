@@ -31,7 +31,7 @@ StopButton::StopButton(QWidget* parent) : QAbstractButton(parent)
     QFont bold = fonts::state();
     bold.setBold(true);
     setFont(bold);
-    setFocusPolicy(Qt::TabFocus);  // a press does not take the focus away from a field being typed in
+    setFocusPolicy(Qt::TabFocus);  // a press does not take the focus from an input field
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
 }
 

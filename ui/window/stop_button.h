@@ -3,8 +3,8 @@
 
 #include <QAbstractButton>
 
-// STOP: an octagon of 150 by 64 pixels or more. It acts on press, not on release, in every state, and never asks. It
-// is a function of the program; the hard-wired emergency stop is another device, and the tooltip says so.
+// STOP: an octagon of at least 150 by 64 pixels. It acts on press, not on release, in every state, and never asks. It
+// is a function of the program. The hard-wired emergency stop is another device, and the tooltip says so.
 namespace boresight::ui {
 
 class StopButton : public QAbstractButton
@@ -15,7 +15,7 @@ public:
     enum class Phase
     {
         Ready,
-        Requested,  // pressed, the status does not show it yet
+        Requested,  // pressed, and the status does not show it yet
         Latched
     };
 

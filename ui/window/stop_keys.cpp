@@ -19,7 +19,7 @@ namespace boresight::ui {
 
 namespace {
 
-// The widget itself, or one that it is in.
+// The widget itself, or its nearest ancestor of this type.
 template <class T>
 T* around(QWidget* widget)
 {
@@ -36,7 +36,7 @@ bool isCellEditor(QWidget* widget)
            around<QAbstractItemView>(widget) != nullptr;
 }
 
-// Where a person types or chooses.
+// A widget for typing or choosing.
 bool isField(QWidget* widget)
 {
     return qobject_cast<QLineEdit*>(widget) != nullptr || qobject_cast<QAbstractSpinBox*>(widget) != nullptr ||
@@ -61,7 +61,7 @@ bool StopKeys::eventFilter(QObject* watched, QEvent* event)
         return false;
     }
     if (press->key() == Qt::Key_Escape && isCellEditor(QApplication::focusWidget())) {
-        return false;  // its table takes the typed text back
+        return false;  // its table reverts the typed text
     }
     if (press->isAutoRepeat()) {
         return true;
@@ -69,7 +69,7 @@ bool StopKeys::eventFilter(QObject* watched, QEvent* event)
     if (press->key() != Qt::Key_Escape || !leave()) {
         Q_EMIT stopPressed();
     }
-    return true;  // seen first by the native window, so no control below it gets the key
+    return true;  // the native window sees it first, so no control receives the key
 }
 
 // True if there was something to leave.

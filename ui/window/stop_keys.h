@@ -7,10 +7,10 @@
 
 class QWidget;
 
-// The keys that stop the mount. Pause and F12 stop from anywhere in the program, a modal dialog or an open menu
-// included, which a QShortcut would not reach. Esc first leaves what has the keyboard: a field, a list or a table loses
-// the focus, a question or a prompt closes, a drag of the mouse ends. With nothing to leave it stops. Auto-repeat is
-// ignored. Gui thread.
+// The keys that stop the mount. Pause and F12 stop from anywhere in the program, also in a modal dialog or an open
+// menu, which a QShortcut would not reach. Esc first leaves the part that has the keyboard: a field, a list or a table
+// loses the focus, a question or a prompt closes, a drag of the mouse ends. If there is nothing to leave Esc stops the
+// mount. Auto-repeat is ignored. Gui thread.
 namespace boresight::ui {
 
 class StopKeys : public QObject
@@ -20,7 +20,7 @@ class StopKeys : public QObject
 public:
     explicit StopKeys(QWidget& window);
 
-    // What Esc does before it stops, for instance cancel a drag; it tells whether there was something to do.
+    // What Esc does before it stops, for example cancel a drag. It returns whether there was something to do.
     void setFirstUse(const std::function<bool()>& firstUse) { m_firstUse = firstUse; }
 
     bool eventFilter(QObject* watched, QEvent* event) override;

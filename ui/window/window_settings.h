@@ -13,20 +13,20 @@
 
 #include <vector>
 
-// How the window looks, kept from one run to the next; its size and place are kept besides.
+// The arrangement of the window, kept for the next run. Its size and place are stored separately.
 namespace boresight::ui {
 
 struct WindowLayout
 {
-    int panel = 1;       // in front, by the digit of its key
-    int mountPanel = 6;  // the same within Mount
+    int panel = 1;       // the front panel, by the digit of its key
+    int mountPanel = 6;  // the same behind the tab Mount
     ChartChoice charts;
     PassesLayout passes;
 };
 
 }  // namespace boresight::ui
 
-// What the window is told once, by value, when it is built. Everything that can change while the program runs comes
+// The values that the window receives once, when it is built. Everything that can change while the program runs comes
 // with the status.
 namespace boresight::ui {
 
@@ -34,15 +34,16 @@ struct WindowSettings
 {
     ThemeKind theme = ThemeKind::Day;
     Brightness brightness = Brightness::High;
-    QString language;  // what was chosen (ui/language.h); the texts have it already
+    QString language;  // the chosen language (ui/language.h); the texts are already in it
     GuideProgress guide;
-    bool alarmSound = true;   // at a new alarm, once; silence is the operator's choice
+    bool alarmSound = true;   // at a new alarm, once; the operator can switch it off
     QStringList recentGoTos;  // of an earlier start, the newest first: "113.50 10.00"
     WindowLayout layout;
-    QString stateDir;                    // with logs and memory, for the diagnostics
-    QString configDir;                   // with the profiles of the mounts; empty: none are kept
+    QString stateDir;                    // with logs and journal, for the diagnostics
+    QString configDir;                   // with the profiles of the mounts; empty: no profiles are stored
     std::vector<RotatorOffer> rotators;  // that the guide offers
-    bool onlySimulated = false;          // the command line says so: every mount is, whatever bus its profile names
+    // set by the command line: every mount is simulated, whatever bus its profile names
+    bool onlySimulated = false;
 };
 
 }  // namespace boresight::ui

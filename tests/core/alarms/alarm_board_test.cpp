@@ -38,7 +38,7 @@ protected:
     AlarmBoard board{log, clock};
 };
 
-// A cable pulled and plugged in again within a second: bus, drives, sensor.
+// A cable is unplugged and plugged in again within a second: alarms for bus, drives and sensor.
 TEST_F(AlarmBoardTest, ManyAlarmsAtOnceAllHaveTheirLines)
 {
     const AlarmEntry& entry = alarmEntry("axis.stalled");
@@ -66,7 +66,7 @@ TEST_F(AlarmBoardTest, ALineDoesNotNameItsSourceTwice)
 
 TEST_F(AlarmBoardTest, WhatWasToldIsAlsoToldToBeOver)
 {
-    for (int i = 0; i < 100; ++i) {  // another each time: each is news
+    for (int i = 0; i < 100; ++i) {  // a different text each time, so each counts as new
         raise(kBus, QStringLiteral("Trouble %1.").arg(i));
     }
     EXPECT_LT(log.lastNumber(), 10U);
@@ -93,7 +93,7 @@ TEST_F(AlarmBoardTest, ACableThatFlickersDoesNotFloodTheLog)
     EXPECT_EQ(lines(QStringLiteral("log"), QStringLiteral("%1 similar lines left out").arg(1000 - told)), 1);
 }
 
-// Story: a loose plug, lost at last. The log ended with "the alarm is over" while the alarm stood.
+// Story: a loose plug failed for good. The log ended with "the alarm is over" although the alarm was active.
 TEST_F(AlarmBoardTest, WhatStandsAfterAFlickerIsToldInTheEnd)
 {
     for (int i = 0; i < 10; ++i) {
@@ -114,7 +114,7 @@ TEST_F(AlarmBoardTest, WhatStandsAfterAFlickerIsToldInTheEnd)
     EXPECT_EQ(log.since(0, EventLog::kCapacity).back().text, kOver);
 }
 
-// What was over before the second was is not told any more.
+// An alarm that is over before the end of the second is not reported as begun.
 TEST_F(AlarmBoardTest, WhatIsOverIsNotToldToBegin)
 {
     for (int i = 0; i < 10; ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The catalogue of the alarms is complete: every entry has its sentences, is raised, and stands in the manual.
+// The catalogue of the alarms is complete: every entry has its sentences, is raised, and is in the manual.
 #include "core/alarms/catalogue.h"
 #include "core/moteus_mount/drive_alarms.h"
 
@@ -28,7 +28,7 @@ std::string fileText(const fs::path& path)
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-// All sources that name entries.
+// The text of all sources that name entries.
 std::string sources()
 {
     std::string all;
@@ -51,7 +51,7 @@ const AlarmEntry* entryNamed(std::string_view id)
     return found == all.end() ? nullptr : *found;
 }
 
-// Of all its sentences: 1 for "%1".
+// The arguments in all its sentences: 1 for "%1".
 std::set<int> argumentsOf(const AlarmEntry& entry)
 {
     static const std::regex argument("%([1-9])");
@@ -151,7 +151,7 @@ QStringList examplesOf(const AlarmEntry& entry)
     return examples;
 }
 
-// REQ-ALARMS-300: An alarm whose remedy names a button or a page has the help that acts so.
+// REQ-ALARMS-300: An alarm whose remedy names a button or a page has the help that performs this action.
 TEST(AlarmCatalogue, ARemedyThatNamesAButtonHasIt)
 {
     static const std::pair<const char*, AlarmHelp> kNamed[] = {{"press Re-arm", AlarmHelp::Rearm},
@@ -178,13 +178,14 @@ TEST(AlarmCatalogue, ARemedyThatNamesAButtonHasIt)
     }
 }
 
-// REQ-ALARMS-301: Each of the three texts of an alarm is made of whole sentences that can be read alone. None tells a
-// time that runs on.
+// REQ-ALARMS-301: Each of the three texts of an alarm consists of whole sentences that can be read alone. None contains
+// a time that changes.
 TEST(AlarmCatalogue, EverySentenceCanBeReadAlone)
 {
     static const std::regex runsOn("\\b(in|within|for) [0-9.]+ (s|min|h)\\b");
     static const std::regex done("(was|were|stalled|has sent|away|is lost|came|jumped|a jump) ");
-    static const std::regex known("does not move: |moves the wrong way: ");  // and how long that was looked at
+    // followed by the duration of the observation
+    static const std::regex known("does not move: |moves the wrong way: ");
     for (const AlarmEntry* const entry : alarmCatalogue()) {
         const AlarmText text = textOf(*entry, examplesOf(*entry));
         for (const QString& sentences : {text.what, text.action, text.remedy}) {
@@ -201,7 +202,7 @@ TEST(AlarmCatalogue, EverySentenceCanBeReadAlone)
     }
 }
 
-// A text that comes whole from elsewhere stands alone only where it is a sentence.
+// A text from another source can stand alone only if it is a sentence.
 // REQ-ALARMS-301
 TEST(AlarmCatalogue, WhatHappenedIsNamedUnlessTheReportIsASentence)
 {
@@ -211,7 +212,7 @@ TEST(AlarmCatalogue, WhatHappenedIsNamedUnlessTheReportIsASentence)
     }
 }
 
-// With BORESIGHT_ALARM_TABLE set, the table is written into the page of that path.
+// With BORESIGHT_ALARM_TABLE set, the table is written into the page with that path.
 TEST(AlarmCatalogue, StandsInTheManual)
 {
     const std::string table = alarmTable().toStdString();

@@ -11,9 +11,9 @@ namespace {
 const AlarmEntry& kEntry = alarmEntry("bus.down");
 const QStringList kText{QStringLiteral("can0 does not exist")};
 
-// REQ-ALARMS-29 (AlarmList.*): A lasting alarm stands before one that is over, and a cause before its symptom. Silence
-// never hides a bus that is gone, or two boards with one id, which are looked for where nobody answers. A silence is
-// reported each time, also before the re-arm and beside a fault.
+// REQ-ALARMS-29 (AlarmList.*): An active alarm comes before one that is over, and a cause before its symptom. Silence
+// never hides a lost bus, or two boards with the same id, which are searched for when no drive replies. Each silence is
+// reported, also before the re-arm and beside a fault.
 TEST(AlarmList, AnAlarmIsNewOnlyOnce)
 {
     AlarmList alarms;
@@ -92,7 +92,8 @@ TEST(AlarmList, AlarmsOfOnePlaceTakeEachOthers)
     EXPECT_TRUE(alarms.clear(fault)) << "what stands in its place";
 }
 
-// Story: with the adapter pulled the screen showed "no reply from the elevation drive", the last of three alarms.
+// Story: when the adapter was unplugged the screen showed "no reply from the elevation drive", the last of three
+// alarms.
 TEST(AlarmList, WorstFirstThenTheCauseBeforeItsResults)
 {
     AlarmList alarms;
@@ -111,7 +112,7 @@ TEST(AlarmList, WorstFirstThenTheCauseBeforeItsResults)
     EXPECT_EQ(ids(), (std::vector<std::uint64_t>{3, 1, 2})) << "what is over is less urgent";
 }
 
-// Story: two red alarms that were over stood in the line while the elevation drive was getting hot, in amber.
+// Story: two red alarms that were over hid the amber warning about the hot elevation drive.
 TEST(AlarmList, WhatLastsComesBeforeWhatIsOver)
 {
     AlarmList alarms;
@@ -125,7 +126,7 @@ TEST(AlarmList, WhatLastsComesBeforeWhatIsOver)
     EXPECT_EQ(alarms.list().front().severity, Severity::Warning);
 }
 
-// Story: "no reply … are the drives powered?" hid that the adapter was gone, because it was noticed first.
+// Story: "no reply … are the drives powered?" hid the missing adapter, because it was detected first.
 TEST(AlarmList, TheCauseComesBeforeASymptomThatWasSeenEarlier)
 {
     AlarmList alarms;
@@ -154,9 +155,9 @@ void raise(AlarmList& alarms, const AlarmKey& key)
     static_cast<void>(alarms.raise(key, key.entry->severity, arguments, {}));
 }
 
-// REQ-ALARMS-302 (AlarmCause.*): The root cause is on top, whatever severity or order: a bus that is gone before the
-// faults of the drives, a disturbed bus before the silences, a fault of a drive before its silence. While the bus is
-// gone no silence is listed: it goes without saying.
+// REQ-ALARMS-302 (AlarmCause.*): The root cause is on top, whatever the severity or order: a lost bus before the faults
+// of the drives, a disturbed bus before silences, a fault of a drive before its silence. While the bus is lost no
+// silence is listed, because the loss explains it.
 TEST(AlarmCause, ABusThatIsGoneStandsBeforeFaultsAndSilencesAlsoWhenItWasAcknowledged)
 {
     AlarmList alarms;

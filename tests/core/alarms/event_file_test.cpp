@@ -34,7 +34,7 @@ protected:
         QObject::connect(file.get(), &EventFile::written, [this] { ++written; });
     }
     void add(const QString& text) { log.add(Severity::Advisory, QStringLiteral("test"), text); }
-    // Ticks until it has answered so often. The clock stands still.
+    // Ticks until the worker has answered this number of times. The clock stands still.
     [[nodiscard]] bool writes(int count)
     {
         return ticksUntil([this, count] { return written >= count; });
@@ -72,9 +72,9 @@ protected:
     QString m_path;
 };
 
-// REQ-ALARMS-47 (EventFileTest.*): The log file is written by a worker, never in a tick: a slow disk delays nobody. A
-// write that fails is an alarm, is tried again every 5 s, and the alarm goes when it works. The newest 2000 entries
-// wait meanwhile, and the file says how many were lost beyond them. The last entries are on the disk before the
+// REQ-ALARMS-47 (EventFileTest.*): A worker writes the log file, never a tick, so a slow disk delays nothing. A write
+// that fails raises an alarm and is tried again every 5 s. The alarm ends when a write succeeds. Meanwhile the newest
+// 2000 entries wait, and the file says how many older ones were lost. The last entries are on the disk before the
 // program ends, unless the disk hangs for 2 s.
 TEST_F(EventFileTest, EachEntryIsOneLine)
 {
@@ -112,7 +112,7 @@ TEST_F(EventFileTest, ALargeFileBecomesTheOldOne)
     EXPECT_LT(QFile(m_path).size(), EventFile::kLargest);
 }
 
-// Story: after one failed write the file stayed as it was until the program was started again.
+// Story: after one failed write nothing more was written to the file until the program was restarted.
 TEST_F(EventFileTest, AFailedWriteIsTriedAgainAndNothingIsLost)
 {
     const QString absent = dir.filePath(QStringLiteral("absent"));
@@ -170,8 +170,8 @@ TEST_F(EventFileTest, HowManyLinesWereLostIsWritten)
     EXPECT_THAT(all.back(), EndsWith("test: " + std::to_string(EventLog::kCapacity + 36)));
 }
 
-// Story: it was written in the tick, and a slow disk was a fault of the drives. A pipe that nobody reads stands for the
-// disk: to open it waits for ever.
+// Story: the file was written in the tick, and a slow disk became a fault of the drives. In this test a pipe without a
+// reader plays the disk: opening it blocks for ever.
 TEST_F(EventFileTest, ADiskThatHangsHoldsUpNobody)
 {
     build(dir.path());
@@ -185,7 +185,7 @@ TEST_F(EventFileTest, ADiskThatHangsHoldsUpNobody)
     time.start();
     file.reset();
     EXPECT_GE(time.elapsed(), EventFile::kPatience.count() - 1) << "it is given its time, and then given up";
-    QFile reader(m_path);  // for whom the worker waits
+    QFile reader(m_path);  // the worker waits for this reader
     ASSERT_TRUE(reader.open(QIODevice::ReadOnly));
     EXPECT_THAT(reader.readLine().toStdString(), EndsWith("test: one\n"));
 }

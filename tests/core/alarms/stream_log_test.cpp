@@ -8,9 +8,9 @@
 namespace boresight {
 namespace {
 
-// Story: a pass of Gpredict wrote a line of the log for each position, 600 in ten minutes, onto a small flash.
-// REQ-MEMORY-952: Of the accepted positions of a client the first is a line of the log. The others are counted: one
-// line a minute says how many there were and which was the last, and so does the end of the client.
+// Story: during a pass Gpredict caused a log line for each position, 600 in ten minutes, on a small flash.
+// REQ-MEMORY-952: The first accepted position of a client is a line in the log. The others are counted. One line a
+// minute gives their number and the last position, and so does a line at the end of the client.
 TEST(StreamLog, PositionsOfAClientAreSummedUp)
 {
     const QString client = QStringLiteral("rotctld 1");
@@ -43,8 +43,8 @@ TEST(StreamLog, AfterAMinuteOfSilenceAStreamBeginsAnew)
     EXPECT_TRUE(stream.begins(client, QStringLiteral("P 1.00 10.00")));
 }
 
-// Story: a client that went on sending behind a STOP wrote a line each second, since its numbers changed.
-// REQ-MEMORY-953: Refused positions of a client are summed up in the same way, for as long as the reason is the same.
+// Story: a client that kept sending while STOP was latched caused a line each second, because its numbers changed.
+// REQ-MEMORY-953: Refused positions of a client are summed up in the same way while the reason stays the same.
 TEST(StreamLog, RefusedPositionsAreSummedUpByTheirReason)
 {
     const QString client = QStringLiteral("rotctld 1");

@@ -18,7 +18,7 @@ const QString kPath = QStringLiteral("/some/azel.dat");
 class AzelFeedTest : public ::testing::Test
 {
 protected:
-    // A text that shows what the clock of this computer shows, or so much later.
+    // Writes a text with the time of this computer's clock, or this much later.
     void write(Seconds later = Seconds(0.0), const QString& path = kPath)
     {
         const auto utc = std::chrono::floor<seconds>(clock.utc() + std::chrono::round<UtcTime::duration>(later));
@@ -47,8 +47,8 @@ protected:
     AzelFeed feed;
 };
 
-// REQ-AZEL-905: The file is fresh while its time is seen to go on. Before that, and 30 s after the last time, it is
-// not.
+// REQ-AZEL-905: The file is fresh while its time advances. It is not fresh before its first change, and from 30 s after
+// the last change.
 TEST_F(AzelFeedTest, IsFreshWhileItsTimeGoesOn)
 {
     EXPECT_EQ(whyNotFresh(), "the file was not read yet");
@@ -66,7 +66,7 @@ TEST_F(AzelFeedTest, IsFreshWhileItsTimeGoesOn)
 }
 
 // REQ-AZEL-906: A file whose time is more than 30 s off the clock of this computer is not fresh, and the reason names
-// the difference. A smaller one is known. Midnight between the two is no difference of a day.
+// the difference. A smaller difference is known. Midnight between the two times is not a difference of a day.
 TEST_F(AzelFeedTest, TheClocksAreCompared)
 {
     writeFor(2, Seconds(-20.0));
@@ -86,7 +86,8 @@ TEST_F(AzelFeedTest, TheClocksAreCompared)
     }
 }
 
-// REQ-AZEL-907: What cannot be read leaves the last whole text. After 3 s it is reported, until the next whole text.
+// REQ-AZEL-907: While a text cannot be read the last complete text is used. After 3 s this is reported, until the next
+// complete text.
 TEST_F(AzelFeedTest, WhatCannotBeReadIsReportedAfterAWhile)
 {
     spoil(QStringLiteral("gone"));

@@ -13,7 +13,7 @@ namespace {
 
 using testing::HasSubstr;
 
-// As WSJT-X 2.6.1 wrote it, for IM58KS on 2026-11-24.
+// The text that WSJT-X 2.6.1 wrote for IM58KS on 2026-11-24.
 const std::string kSample =
     "22:30:04,105.3, 59.9,Moon\n"
     "22:30:04,298.4,-59.7,Sun\n"
@@ -35,7 +35,7 @@ std::string reasonOf(const std::string& text)
 }
 
 // REQ-AZEL-900: The text of WSJT-X is read: the time, Moon, Sun, whether the radio transmits, frequency and Dopplers.
-// The line of its source is never a place. Line ends of both kinds and further lines change nothing.
+// The line of its source is never used as a direction. Both kinds of line ends and additional lines change nothing.
 TEST(AzelText, ReadsWhatWsjtxWrites)
 {
     for (const std::string& text : {kSample, kSample + kPol, kSample + "any,thing\n" + kPol}) {
@@ -57,8 +57,8 @@ TEST(AzelText, ReadsWhatWsjtxWrites)
     EXPECT_EQ(readAzelText(replaced(kSample, ", R", ", T"))->radio, Radio::Transmits);
 }
 
-// REQ-AZEL-901: 360.0 and -0.0 are 0. A Moon below the horizon is data. A field that is too narrow for its number costs
-// that number and nothing else.
+// REQ-AZEL-901: 360.0 and -0.0 are read as 0. A Moon below the horizon is valid. If a field is too narrow for its
+// number, only this number is lost.
 TEST(AzelText, ReadsTheOddNumbers)
 {
     const auto moonOf = [](const std::string& place) {
@@ -82,8 +82,8 @@ TEST(AzelText, ReadsTheOddNumbers)
     EXPECT_TRUE(readAzelText(replaced(kSample, "298.4,-59.7", " -1.5,  0.5"))) << "MAP65 tests the pointing";
 }
 
-// REQ-AZEL-902: The forms of the relatives are read: without the flag, with whole Dopplers, with lines of frequencies,
-// with two lines of one name and without the last line end.
+// REQ-AZEL-902: The forms of related programs are read: without the flag, with whole Dopplers, with lines of
+// frequencies, with two lines of the same name, and without the last line end.
 TEST(AzelText, ReadsWhatTheRelativesWrite)
 {
     const auto wsjt = readAzelText(replaced(kSample, ",Doppler, R", ",Doppler"));
@@ -106,7 +106,8 @@ TEST(AzelText, ReadsWhatTheRelativesWrite)
     EXPECT_EQ(early->sun, (SkyPointing{298.4_deg, -59.7_deg}));
 }
 
-// REQ-AZEL-903: Wherever the text is cut it is refused, or nothing of it was needed. Of two times it is refused, too.
+// REQ-AZEL-903: A text that is cut anywhere is refused, unless no needed part is missing. A text with two times is
+// refused, too.
 TEST(AzelText, NothingIsTakenOfACutOrTornText)
 {
     const auto whole = readAzelText(kSample + kPol);
@@ -123,8 +124,8 @@ TEST(AzelText, NothingIsTakenOfACutOrTornText)
               "The file is half written. Moon and Sun have different times.");
 }
 
-// REQ-AZEL-904: What is no azel.dat is refused with a reason that repeats nothing of it: other texts, numbers that are
-// none or out of range, texts that are too long, bytes that are no text, the form of AirScout.
+// REQ-AZEL-904: Any other text is refused, with a reason that repeats no part of it: other formats, invalid numbers or
+// numbers out of range, texts that are too long, binary data, the form of AirScout.
 TEST(AzelText, RefusesEverythingElse)
 {
     for (const char* const place :

@@ -19,8 +19,8 @@ AzelFeed feedOf(const char* moon, UtcTime utc)
     return feed;
 }
 
-// REQ-AZEL-908: The Moon of WSJT-X, as recorded, agrees with our own within its steps of 0.1°. That of another locator
-// is found, whatever the clock of this computer shows.
+// REQ-AZEL-908: The recorded Moon of WSJT-X agrees with the computed Moon within its steps of 0.1°. A Moon of another
+// locator is detected, whatever the clock of this computer shows.
 TEST(MoonCheck, FindsAWrongLocator)
 {
     using namespace std::chrono;

@@ -36,8 +36,8 @@ private:
     QTemporaryDir m_folder;
 };
 
-// REQ-AZEL-909: The file that the profile names is read with the time of its last change, else that of WSJT-X for this
-// user.
+// REQ-AZEL-909: The file named in the profile is read, with the time of its last change. Without a name the file of
+// WSJT-X for this user is read.
 TEST_F(AzelFileTest, ReadsTheFileOfTheProfile)
 {
     write(kText);
@@ -50,7 +50,7 @@ TEST_F(AzelFileTest, ReadsTheFileOfTheProfile)
     EXPECT_TRUE(azelPath({}).endsWith(QStringLiteral("/WSJT-X/azel.dat")));
 }
 
-// REQ-AZEL-910: A file that is not there, is empty, is no plain file or is huge costs nothing and has its reason.
+// REQ-AZEL-910: A file that is missing, empty, not a regular file or huge does no harm, and gives a reason.
 TEST_F(AzelFileTest, WhatIsNoFileHasItsReason)
 {
     EXPECT_EQ(reasonOf(path("none.dat")), "there is no such file");

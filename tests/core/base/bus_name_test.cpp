@@ -8,7 +8,7 @@
 namespace boresight {
 namespace {
 
-// REQ-BASE-06 (BusName.*): Bus names are read in one way, for the profile, the command line and the tools.
+// REQ-BASE-06 (BusName.*): The profile, the command line and the tools read bus names in the same way.
 TEST(BusName, ReadsTheThreeKindsAndWritesThemBack)
 {
     EXPECT_EQ(parseBusName("simulated"), (BusName{BusKind::Simulated, {}}));

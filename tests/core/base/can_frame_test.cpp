@@ -6,7 +6,7 @@
 namespace boresight {
 namespace {
 
-// REQ-BASE-03 (CanFrame.*): Two CAN frames are equal if the wire shows the same. Lengths are those of CAN-FD.
+// REQ-BASE-03 (CanFrame.*): Two CAN frames are equal if they are the same on the wire. Lengths are those of CAN-FD.
 TEST(CanFrame, LegalLengthIsTheSmallestThatHolds)
 {
     EXPECT_EQ(legalCanLength(0), 0U);

@@ -20,8 +20,8 @@ TEST(Clock, IsSynchronisedWhenTheKernelSaysSo)
     EXPECT_FALSE(isSynchronised(-1, 0)) << "a sandbox forbids to ask";
 }
 
-// REQ-BASE-10: The error of a clock is what its time source still has to correct and what it estimates. The kernel
-// counts the first in nanoseconds or microseconds.
+// REQ-BASE-10: The error of a clock is the correction that its time source still has to make plus the error that the
+// source estimates. The kernel reports the correction in nanoseconds or microseconds.
 TEST(Clock, HasTheErrorThatTheTimeSourceReports)
 {
     EXPECT_DOUBLE_EQ(reportedError(-2'000'000, 500, STA_PLL | STA_NANO).count(), 0.0025);

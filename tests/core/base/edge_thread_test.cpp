@@ -11,7 +11,7 @@ namespace {
 
 using testing::ElementsAre;
 
-// Remembers on which thread it was destroyed.
+// Records the thread on which it was destroyed.
 struct Inside : QObject
 {
     explicit Inside(QThread*& destroyedOn_) : destroyedOn(destroyedOn_) {}
@@ -23,8 +23,8 @@ struct Inside : QObject
 };
 
 // REQ-MQTT-09d (EdgeThread.*)
-// REQ-BASE-04 (EdgeThread.*): An edge that others can keep busy has a thread of its own. Nobody waits for it but at
-// its end, and what was posted is done then.
+// REQ-BASE-04 (EdgeThread.*): A connection that others can keep busy has its own thread. Other threads wait for it only
+// at its end, when all posted jobs are done.
 TEST(EdgeThread, JobsRunInOrderOnTheThreadAndNobodyWaits)
 {
     QThread* destroyedOn = nullptr;

@@ -6,7 +6,7 @@
 namespace boresight {
 namespace {
 
-// REQ-BASE-02 (Hex.*): An even number of hex digits is bytes, anything else is nothing.
+// REQ-BASE-02 (Hex.*): An even number of hex digits is read as bytes. Anything else is refused.
 TEST(Hex, BytesToTextAndBack)
 {
     const std::vector<std::uint8_t> bytes{0x00, 0x0f, 0xa5, 0xff};

@@ -16,7 +16,7 @@ struct PacedOutletTest : testing::Test
     {
         return fakes::waitUntil([this, count] { return sent >= count; });
     }
-    // Longer than the pause between two reports.
+    // Waits longer than the pause between two reports.
     static void letThePauseEnd()
     {
         bool isOver = false;
@@ -31,8 +31,8 @@ struct PacedOutletTest : testing::Test
 
 // REQ-MQTT-09c (PacedOutletTest.*)
 // REQ-POWER-08 (PacedOutletTest.*)
-// REQ-BASE-05 (PacedOutletTest.*): From one thread to another goes one report every 20 ms at most, and none before the
-// last was taken.
+// REQ-BASE-05 (PacedOutletTest.*): From one thread to another at most one report is sent every 20 ms, and none before
+// the last one was taken.
 TEST_F(PacedOutletTest, TheFirstReportGoesOutAtOnceAndTheNextAfterThePause)
 {
     QElapsedTimer time;

@@ -37,8 +37,8 @@ std::string reason(const std::vector<LevelSample>& samples)
     return tilt ? "accepted" : textOf(tilt.error());
 }
 
-// REQ-CALIBRATION-10 (AxisTilt.*): Elevations over the same turn give size and direction of the tilt, and the zero of
-// elevation.
+// REQ-CALIBRATION-10 (AxisTilt.*): The measured elevations over one turn give the size and direction of the tilt, and
+// the zero of elevation.
 TEST(AxisTilt, IsFoundWithItsDirection)
 {
     const auto tilt = fitAxisTilt(levels(leaning()), {37.4_deg, 1_deg});
@@ -78,7 +78,8 @@ TEST(AxisTilt, TheSigmaIsHonestForRandomMounts)
     EXPECT_GE(honest, 2 * kMounts * 94 / 100);
 }
 
-// With the boom up at 70° a roll still turns the tilt by its whole size: r / sin(elevation), not r / tan(elevation).
+// With the boom at 70° a roll of the box still turns the tilt by its whole size: by r / sin(elevation), not by r /
+// tan(elevation).
 TEST(AxisTilt, TheSigmaIsHonestWithTheBoomHigh)
 {
     SwungMount mount = leaning();
@@ -111,7 +112,7 @@ TEST(AxisTilt, IsRefusedWithTheReason)
     few.erase(few.begin() + 4, few.end());
     few[3].axisAzimuth = 200_deg;
     EXPECT_THAT(reason(few), HasSubstr("4 readings are not enough for the tilt."));
-    // Many readings, but at two azimuths only.
+    // Many readings, but only at two azimuths.
     auto two = levels(leaning());
     for (std::size_t i = 0; i < two.size(); ++i) {
         two[i].axisAzimuth = i % 2 == 0 ? 0_deg : 150_deg;

@@ -15,9 +15,9 @@ CalibrationRecord step(int north)
     return record;
 }
 
-// REQ-CALIBRATION-18 (CalibrationHistory.*): What was applied is kept with what it replaced, date, site and drives.
-// One can go back and forth in it. What was taken back and then replaced stays to be read. Another drive or site is
-// noticed.
+// REQ-CALIBRATION-18 (CalibrationHistory.*): An applied calibration is kept with the one it replaced, and with date,
+// site and drives. The operator can go back and forth. A calibration that was undone and then replaced stays readable.
+// Another drive or site is detected.
 TEST(CalibrationHistory, GoesBackAndForth)
 {
     CalibrationHistory history;
@@ -69,7 +69,7 @@ TEST(MountDifference, IsAnotherDriveOrAnotherSite)
     EXPECT_EQ(difference(then, today), MountDifference::None);
     today.elevationDrive = "c";
     EXPECT_EQ(difference(then, today), MountDifference::OtherDrive);
-    EXPECT_EQ(difference(then, RecordMount{}), MountDifference::None);  // nothing is known
+    EXPECT_EQ(difference(then, RecordMount{}), MountDifference::None);  // nothing is known about the mount
 }
 
 }  // namespace

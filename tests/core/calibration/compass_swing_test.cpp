@@ -22,7 +22,7 @@ using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-// North 37.4°, tilt 0.6°, deviation 8° and 3°, noise 0.5°: the mount of the issue.
+// North 37.4°, tilt 0.6°, deviation 8° and 3°, noise 0.5°: the mount of the original report.
 SwungMount hidden()
 {
     SwungMount mount;
@@ -67,8 +67,8 @@ std::ptrdiff_t count(const CompassSwing& swing, SampleFate fate)
                          [&](const SwingResidual& sample) { return sample.fate == fate; });
 }
 
-// REQ-CALIBRATION-03: A swing finds north, two harmonics, the sense in which the sensor counts, and hysteresis. A
-// still mount cannot find the sense: it is entered.
+// REQ-CALIBRATION-03: A swing finds north, two harmonics, the sense in which the sensor counts, and hysteresis. A mount
+// that stands still cannot find the sense, so the operator enters it.
 TEST(CompassSwing, FindsNorthAndTheCurve)
 {
     const SwungMount mount = hidden();
@@ -81,7 +81,7 @@ TEST(CompassSwing, FindsNorthAndTheCurve)
     EXPECT_NEAR(swing.curve.secondAmplitude().degrees(), 3.0, 0.25);
     EXPECT_NEAR(swing.curve.scatter.degrees(), 0.5, 0.1);
     EXPECT_THAT(swing.hints, ElementsAre(mentions("The curve is valid with the boom at 30°")));
-    // The boom leans with the tilted axis, which the curve takes for iron: 0.6° × tan 30°.
+    // The boom leans with the tilted axis. The curve takes this for iron: 0.6° × tan 30°.
     EXPECT_NEAR(swing.curve.firstAmplitude().degrees(), 8.0, 0.7);
 }
 
@@ -109,8 +109,9 @@ TEST(CompassSwing, FindsWhichWayTheSensorCounts)
     EXPECT_EQ(fitted(hidden()).curve.sense, AzimuthSense::Clockwise);
 }
 
-// REQ-CALIBRATION-04: What is left out is listed and counted with its reason: outlier, magnetometer, motor current
-// above `sensor.swing_current_a`, too fast. At every rate that is offered a healthy mount loses less than a tenth.
+// REQ-CALIBRATION-04: Readings that are left out are listed and counted with their reason: outlier, magnetometer, motor
+// current above `sensor.swing_current_a`, too fast. At every rate that is offered a healthy mount loses less than a
+// tenth.
 TEST(CompassSwing, ListsWhatItLeavesOut)
 {
     Swung given = swung(hidden());
@@ -129,8 +130,8 @@ TEST(CompassSwing, ListsWhatItLeavesOut)
     EXPECT_LT(count(*swing, SampleFate::Outlier), 12);
 }
 
-// Sydney: the compass shows 12.83° too little, and a box face up counts that backwards. The declination is added to
-// north.
+// Sydney: the declination is 12.83° east, so the compass shows that much too little. A box face up counts backwards.
+// The declination is added to north in both cases.
 // REQ-CALIBRATION-09
 TEST(CompassSwing, TheDeclinationIsAddedToNorthWhicheverWayTheSensorCounts)
 {
@@ -168,7 +169,8 @@ TEST(CompassSwing, TheCurveKnowsItsElevationAndTheSigmaOfItsConstant)
 TEST(CompassSwing, ALatencyIsSeenAsHysteresisAndDoesNotMoveNorth)
 {
     SwungMount mount = hidden();
-    mount.latency = 1.0;  // half a second more than is reckoned with, at 3°/s: 1.5° behind, either way
+    // half a second more than the fit assumes: at 3°/s the heading is 1.5° late in either direction
+    mount.latency = 1.0;
     const CompassSwing swing = fitted(mount);
     ASSERT_TRUE(swing.hysteresis.has_value());
     EXPECT_NEAR(swing.hysteresis->value.degrees(), -3.0, 0.3);
@@ -184,7 +186,7 @@ TEST(CompassSwing, ALatencyIsSeenAsHysteresisAndDoesNotMoveNorth)
     EXPECT_NEAR(oneWay.systematic.degrees(), std::hypot(std::hypot(1.0, softIron), std::hypot(0.5, latency)), 1e-9);
 }
 
-// REQ-CALIBRATION-06: A sector in which steel deflects the needle is painted, not fitted.
+// REQ-CALIBRATION-06: A sector in which steel deflects the needle is shown, and left out of the fit.
 TEST(CompassSwing, PaintsASectorWhereSteelIs)
 {
     SwungMount mount = hidden();
@@ -195,7 +197,7 @@ TEST(CompassSwing, PaintsASectorWhereSteelIs)
     EXPECT_TRUE(swing.isUsable());
     ASSERT_EQ(swing.curve.unreliable.size(), 1U);
     const UnreliableSector& sector = swing.curve.unreliable.front();
-    EXPECT_NEAR(sector.from.degrees(), 237.4, 10.0);  // true: the axis at 200°
+    EXPECT_NEAR(sector.from.degrees(), 237.4, 10.0);  // true azimuths: the axis stands at 200°
     EXPECT_NEAR(sector.to.degrees(), 267.4, 10.0);
     EXPECT_NEAR(sector.residual.degrees(), 15.0, 1.5);
     EXPECT_FALSE(swing.curve.isReliable(250_deg));
@@ -206,7 +208,7 @@ TEST(CompassSwing, PaintsASectorWhereSteelIs)
 TEST(CompassSwing, ASectorMayLieAcrossNorth)
 {
     SwungMount mount = hidden();
-    mount.steelFrom = 310.0;  // true 347.4…17.4°
+    mount.steelFrom = 310.0;  // true azimuth 347.4…17.4°
     mount.steelStep = -15.0;
     const CompassSwing swing = fitted(mount);
     ASSERT_EQ(swing.curve.unreliable.size(), 1U);
@@ -215,7 +217,7 @@ TEST(CompassSwing, ASectorMayLieAcrossNorth)
     EXPECT_NEAR(swing.curve.unreliable.front().residual.degrees(), -15.0, 1.5);
 }
 
-// REQ-CALIBRATION-07: A place where a compass is of no use is reported as such, with plain reasons.
+// REQ-CALIBRATION-07: At a place where a compass is of no use, the swing says so with plain reasons.
 TEST(CompassSwing, SaysWhenThePlaceIsHopeless)
 {
     SwungMount noisy = hidden();
@@ -250,7 +252,7 @@ TEST(CompassSwing, SaysWhenTheNeedleFollowsTheMotors)
     EXPECT_THAT(swing->hints, Contains(mentions("The motor current turns the compass")));
 }
 
-// REQ-CALIBRATION-05: It fits no more than the part of the circle that was seen supports, and reports it.
+// REQ-CALIBRATION-05: The swing fits only as many terms as the measured part of the circle supports, and reports this.
 TEST(CompassSwing, FitsLessWhereLessOfTheCircleWasSeen)
 {
     const SwungMount mount = hidden();
@@ -322,7 +324,7 @@ TEST(CompassSwing, IsRefusedWithTheReason)
     EXPECT_TRUE(fitCompassSwing(bad, {.motorCurrent = 9.0})) << "a limit that is set";
     bad = given.samples;
     for (SwingSample& sample : bad) {
-        sample.heading = SensorHeading::folded(5.07_deg);  // a dead sensor
+        sample.heading = SensorHeading::folded(5.07_deg);  // a sensor that does not react
     }
     EXPECT_THAT(swingReason(bad), HasSubstr("does not follow the mount"));
     bad = given.samples;
@@ -332,8 +334,8 @@ TEST(CompassSwing, IsRefusedWithTheReason)
 }
 
 // The bench program "swing" does the same with 1000 mounts.
-// REQ-CALIBRATION-08: North is within 2° after the swing. The true error is within two of the sigmas shown in 95 % of
-// random mounts.
+// REQ-CALIBRATION-08: North is within 2° after the swing. On 95 % of random mounts the true error is within two of the
+// sigmas shown.
 TEST(CompassSwing, TheSigmaIsHonestForRandomMounts)
 {
     for (const Needle needle : {Needle::Harmonics, Needle::Iron}) {

@@ -18,11 +18,11 @@ struct Source
 {
     double at = 0.0;       // degrees
     double width = 10.0;   // half-power, degrees
-    double rise = 1000.0;  // of its power over the receiver's own noise
+    double rise = 1000.0;  // power of the source divided by the receiver's own noise
     double noise = 0.0;    // dB
 };
 
-// A Gaussian beam over a source, and the receiver's own noise at -100 dB.
+// A Gaussian beam across a source, with the receiver's own noise at -100 dB.
 std::vector<ScanReading> scan(const Source& source, double reach, int count, unsigned seed = 1)
 {
     std::mt19937_64 random(seed);
@@ -44,8 +44,8 @@ std::string scanReason(const std::vector<ScanReading>& readings)
     return peak ? "accepted" : textOf(peak.error());
 }
 
-// REQ-CALIBRATION-11 (CrossScan.*): The peak of a scan is found, with its sigma, on the sphere. Single readings far
-// off do not matter. A scan without a peak, or without one inside, is refused.
+// REQ-CALIBRATION-11 (CrossScan.*): The peak of a scan is found on the sphere, with its sigma. Single readings that are
+// far off have no effect. A scan without a peak, or with a peak outside, is refused.
 TEST(CrossScan, FindsPeakAndWidth)
 {
     const auto peak = fitScan(scan({.at = 1.7, .width = 10.0, .rise = 1e6}, 8.0, 33));
@@ -68,7 +68,7 @@ TEST(CrossScan, TheSigmaIsHonest)
     EXPECT_GE(inside, kRuns * 92 / 100);
 }
 
-// The Sun in a small dish doubles the noise, no more: as a parabola in dB that peak was far too wide.
+// In a small dish the Sun only doubles the noise. A parabola fitted in dB made that peak far too wide.
 TEST(CrossScan, TakesTheBackgroundAway)
 {
     const auto peak = fitScan(scan({.at = 0.8, .rise = 1.0}, 12.0, 49));
@@ -88,12 +88,12 @@ TEST(CrossScan, TakesTheBackgroundAway)
 struct Tries
 {
     int found = 0;
-    int within = 0;       // two of the sigmas told
-    double square = 0.0;  // of the error, in widths of the beam
+    int within = 0;       // within two of the reported sigmas
+    double square = 0.0;  // of the error, in beam widths
     [[nodiscard]] double error() const { return std::sqrt(square / found); }
 };
 
-// The station's nine places; a beam 10° wide, anywhere in the middle half of the line.
+// The nine places of the station, with a beam 10° wide and the peak anywhere in the middle half of the line.
 Tries tryLines(double rise, double beams, double noise, int count)
 {
     Tries tries;
@@ -112,10 +112,10 @@ Tries tryLines(double rise, double beams, double noise, int count)
     return tries;
 }
 
-// An operator scanned the Sun with the width that was offered, three of his beams, and it had "no peak"; at two, as the
-// tooltip told, a Sun of 3 dB was never found.
-// REQ-CALIBRATION-11a: A Sun of 1 dB over the background is found on 97 lines of 100 that are 1.5 to 3 beams long,
-// wherever it lies in their middle half. Noise alone gives a peak on no more than 6.
+// Story: an operator scanned the Sun with the proposed width of three beams, and the result was "no peak". With the two
+// beams that the tooltip named, a Sun of 3 dB was never found.
+// REQ-CALIBRATION-11a: A Sun of 1 dB above the background is found on 97 of 100 lines that are 1.5 to 3 beams long,
+// wherever it lies in their middle half. Noise alone gives a peak on at most 6.
 TEST(CrossScan, FindsAWeakSunAtAnyWidthOfTheScan)
 {
     constexpr int kTries = 100;
@@ -138,7 +138,7 @@ TEST(CrossScan, NoiseAloneIsNoPeak)
     }
 }
 
-// A dish that is evenly lit: narrower than a Gaussian further down, and side lobes of -17.6 dB.
+// A uniformly illuminated dish: its beam is narrower than a Gaussian farther down, and has side lobes of -17.6 dB.
 TEST(CrossScan, ARealBeamIsNoGaussian)
 {
     for (const double at : {0.0, 0.2, 0.5}) {
@@ -168,7 +168,7 @@ TEST(CrossScan, IsNotLedAstrayBySideLobesAndSpikes)
     EXPECT_NEAR(peak->offset.value.degrees(), 1.0, 0.2);
 }
 
-// The two lines as a mount sees them, by the true angle between the beam and a source on the sphere.
+// The two lines as a mount measures them, by the true angle between the beam and a source on the sphere.
 TEST(CrossScan, TheGeometryOfTheSphereIsReckonedWith)
 {
     const AxisPosition middle{.azimuth = 100_deg, .elevation = 75_deg};
@@ -190,11 +190,11 @@ TEST(CrossScan, TheGeometryOfTheSphereIsReckonedWith)
     }
     const auto cross = fitCrossScan(middle, across, elevation);
     ASSERT_TRUE(cross.has_value());
-    EXPECT_NEAR(cross->peak.azimuth.degrees(), 116.0, 0.1);  // on the sky a quarter of that
+    EXPECT_NEAR(cross->peak.azimuth.degrees(), 116.0, 0.1);  // on the sky this is a quarter of the difference
     EXPECT_NEAR(cross->peak.elevation.degrees(), 76.0, 0.02);
 }
 
-// Somebody's transmitter nearby, and a reading that was lost.
+// Another transmitter nearby, and a lost reading.
 TEST(CrossScan, OneReadingFarOffIsNotThePeak)
 {
     auto readings = scan({.at = 1.0, .rise = 1e6, .noise = 0.1}, 8.0, 33);
@@ -234,12 +234,12 @@ TEST(CrossScan, BothLinesGiveThePlaceOfTheAxes)
                                     scan({.at = -0.5, .rise = 1e6}, 8.0, 33));
     ASSERT_TRUE(cross.has_value());
     EXPECT_NEAR(cross->peak.azimuth.degrees(), 370.0 + 1.5 / 0.5, 1e-2);
-    // The line in elevation ran 3° of azimuth beside the source: there its peak is 0.034° higher than the source.
+    // The line in elevation ran 3° of azimuth beside the source. There its peak is 0.034° higher than the source.
     EXPECT_NEAR(cross->peak.elevation.degrees(), 59.466, 2e-3);
     const auto bad = fitCrossScan({.azimuth = 0_deg, .elevation = 60_deg}, scan({.at = 1.5}, 8.0, 33), {});
     ASSERT_FALSE(bad.has_value());
     EXPECT_THAT(textOf(bad.error()), HasSubstr("in elevation: 0 readings"));
-    // It may have been run through the peak of the other: nothing is beside it then.
+    // The line in elevation may have run through the peak of the other line. Then nothing has to be corrected.
     const auto through =
         fitCrossScan({.azimuth = 370_deg, .elevation = 60_deg}, scan({.at = 1.5, .rise = 1e6}, 8.0, 33),
                      scan({.at = -0.5, .rise = 1e6}, 8.0, 33), 1.5_deg);

@@ -21,12 +21,12 @@ DeviationCurve strong(AzimuthSense sense = AzimuthSense::Clockwise)
             .unreliable = {{.from = 200_deg, .to = 230_deg, .residual = 15_deg}}};
 }
 
-// REQ-CALIBRATION-09 (DeviationCurve.*): Later readings are corrected by the exact inverse of the curve, which is a
-// curve of the true heading. Declination is added to north, whichever way the sensor counts.
+// REQ-CALIBRATION-09 (DeviationCurve.*): Later readings are corrected by the exact inverse of the curve. The curve is a
+// function of the true heading. Declination is added to north, whichever way the sensor counts.
 TEST(DeviationCurve, IsWhatTheFormulaSays)
 {
     const DeviationCurve curve = strong();
-    // At 0° only the cosines count, at 90° a1 and -b2, at 45° both of the first by 1/√2 and a2.
+    // At 0° only the cosines count, at 90° a1 and -b2, at 45° both first terms by 1/√2, and a2.
     EXPECT_NEAR(curve.deviation(0_deg).degrees(), -12.0 + 5.0, 1e-12);
     EXPECT_NEAR(curve.deviation(90_deg).degrees(), 8.0 - 5.0, 1e-12);
     EXPECT_NEAR(curve.deviation(45_deg).degrees(), (8.0 - 12.0) * 0.70710678118654752 + 3.0, 1e-12);
@@ -55,27 +55,27 @@ TEST(DeviationCurve, CorrectsExactlyUpToTheSteepestThatIsInvertible)
         const Angle back = curve.corrected(curve.reading(Angle::fromDegrees(heading)));
         ASSERT_NEAR((back - Angle::fromDegrees(heading)).wrapped180().degrees(), 0.0, 1e-9) << heading;
     }
-    curve.a1 = 58_deg;  // beyond 1 rad the sensor turns back while the mount goes on
+    curve.a1 = 58_deg;  // beyond 1 rad the reading of the sensor turns back while the mount turns on
     EXPECT_FALSE(curve.isInvertible());
 }
 
-// Both harmonics steepest at different headings: their sum is less steep than the sum of their slopes.
+// The two harmonics are steepest at different headings, so their sum is less steep than the sum of their slopes.
 TEST(DeviationCurve, IsInvertibleWhereverItIsNowhereTooSteep)
 {
     DeviationCurve curve;
-    curve.a1 = 30_deg;  // falls most at 180°
-    curve.a2 = 14_deg;  // rises most there, falls most at 90°
+    curve.a1 = 30_deg;  // falls steepest at 180°
+    curve.a2 = 14_deg;  // rises steepest at 180°, falls steepest at 90°
     EXPECT_FALSE((curve.firstAmplitude() + curve.secondAmplitude() * 2.0).radians() < 0.9);
     ASSERT_TRUE(curve.isInvertible());
     for (int heading = 0; heading < 360; ++heading) {
         const Angle back = curve.corrected(curve.reading(Angle::fromDegrees(heading)));
         ASSERT_NEAR((back - Angle::fromDegrees(heading)).wrapped180().degrees(), 0.0, 1e-9) << heading;
     }
-    curve.a2 = -14_deg;  // falls there, too
+    curve.a2 = -14_deg;  // falls steepest at 180°, too
     EXPECT_FALSE(curve.isInvertible());
 }
 
-// Iron that is fixed to the box, in any direction: seen at 20°, it is another curve at 75°.
+// Iron that is fixed to the box, in any direction: a curve found at 20° elevation is different at 75°.
 TEST(DeviationCurve, TheSigmaAwayFromItsElevationIsHonest)
 {
     std::mt19937_64 random(3);

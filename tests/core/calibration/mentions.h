@@ -9,7 +9,7 @@
 
 namespace boresight::calibration {
 
-// A sentence with this in it.
+// A sentence that contains this text.
 inline auto mentions(const std::string& part)
 {
     return testing::Property(&QString::toStdString, testing::HasSubstr(part));

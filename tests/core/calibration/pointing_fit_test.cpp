@@ -44,7 +44,7 @@ CalibrationPoint pointAt(const PointingTerms& terms, Angle azimuth, Angle elevat
             .label = QStringLiteral("source")};
 }
 
-// All round the sky, low and high.
+// Points all round the sky, low and high.
 std::vector<CalibrationPoint> allRound(const PointingTerms& terms, int count, double noise = 0.0, unsigned seed = 1)
 {
     std::mt19937_64 random(seed);
@@ -73,26 +73,26 @@ std::string fitReason(const std::vector<CalibrationPoint>& points)
     return fit ? "accepted" : textOf(fit.error());
 }
 
-// REQ-CALIBRATION-12: One point gives the offset of azimuth, two that of elevation too. Further terms move from three
-// points on, within what is known of them, and count as fitted from 4 (tilt) and 6 on.
+// REQ-CALIBRATION-12: One point determines the azimuth offset, two points the elevation offset as well. Other terms
+// change only from three points on, within what is known of them. They count as fitted from 4 (tilt) or 6 points on.
 TEST(PointingFit, OnePointGivesTheOffsetOfAzimuthOnly)
 {
     PointingTerms before;
     before.elevationOffset = 0.5_deg;
     before.tiltNorth = 0.3_deg;
     PointingTerms truth = before;
-    truth.azimuthOffset = 217.4_deg;  // far from the model in force
+    truth.azimuthOffset = 217.4_deg;  // far from the model in effect
     const auto fit = fitPointing(allRound(truth, 1), before);
     ASSERT_TRUE(fit.has_value());
     EXPECT_NEAR(off(*fit, truth, Term::AzimuthOffset), 0.0, 1e-9);
-    EXPECT_EQ(fit->terms.tiltNorth, before.tiltNorth);  // what is in force stays
+    EXPECT_EQ(fit->terms.tiltNorth, before.tiltNorth);  // the terms in effect stay
     EXPECT_EQ(fit->terms.elevationOffset, before.elevationOffset);
     EXPECT_EQ(fit->count(TermState::Fitted), 1);
     EXPECT_EQ(fit->count(TermState::Off), 6);
     EXPECT_EQ(fit->of(Term::AzimuthOffset).why.toStdString(), "");
     EXPECT_EQ(fit->of(Term::TiltEast).why.toStdString(), "kept at its known value until there are 4 points");
     EXPECT_FALSE(fit->rmsLeftOut.has_value());
-    // One point cannot tell an offset from a collimation of 0.3° and a tilt of 1°.
+    // One point cannot separate an offset from a collimation of 0.3° and a tilt of 1°.
     EXPECT_GT(fit->of(Term::AzimuthOffset).estimate.sigma, 0.3_deg);
 }
 
@@ -127,7 +127,7 @@ TEST(PointingFit, ManyPointsGiveEveryTerm)
     EXPECT_LT(*fit->rmsLeftOut, 0.005_deg);
 }
 
-// REQ-CALIBRATION-13: A term that the points do not ask for stays as it is in force, or as it was measured.
+// REQ-CALIBRATION-13: A term that the points do not require keeps its value in effect, or its measured value.
 TEST(PointingFit, TermsThatThePointsDoNotAskForStayOff)
 {
     PointingTerms truth;
@@ -163,8 +163,8 @@ TEST(PointingFit, TermsAreFittedByTheNumberOfPoints)
     EXPECT_EQ(eight->of(Term::Collimation).state, TermState::Fitted);
 }
 
-// REQ-CALIBRATION-14: Every term comes with an honest sigma, also where people centre worse than they state. Residuals
-// before, after and of each point left out are on the sky.
+// REQ-CALIBRATION-14: Every term has an honest sigma, even if the operator centres less accurately than stated. The
+// residuals before and after, and of each point that is left out, are angles on the sky.
 TEST(PointingFit, TheSigmasAreHonest)
 {
     int inside = 0;
@@ -180,7 +180,7 @@ TEST(PointingFit, TheSigmasAreHonest)
     EXPECT_GE(inside, all * 93 / 100);
 }
 
-// Somebody who is three times as careless as he says gets the sigmas of a careless one.
+// An operator who centres three times less accurately than stated gets correspondingly larger sigmas.
 // REQ-CALIBRATION-14
 TEST(PointingFit, ReckonsWithTheScatterThatThereIs)
 {
@@ -206,13 +206,13 @@ TEST(PointingFit, ResidualsAreOnTheSky)
     ASSERT_EQ(fit->points.size(), 2U);
     EXPECT_NEAR(fit->points[0].before.across.degrees(), -2.0 * 0.5, 0.001);
     EXPECT_NEAR(fit->points[0].after.size().degrees(), 0.0, 1e-9);
-    // The one left out by the operator is shown, and does not count.
+    // The point that the operator left out is shown, and does not count.
     EXPECT_NEAR(fit->points[1].after.elevation.degrees(), 1.0, 1e-6);
     EXPECT_FALSE(fit->points[1].leftOut.has_value());
     EXPECT_EQ(fit->of(Term::ElevationOffset).state, TermState::Off);
 }
 
-// To first order, that is as good as really doing it.
+// To first order this equals a fit without the point.
 // REQ-CALIBRATION-14
 TEST(PointingFit, LeavesOutEachPointInTurn)
 {
@@ -238,8 +238,8 @@ TEST(PointingFit, LeavesOutEachPointInTurn)
     }
 }
 
-// REQ-CALIBRATION-15: A point that disagrees with five others or more is named, good ones are not. The kind of point
-// that is missing is named.
+// REQ-CALIBRATION-15: A point that disagrees with five or more others is named. Good points are not named. The fit also
+// names the kind of point that is missing.
 TEST(PointingFit, NamesAPointThatDoesNotAgreeWithTheOthers)
 {
     auto points = allRound(hiddenModel(), 12, 0.01);
@@ -250,7 +250,7 @@ TEST(PointingFit, NamesAPointThatDoesNotAgreeWithTheOthers)
     EXPECT_THAT(fit->hints, Not(Contains(mentions("Point 6 is "))));
 }
 
-// A point that the others hardly foresee may be far from there without being wrong.
+// A point in a part of the sky that the others hardly determine may lie far off and still be right.
 // REQ-CALIBRATION-15
 TEST(PointingFit, AccusesNoGoodPoint)
 {
@@ -271,7 +271,7 @@ TEST(PointingFit, AccusesNoGoodPoint)
     }
 }
 
-// What the operator has typed, or an earlier calibration found, stays unless the points speak against it.
+// Terms that were typed, or found by an earlier calibration, stay unless the points contradict them.
 // REQ-CALIBRATION-13
 TEST(PointingFit, TermsInForceStayUnlessThePointsAskForOthers)
 {
@@ -304,11 +304,12 @@ TEST(PointingFit, SaysWhatKindOfPointIsMissing)
     ASSERT_TRUE(fit.has_value());
     EXPECT_THAT(fit->hints, Contains(mentions("All points have nearly the same elevation")));
     EXPECT_THAT(fit->hints, Contains(mentions("All points lie within 40° of azimuth")));
-    low.push_back(pointAt(hiddenModel(), 320_deg, 150_deg));  // from the other side, as high
+    low.push_back(pointAt(hiddenModel(), 320_deg, 150_deg));  // over the top, at the same elevation
     EXPECT_THAT(fitPointing(low, {})->hints, Not(Contains(mentions("All points have nearly the same elevation"))));
 }
 
-// REQ-CALIBRATION-16: The zenith shows nothing about azimuth. A point over the top is as good as any.
+// REQ-CALIBRATION-16: A point at the zenith determines nothing about azimuth. A point over the top is as good as any
+// other.
 TEST(PointingFit, TheZenithSaysNothingAboutAzimuth)
 {
     EXPECT_THAT(fitReason({pointAt(hiddenModel(), 10_deg, Angle::fromDegrees(89.9))}), HasSubstr("do not determine"));
@@ -348,16 +349,16 @@ TEST(PointingFit, IsRefusedWithTheReason)
     EXPECT_THAT(fitReason(points), HasSubstr("Point 3 is not a number or has no sigma."));
 }
 
-// Any site within 60° of latitude, any date, points spread over the day, centred to 0.02°; the tilt is known from the
-// swing to 0.05°. North is then known, and the beam right along the arc of the Sun. The offset of azimuth as a term is
-// less certain: on a day on which the Sun is never high it cannot be told from the collimation, and its sigma says so;
-// points from both sides tell them apart on any day.
+// Any site within 60° of latitude, any date, points spread over the day and centred to 0.02°. The tilt is known from
+// the swing to 0.05°. Then north is known, and the beam is right along the arc of the Sun. The azimuth offset as a
+// single term is less certain: on a day with a low Sun it cannot be separated from the collimation, and its sigma shows
+// this. Points from both sides of the zenith separate them on any day.
 struct SunStatistics
 {
     int north = 0;
     int onArc = 0;
     int tilt = 0;
-    int offset = 0;  // of azimuth, the term
+    int offset = 0;  // of the azimuth offset as a single term
     int honest = 0;
     int overSky = 0;
 };
@@ -393,9 +394,9 @@ SunStatistics sunStatistics(int count, double limit, fakes::Sides sides = fakes:
     return result;
 }
 
-// REQ-CALIBRATION-17: Points are centred to 0.02°. North (the azimuth of a level beam, at worst all round) is within
-// 0.15° with three points of the Sun on 99 days of 100, and within 0.05° with six on 97 of 100. The beam all along the
-// Sun's way is so on 98 and 90 of 100. Tilt is within 0.1°.
+// REQ-CALIBRATION-17: Points are centred to 0.02°. North means the largest azimuth error of a level beam, all round.
+// With three points of the Sun north is within 0.15° on 99 of 100 days, and with six within 0.05° on 97 of 100 days.
+// The beam along the whole path of the Sun has the same error on 98 and 90 of 100 days. Tilt is within 0.1°.
 TEST(PointingFit, ThreePointsOfTheSun)
 {
     const SunStatistics result = sunStatistics(3, 0.15);
@@ -416,8 +417,8 @@ TEST(PointingFit, SixPointsOfTheSun)
     EXPECT_GE(result.honest, 92);
 }
 
-// REQ-CALIBRATION-17a: With one of three, or two of six of these points taken over the top, the offset of azimuth
-// itself, as a term, is within 0.15° and 0.05° on 99 days of 100, however low the Sun stays.
+// REQ-CALIBRATION-17a: If one of three, or two of six of these points are taken over the top, the azimuth offset as a
+// single term is within 0.15° and 0.05° on 99 of 100 days, however low the Sun stays.
 TEST(PointingFit, PointsOfTheSunFromBothSides)
 {
     const SunStatistics three = sunStatistics(3, 0.15, fakes::Sides::Both);

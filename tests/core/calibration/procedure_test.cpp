@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The whole way from a mount that knows nothing: swing, tilt, three and six points of the Sun, and the sensor corrected
-// by what the Sun taught.
+// The whole procedure on a mount without any calibration: swing, tilt, three and six points of the Sun, and the sensor
+// corrected by the north of the Sun.
 #include "core/calibration/axis_tilt.h"
 #include "core/calibration/compass_swing.h"
 #include "core/calibration/pointing_fit.h"
@@ -24,7 +24,7 @@ constexpr int kMounts = 30;
 constexpr double kCentring = 0.02;  // degrees
 constexpr double kBoom = 30.0;      // elevation of the swing
 
-// The sensor rides on the boom: a collimation of the beam does not move it.
+// The sensor is on the boom: a collimation of the beam does not affect it.
 SwungMount sensorOn(const PointingTerms& hidden, std::mt19937_64& random)
 {
     SwungMount mount = fakes::randomMount(random, fakes::Needle::Iron);
@@ -58,7 +58,8 @@ Found afterSwing(const SwungMount& mount, std::mt19937_64& random)
     return found;
 }
 
-// Of a still mount whose sensor is corrected by the curve of the swing, put right by the Sun.
+// The offset from a mount that stands still, with its sensor corrected by the curve of the swing and the north of the
+// Sun.
 Angle offsetBySensor(const SwungMount& mount, const DeviationCurve& curve, double azimuth)
 {
     const std::vector<SensorReading> still(
@@ -73,7 +74,8 @@ Angle offsetBySensor(const SwungMount& mount, const DeviationCurve& curve, doubl
     return offset->offset.value;
 }
 
-// REQ-CALIBRATION-21: The whole way holds together: swing, tilt, points of the Sun, sensor corrected by the Sun.
+// REQ-CALIBRATION-21: The whole procedure is consistent: swing, tilt, points of the Sun, and the sensor corrected by
+// the Sun.
 TEST(Procedure, FromNothingToTheSun)
 {
     std::mt19937_64 random(37);

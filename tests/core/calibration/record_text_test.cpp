@@ -94,9 +94,9 @@ std::string replaced(std::string text, const std::string& what, const std::strin
     return at == std::string::npos ? text : text.replace(at, what.size(), with);
 }
 
-// REQ-CALIBRATION-19 (RecordText.*): A history is a TOML file, in degrees. Everything survives to a billionth of a
-// degree. Unknown, missing or wrong keys are all reported at once with their lines. What could not be read again is
-// not written.
+// REQ-CALIBRATION-19 (RecordText.*): A history is a TOML file, in degrees. Every value is kept to a billionth of a
+// degree. Unknown, missing or wrong keys are all reported at once with their lines. A history that could not be read
+// again is not written.
 TEST(RecordText, EverythingSurvives)
 {
     const CalibrationHistory history({full(), bare(), full()}, 2, {full()});
@@ -134,7 +134,7 @@ TEST(RecordText, EverythingSurvives)
     EXPECT_FALSE(read->entries()[1].sensor.has_value());
 }
 
-// A file of another day, to the last byte.
+// A file from an earlier day is written back identically, to the last byte.
 TEST(RecordText, KeepsTheFormOfItsFile)
 {
     std::ifstream file(BORESIGHT_TEST_DATA "/calibrations.toml");

@@ -10,7 +10,7 @@
 namespace boresight::calibration {
 namespace {
 
-// A straight line 2 + 3 x with noise of 0.1, every fifth value far off to one side.
+// A straight line 2 + 3 x with noise of 0.1. Every fifth value is far off to one side.
 RobustProblem line(int rows, bool outliers, unsigned seed = 1)
 {
     std::mt19937_64 random(seed);
@@ -30,7 +30,7 @@ TEST(RobustFit, FindsALineAndItsSigma)
     EXPECT_NEAR(fit->solution[0], 2.0, 0.03);
     EXPECT_NEAR(fit->solution[1], 3.0, 0.05);
     EXPECT_NEAR(fit->rms, 0.1, 0.01);
-    // Of a mean of n values over 0…1 with a slope: σ √(4/n) for the beginning, σ √(12/n) for the slope.
+    // For n values over 0…1 with a slope: σ √(4/n) for the start, σ √(12/n) for the slope.
     EXPECT_NEAR(std::sqrt(fit->variance(0)), 0.1 * std::sqrt(4.0 / 400), 0.002);
     EXPECT_NEAR(std::sqrt(fit->variance(1)), 0.1 * std::sqrt(12.0 / 400), 0.003);
 }
@@ -89,7 +89,7 @@ TEST(RobustFit, IsNothingWhereTheRowsDoNotDetermineTheUnknowns)
     EXPECT_FALSE(fitRobustly(RobustProblem(2), 0.01).has_value());
 }
 
-// A drift from the first row to the last: hardly one row is independent of the others.
+// A drift from the first row to the last: the rows are hardly independent of each other.
 TEST(RobustFit, SaysWhenTheRowsDriftTogether)
 {
     RobustProblem drift(1);

@@ -46,14 +46,15 @@ std::string offsetReason(const std::vector<SensorReading>& readings)
     return offset ? "accepted" : textOf(offset.error());
 }
 
-// REQ-CALIBRATION-01: North from a still mount is a mean over the circle. It is refused, with the reason, while the
-// calibration is below 2, a motor draws current, the mount moves, or readings are few, drift or disagree.
+// REQ-CALIBRATION-01: North from a mount that stands still is a mean over the circle. It is refused with the reason
+// while the calibration level is below 2, a motor draws current, the mount moves, or the readings are too few, drift or
+// disagree.
 TEST(SensorOffset, IsTheMeanOverTheCircle)
 {
-    const auto offset = sensorOffset(readings(99.9, 0.5, 60));  // the headings are on both sides of the axis
+    const auto offset = sensorOffset(readings(99.9, 0.5, 60));  // headings on both sides of the axis angle
     ASSERT_TRUE(offset.has_value());
     EXPECT_NEAR(offBy(*offset, -0.1), 0.0, 0.25);
-    const auto throughNorth = sensorOffset(readings(360.0, 0.5, 60));  // readings of 359.8° and 0.2°
+    const auto throughNorth = sensorOffset(readings(360.0, 0.5, 60));  // readings such as 359.8° and 0.2°
     ASSERT_TRUE(throughNorth.has_value());
     EXPECT_NEAR(offBy(*throughNorth, 260.0), 0.0, 0.25);
     EXPECT_EQ(throughNorth->used, 60U);
@@ -82,7 +83,7 @@ TEST(SensorOffset, UsesTheCurveOfASwing)
     const auto offset = sensorOffset(still, {}, curve);
     ASSERT_TRUE(offset.has_value());
     EXPECT_NEAR(offBy(*offset, 37.4), 0.0, 1e-6);
-    // The swing's constant is as uncertain as any swing's; told how much, that counts.
+    // The constant of the swing has a default uncertainty. If the curve states its sigma, that value counts.
     EXPECT_NEAR(offset->offset.sigma.degrees(), std::hypot(0.5, 1.6), 0.01);
     curve.constantSigma = 1.3_deg;
     const auto told = sensorOffset(still, {}, curve);
@@ -96,7 +97,8 @@ TEST(SensorOffset, UsesTheCurveOfASwing)
     EXPECT_TRUE(offset->isReliableHere);
 }
 
-// A box face up counts against the compass. Nothing in a still mount's readings tells that: it has to be known.
+// A box face up counts against the compass. The readings of a mount that stands still do not show this: it must be
+// known.
 // REQ-CALIBRATION-03
 TEST(SensorOffset, ASensorMayCountAgainstTheCompass)
 {
@@ -106,8 +108,8 @@ TEST(SensorOffset, ASensorMayCountAgainstTheCompass)
     EXPECT_NEAR(offBy(*offset, 37.4), 0.0, 0.25);
 }
 
-// Sydney, 12.83° east, by firmware made for Berlin: its 5.07° is added to a number that counts backwards and is taken
-// off; north is then that of the magnetic compass, and the declination of the place is added to north.
+// Sydney, 12.83° east, with firmware made for Berlin. The firmware adds 5.07° to a heading that counts backwards, so
+// this is taken off. Then north is that of the magnetic compass, and the declination of the place is added to north.
 TEST(SensorOffset, TheDeclinationIsAddedToNorthWhicheverWayTheSensorCounts)
 {
     constexpr double kTruth = 137.4;
@@ -122,7 +124,7 @@ TEST(SensorOffset, TheDeclinationIsAddedToNorthWhicheverWayTheSensorCounts)
     EXPECT_NEAR(offBy(*offset, kTruth - 100.0 - kDeclination), 0.0, 1e-9);
 }
 
-// At another elevation other parts of the iron lie across the needle.
+// At another elevation other parts of the iron deflect the needle.
 // REQ-CALIBRATION-02
 TEST(SensorOffset, IsLessCertainAwayFromTheElevationOfTheSwing)
 {
@@ -143,11 +145,11 @@ TEST(SensorOffset, IsLessCertainAwayFromTheElevationOfTheSwing)
     EXPECT_NEAR(sigmaAt(80_deg), std::hypot(std::hypot(1.4, 2.0), 8.0 / std::sqrt(2.0)), 0.1);  // 2 sin(60°/2) = 1
 }
 
-// Noise that lasts from one reading to the next does not average out as fast: the true error is within two of the
-// statistical sigmas nearly always, and would not be if the readings were taken as independent.
-// REQ-CALIBRATION-02: Its sigma allows for noise that lasts from one reading to the next, and for the deviation that
-// one heading does not show. After a swing the curve is used, with the sigma of its constant and of what another
-// elevation changes.
+// Noise that is correlated between readings averages out more slowly. The true error is nearly always within two of the
+// statistical sigmas. It would not be if the readings counted as independent.
+// REQ-CALIBRATION-02: The sigma allows for noise that is correlated between readings, and for the deviation that one
+// heading does not show. After a swing the curve is used, with the sigma of its constant and of the change with
+// elevation.
 TEST(SensorOffset, ReckonsWithNoiseThatLasts)
 {
     int inside = 0;
@@ -203,7 +205,7 @@ TEST(SensorOffset, IsRefusedWithTheReason)
     EXPECT_THAT(offsetReason(bad), HasSubstr("The mount is moving"));
     EXPECT_THAT(offsetReason(readings(137.4, 0.5, 9)), HasSubstr("There are 9 readings, but 10 are needed."));
     EXPECT_THAT(offsetReason({}), HasSubstr("There are 0 readings, but"));
-    // By MQTT no calibration comes, and a chip that hangs repeats itself.
+    // By MQTT no calibration level is received, and a chip that hangs repeats its readings.
     auto frozen = readings(137.4, 0.0, 20);
     EXPECT_EQ(offsetReason(frozen), "accepted");
     for (SensorReading& reading : frozen) {

@@ -75,8 +75,8 @@ TEST(SwingTally, ManyThatAreLeftOutAreToldWithTheResult)
     EXPECT_THAT(hintsOf(), testing::Contains(testing::HasSubstr("at a motor current above 5.0 A")));
 }
 
-// What is drawn while it turns lies where the fit will put it, but for the mean of the deviation.
-// REQ-CALIBRATION-04a (SwingDots.*): Its readings are seen as they come, around the heading that they show so far.
+// During the swing the dots lie where the fit will put them, apart from the mean of the deviation.
+// REQ-CALIBRATION-04a (SwingDots.*): The readings are shown as they arrive, around the heading that they give so far.
 TEST(SwingDots, LieAboutTheTrueHeadingWhicheverWayTheSensorCounts)
 {
     for (const AzimuthSense sense : {AzimuthSense::Clockwise, AzimuthSense::CounterClockwise}) {
@@ -112,7 +112,7 @@ TEST(SwingDots, AreNeverMoreThanAskedFor)
     }
 }
 
-// Story: at 0.5°/s 1400 readings come; with the 401st every other dot went.
+// Story: at 0.5°/s 1400 readings arrive. With the 401st reading every second dot disappeared.
 TEST(SwingDots, NoneIsLostWithOneReadingMoreThanAreShown)
 {
     const auto whole = swung();
@@ -122,7 +122,7 @@ TEST(SwingDots, NoneIsLostWithOneReadingMoreThanAreShown)
         const auto dots = dotsOf(samples, {}, AzimuthSense::Clockwise, 400);
         ASSERT_EQ(std::min(samples.size(), std::size_t{400}), dots.size());
     }
-    // Evenly: all headings are seen.
+    // The dots are spread evenly over all headings.
     std::vector<double> headings;
     for (const SwingDot& dot : dotsOf(samples, {}, AzimuthSense::Clockwise, 400)) {
         headings.push_back(dot.heading.degrees());

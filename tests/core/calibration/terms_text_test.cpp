@@ -56,7 +56,7 @@ std::string with(const std::string& what, const std::string& instead)
 }
 
 // REQ-CALIBRATION-20 (TermsText.*): Terms can be exchanged as a small text with their mount, date, site and drives.
-// What is wrong in a text is reported with its line.
+// Errors in a text are reported with their line.
 TEST(TermsText, EverythingSurvives)
 {
     const TermSheet sheet = fullTerms();
@@ -147,7 +147,8 @@ TEST(TermsText, SaysWhatIsWrongInTheHeader)
     EXPECT_THAT(termsReason("# site: 98.2 16.37 200\n" + kSmall), HasSubstr("roof.terms:1: "));
     EXPECT_THAT(termsReason("\n# date: yesterday\n" + kSmall),
                 HasSubstr("roof.terms:2: \"yesterday\" is not a date like"));
-    EXPECT_THAT(termsReason("# date: 2026-11-22 01:00\n" + kSmall), HasSubstr("is not a date"));  // of which zone?
+    // the time zone is missing
+    EXPECT_THAT(termsReason("# date: 2026-11-22 01:00\n" + kSmall), HasSubstr("is not a date"));
     EXPECT_THAT(termsReason("# date: 9999-11-22T01:00:00Z\n" + kSmall), HasSubstr("is not a date"));
 }
 

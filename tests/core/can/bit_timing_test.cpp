@@ -23,7 +23,7 @@ std::vector<std::uint8_t> bytesOf(std::string_view hex)
     return parseHex(digits).value();
 }
 
-// An adapter of 80 MHz as moteus wants it, up, error-active, one lost frame in its counters. By hand from
+// An 80 MHz adapter with the settings for moteus: up, error-active, one lost frame in its counters. Made by hand from
 // linux/netlink.h, linux/rtnetlink.h, linux/if_link.h and linux/can/netlink.h, least significant byte first.
 constexpr std::string_view kAdapter =
     "dc000000 1000 0000 01000000 00000000"          // nlmsghdr: 220 bytes, RTM_NEWLINK, no flags, sequence 1, port 0
@@ -44,7 +44,7 @@ constexpr std::string_view kAdapter =
     "04000000 05000000 06000000 05000000 01000000"  //    prop 4, phase1 5, phase2 6, sjw 5, brp 1
     "2400 ff0f 00000000 00000000 00000000 00000000 00000000 00000000 00000000 00000000";  // .. of a newer kernel
 
-// A virtual interface: down, a kind, and nothing about a controller.
+// A virtual interface: down, with a kind, and without data about a controller.
 constexpr std::string_view kVirtual =
     "3c000000 1000 0000 01000000 00000000"    // nlmsghdr: 60 bytes
     "00 00 1801 05000000 c0000000 00000000"   // ifinfomsg: index 5, down
@@ -75,8 +75,8 @@ protected:
     }
 };
 
-// REQ-CAN-15 (InterfaceReportTest.*): A wrong bit rate, sample point or a classic mode of a real interface is
-// reported, found beside wanted, with the commands. A virtual interface has no timing.
+// REQ-CAN-15 (InterfaceReportTest.*): A wrong bit rate or sample point, or the classic mode of a real interface, is
+// reported with the found and the wanted value and with the commands to correct it. A virtual interface has no timing.
 TEST_F(InterfaceReportTest, QuestionNamesTheInterface)
 {
     EXPECT_EQ(interfaceQuestion(3, 1), bytesOf("20000000 1200 0100 01000000 00000000"      // RTM_GETLINK, NLM_F_REQUEST
@@ -95,7 +95,8 @@ TEST_F(InterfaceReportTest, VirtualInterfaceHasNoTiming)
     EXPECT_EQ(timingTrouble(*report), QString());
 }
 
-// Cut anywhere, with the length in its header left alone or made right: never half a description, never beyond the end.
+// The message is cut at every length, with and without a corrected length in its header. The result is never half a
+// description, and nothing is read beyond the end.
 TEST_F(InterfaceReportTest, CutMessageIsRefusedOrLacksWholeAttributes)
 {
     const std::vector<std::uint8_t> whole = bytesOf(kAdapter);
@@ -126,7 +127,7 @@ TEST_F(InterfaceReportTest, LyingLengthsAreRefused)
 TEST_F(InterfaceReportTest, OtherMessagesAreRefused)
 {
     EXPECT_FALSE(readInterfaceAnswer({}).has_value());
-    // NLMSG_ERROR, -ENODEV, and the question it answers.
+    // NLMSG_ERROR with -ENODEV, and the query that it answers.
     EXPECT_FALSE(readInterfaceAnswer(bytesOf("24000000 0200 0000 01000000 00000000 edffffff"
                                              "20000000 1200 0100 01000000 00000000"))
                      .has_value());
@@ -144,7 +145,8 @@ TEST(BitTimingTest, WhatAdaptersCanMakeOfTheWantedTimingIsRight)
     }
 }
 
-// What "ip link set can0 up type can bitrate 500000 dbitrate 2000000 fd on" makes: the kernel's own sample points.
+// The result of "ip link set can0 up type can bitrate 500000 dbitrate 2000000 fd on", with the kernel's own sample
+// points.
 TEST(BitTimingTest, EveryWrongValueIsNamedBesideTheWantedOneAndTheCommands)
 {
     InterfaceReport report = adapter();
@@ -177,7 +179,7 @@ TEST(BitTimingTest, ClassicModeIsSaidOnce)
     EXPECT_THAT(timingTrouble(report).toStdString(), HasSubstr(": CAN-FD off (wanted on). Enter `ip"));
 }
 
-// REQ-CAN-16: Silence on a bus that is up has one advice for every kind of bus.
+// REQ-CAN-16: For a silent bus that is up there is one advice for every kind of bus.
 TEST(BusAdviceTest, SilenceNamesTimingWiringPowerAndIds)
 {
     const std::string onCan = silenceAdvice({BusKind::SocketCan, "can0"}).toStdString();

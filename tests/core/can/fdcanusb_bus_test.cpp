@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the adapter reports of its bus, and how it is brought back on it.
+// The bus status that the adapter reports, and how the link restarts its controller.
 #include "tests/core/can/fdcanusb_rig.h"
 
 namespace boresight {
@@ -24,7 +24,7 @@ TEST_F(FdcanusbLinkTest, AdapterOffTheBusIsDownAndIsSwitchedOn)
     ASSERT_TRUE(waitUntil([this] { return link.status().dropped == 1; }));
 
     clock.advance(500ms);
-    sendOne();  // refused again, but one restart a second is enough
+    sendOne();  // refused again, but a restart is sent only once a second
     adapter.write("ERR not in BusOn state\r\n");
     ASSERT_TRUE(waitUntil([this] { return link.status().busErrors == 2; }));
     EXPECT_TRUE(written("can send 8001 50 BF\ncan status\n"));
@@ -34,10 +34,10 @@ TEST_F(FdcanusbLinkTest, AdapterOffTheBusIsDownAndIsSwitchedOn)
     EXPECT_EQ(text(), "");
 }
 
-// The firmware confirms frames with OK although its controller is bus-off: only "can status" tells. Asked after 200 ms
-// of silence, so that it is on the screen within 300 ms.
-// REQ-CAN-07: A silent adapter is asked for its bus status after 200 ms. Bus-off is reported, and restarted at most
-// once a second.
+// The firmware confirms frames with OK although its controller is bus-off. Only "can status" shows this. The query goes
+// out after 200 ms of silence, so the result is on the screen within 300 ms.
+// REQ-CAN-07: A silent adapter is queried for its bus status after 200 ms. Bus-off is reported, and the controller is
+// restarted at most once a second.
 TEST_F(FdcanusbLinkTest, SilentBusIsAskedForItsStatusAndRestarted)
 {
     clock.advance(199ms);
@@ -66,7 +66,7 @@ TEST_F(FdcanusbLinkTest, SilentBusIsAskedForItsStatusAndRestarted)
     ASSERT_TRUE(waitUntil([this] { return text().empty(); }));
 }
 
-// Story: a bus-off adapter refuses frames too, and the two texts took turns in the log five times a second.
+// Story: an adapter that is bus-off refuses frames too, and the two texts alternated in the log five times a second.
 TEST_F(FdcanusbLinkTest, BusOffIsNotHiddenByTheRefusalsThatFollow)
 {
     clock.advance(200ms);
@@ -76,14 +76,14 @@ TEST_F(FdcanusbLinkTest, BusOffIsNotHiddenByTheRefusalsThatFollow)
     const QString told = link.status().text;
     EXPECT_THAT(text(), HasSubstr("bus-off after too many errors"));
     const std::uint64_t errors = link.status().busErrors;
-    adapter.write("OK\r\nOK\r\n");  // to its restart
+    adapter.write("OK\r\nOK\r\n");  // the replies to the restart
     sendOne();
     adapter.write("ERR not in BusOn state\r\n");
     ASSERT_TRUE(waitUntil([&] { return link.status().busErrors == errors + 1; }));
     EXPECT_EQ(link.status().text, told);
 }
 
-// Down for good: asked five times a second, restarted once.
+// An adapter that stays bus-off is queried five times a second, and restarted once a second.
 // REQ-CAN-07
 TEST_F(FdcanusbLinkTest, ControllerIsRestartedOnceASecond)
 {
@@ -94,7 +94,7 @@ TEST_F(FdcanusbLinkTest, ControllerIsRestartedOnceASecond)
         ASSERT_TRUE(waitUntil([this] { return adapter.written.contains("can status\n"); }));
         adapter.write("OK\nlec=3 dlec=7 err=1 warn=1 busoff=1 pexc=0 tdc=0\nrcv end\n");
         ASSERT_TRUE(waitUntil([this, i] { return link.status().dropped == static_cast<std::uint64_t>(i) + 1; }));
-        sendOne();  // brings what was written before with it
+        sendOne();  // brings earlier output with it
         ASSERT_TRUE(waitUntil([this] { return adapter.written.count("can send") == 2; }));
         restarts += static_cast<int>(adapter.takeWritten().count("can off\ncan on\n"));
         adapter.write("OK\nOK\nOK\n");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Frames and their answers, line by line.
+// Frames and their replies, line by line.
 #include "core/can/line_checksum.h"
 #include "tests/core/can/fdcanusb_rig.h"
 #include "tests/fakes/text_of.h"
@@ -11,7 +11,7 @@ using namespace std::chrono_literals;
 using fakes::waitUntil;
 using testing::HasSubstr;
 
-// REQ-CAN-05: Both axes' frames leave in one write. A batch that stops half-way reports how far it came.
+// REQ-CAN-05: The frames of both axes leave in one write. A batch that stops halfway reports how many frames were sent.
 TEST_F(FdcanusbLinkTest, BothAxesGoOutInOneWriteAndRepliesComeIn)
 {
     ASSERT_TRUE(link.send(std::array{frameTo(0x8001, {0x11, 0x00}), frameTo(0x8002, {0x11, 0x00})}).has_value());
@@ -50,15 +50,15 @@ TEST_F(FdcanusbLinkTest, GarbageIsCountedAndNeverUsed)
     EXPECT_EQ(link.status().state, LinkState::Up);
 }
 
-// REQ-CAN-06: An OK that does not come within 50 ms, and every ERR, is counted and reported until a frame is confirmed
-// again.
+// REQ-CAN-06: An OK that does not come within 50 ms, and every ERR, is counted. It is reported until a frame is
+// confirmed again.
 TEST_F(FdcanusbLinkTest, MissingOkIsCountedAndSaidUntilTheNextOk)
 {
     ASSERT_TRUE(link.send(std::array{frameTo(0x8001, {0x50}), frameTo(0x8002, {0x50})}).has_value());
     clock.advance(49ms);
     sendOne();
     EXPECT_EQ(link.status().busErrors, 0U);
-    clock.advance(1ms);  // the first two are due; the timer notices by itself
+    clock.advance(1ms);  // the first two are overdue, and the timer detects it by itself
     ASSERT_TRUE(waitUntil([this] { return link.status().busErrors == 2; }));
     EXPECT_THAT(text(), HasSubstr("no OK within 50 ms"));
     EXPECT_EQ(link.status().state, LinkState::Up);
@@ -82,10 +82,10 @@ TEST_F(FdcanusbLinkTest, ErrIsShownWithTheAdaptersWords)
     EXPECT_EQ(link.status().state, LinkState::Up);
     clock.advance(1s);
     sendOne();
-    EXPECT_EQ(link.status().busErrors, 1U);  // the ERR was the answer: nothing is missing
+    EXPECT_EQ(link.status().busErrors, 1U);  // the ERR was the reply, so nothing is missing
 }
 
-// Found by the fuzzer: a damaged refusal came onto the screen and into the log with its control characters.
+// Found by the fuzzer: a damaged refusal appeared on the screen and in the log with its control characters.
 TEST_F(FdcanusbLinkTest, ShowsADamagedRefusalPrintable)
 {
     sendOne();
@@ -107,7 +107,7 @@ TEST_F(FdcanusbLinkTest, ReceiverMayCloseTheLink)
 TEST_F(FdcanusbLinkTest, AdapterThatTakesNoDataIsReported)
 {
     Result<> result;
-    // Nobody reads the pseudo-terminal here: its buffer fills up, then ours.
+    // Nobody reads the pseudo-terminal here: its buffer fills up, then that of the link.
     for (int i = 0; i < 10000 && result; ++i) {
         result = link.send(std::array{frameTo(0x8001, {0x50})});
     }
@@ -126,7 +126,7 @@ TEST_F(FdcanusbLinkTest, ImpossibleFrameIsRefusedAndNothingOfTheBatchIsSent)
     EXPECT_TRUE(written("can send 8001 50 BF\n"));
 }
 
-// REQ-CAN-08: Checksum mode adds checksums and takes no line without.
+// REQ-CAN-08: Checksum mode adds checksums and accepts no line without one.
 TEST_F(FdcanusbLinkTest, ChecksumModeAddsAndDemandsChecksums)
 {
     link.close();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The port of the adapter: unplugged, in use, locked, forbidden.
+// The port of the adapter: unplugged, in use, locked, without permission.
 #include "tests/core/can/fdcanusb_rig.h"
 #include "tests/fakes/text_of.h"
 
@@ -23,7 +23,7 @@ using namespace std::chrono_literals;
 using fakes::waitUntil;
 using testing::HasSubstr;
 
-// REQ-CAN-09: Unplugging is noticed at once. A killed program does not keep the port.
+// REQ-CAN-09: Unplugging is detected at once. A program that was killed does not keep the port.
 TEST_F(FdcanusbLinkTest, UnpluggedAdapterIsLostAtOnceAndOpensAgain)
 {
     adapter.unplug();
@@ -50,7 +50,8 @@ TEST_F(FdcanusbLinkTest, AdapterGoneBetweenTwoSendsIsLost)
     ASSERT_TRUE(waitUntil([this] { return link.status().state == LinkState::Lost; }));
 }
 
-// Neither the lock file nor the kernel's exclusive mark of a killed program keeps the next one out.
+// Neither the lock file of a killed program nor the kernel's exclusive flag prevents the next program from opening the
+// port.
 // REQ-CAN-09
 TEST_F(FdcanusbLinkTest, PortOfAKilledProgramOpensAgain)
 {
@@ -98,9 +99,9 @@ TEST_F(FdcanusbLinkTest, OpenErrorsNameTheRemedy)
     EXPECT_THAT(textOf(file.open().error()), HasSubstr("not a serial port"));
 }
 
-// The maker's tools take no lock: the kernel tells who has the port open.
-// REQ-CAN-19: A port that another program of any user has open or locked is not shared: that program is named. The
-// kernel's exclusive mark stays on a real port.
+// The tools of the maker take no lock. The kernel shows which program has the port open.
+// REQ-CAN-19: A port that another program of any user has open or locked is not shared, and that program is named. On a
+// real port the kernel's exclusive flag stays set.
 TEST_F(FdcanusbLinkTest, PortInUseNamesTheProgramThatHoldsIt)
 {
     link.close();
@@ -118,9 +119,9 @@ TEST_F(FdcanusbLinkTest, PortInUseNamesTheProgramThatHoldsIt)
     open(link);
 }
 
-// Story: a second program of another user took the adapter of the running service. It sees neither the open files of
-// the service nor the folder of its lock file. Here the holder is this program itself, which the look at /proc leaves
-// out.
+// Story: a second program of another user took the adapter of the running service. It can see neither the open files of
+// the service nor the folder of its lock file. In this test this program itself holds the port, and the search in /proc
+// skips it.
 // REQ-CAN-19
 TEST_F(FdcanusbLinkTest, PortThatIsLockedInAnyWayIsRefused)
 {
@@ -146,7 +147,7 @@ TEST_F(FdcanusbLinkTest, OpenPortIsLockedForOthersUntilItIsClosed)
     EXPECT_EQ(flock(other.number(), LOCK_EX | LOCK_NB), 0);
 }
 
-// The kernel's exclusive mark stays on real ports: those of USB adapters (166, 188) and of the board (4).
+// The kernel's exclusive flag stays set on real ports: those of USB adapters (166, 188) and of the board (4).
 // REQ-CAN-19 (SerialPortCheck.*)
 TEST(SerialPortCheck, OnlyAPseudoTerminalIsOne)
 {
@@ -167,7 +168,7 @@ TEST_F(FdcanusbLinkTest, MissingPermissionNamesTheUdevRule)
     ASSERT_EQ(chmod(adapter.path().toLocal8Bit().constData(), 0), 0);
     const bool root = geteuid() == 0;
     constexpr uid_t kNobody = 65534;
-    ASSERT_TRUE(!root || seteuid(kNobody) == 0);  // root may open anything
+    ASSERT_TRUE(!root || seteuid(kNobody) == 0);  // root may open everything
     const auto result = link.open();
     ASSERT_TRUE(!root || seteuid(0) == 0);
     ASSERT_FALSE(result.has_value());

@@ -16,7 +16,8 @@ using namespace std::chrono_literals;
 using fakes::waitUntil;
 using testing::HasSubstr;
 
-// Story: 29 kB of frames in 4 s went into the control port of a radio behind a mistyped name, and no end of it.
+// Story: the port name was mistyped, and 29 kB of frames in 4 s went into the control port of a radio. The frames did
+// not stop.
 class FdcanusbProbeTest : public testing::Test
 {
 protected:
@@ -32,7 +33,7 @@ protected:
             tick();
         }
     }
-    // As the station does it once a second with a link that is lost.
+    // Reopens the link once a second, as the station does with a lost link.
     void reopenFor(std::chrono::seconds time)
     {
         for (auto left = time; left > 0s; left -= 1s) {
@@ -54,8 +55,9 @@ protected:
     FdcanusbLink link{port.path(), clock};
 };
 
-// REQ-CAN-23 (FdcanusbProbeTest.*): A port behind which no adapter answers gets one question and nothing else, and is
-// given back, until the operator acts or another device takes its place. A stall of this computer is no silence.
+// REQ-CAN-23 (FdcanusbProbeTest.*): If no adapter answers at a port, the port receives one query and nothing else. It
+// is closed until the operator acts or another device takes its place. A stall of this computer does not count as
+// silence.
 TEST_F(FdcanusbProbeTest, SilentPortHearsOneQuestionAndNothingElse)
 {
     openPort();
@@ -79,7 +81,7 @@ TEST_F(FdcanusbProbeTest, AnotherDeviceThatTalksIsNoAdapterEither)
     EXPECT_TRUE(waitUntil([this] { return port.written == fakes::kProbe; })) << port.written.toStdString();
 }
 
-// Nobody sends while the station is closing, and the port is to be free for its own program.
+// Nobody sends while the station is closing, and the port must be free for its own program.
 TEST_F(FdcanusbProbeTest, SilentPortIsGivenBackWithoutAnySend)
 {
     openPort();
@@ -127,7 +129,7 @@ TEST_F(FdcanusbProbeTest, EveryKindOfAnswerProvesTheAdapter)
     }
 }
 
-// The right adapter comes after the wrong port: plugged in under the same name.
+// The right adapter is plugged in under the name of the wrong port.
 TEST_F(FdcanusbProbeTest, AnotherDeviceInItsPlaceIsAskedByItself)
 {
     const QString name = folder.filePath(QStringLiteral("adapter"));
@@ -145,7 +147,7 @@ TEST_F(FdcanusbProbeTest, AnotherDeviceInItsPlaceIsAskedByItself)
     EXPECT_TRUE(named.send(std::array{frameTo(0x8001, {0x50})}).has_value());
 }
 
-// Its answer waits to be read when this computer wakes up.
+// The answer is ready to be read when this computer wakes up.
 TEST_F(FdcanusbProbeTest, StallOfThisComputerIsNoSilenceOfTheAdapter)
 {
     openPort();

@@ -107,9 +107,9 @@ TEST(FdcanusbProtocol, DamagedLinesAreUnreadable)
                                   "rcv -100 2100",
                                   "rcv 000000100 2100",
                                   "rcv 20000000 2100 E B F r",
-                                  "rcv 0800 2100 e B F r x-1",                  // too long for a standard identifier
-                                  "rcv 0100 010203040506070809 e B F r x-1",    // no frame is 9 bytes long
-                                  "rcv 0100 0102030405060708090a0b0c e b f r",  // nor a classic one 12
+                                  "rcv 0800 2100 e B F r x-1",                  // too large for a standard identifier
+                                  "rcv 0100 010203040506070809 e B F r x-1",    // no frame has 9 bytes
+                                  "rcv 0100 0102030405060708090a0b0c e b f r",  // and no classic frame has 12
                                   "rcv 0100 21rcv 0100 210000 e B F r x-1",
                                   "lec=",
                                   "lec=0 busoff=2",
@@ -130,7 +130,7 @@ TEST(FdcanusbProtocol, ChecksumIsVerifiedWhenPresentAndDemandedInChecksumMode)
     EXPECT_EQ(std::get<CanFrame>(parseAnswer(withChecksum("rcv 0100 "))), frameOf(0x100, ""));
 }
 
-// CRC-8 finds every error confined to 8 bits, so every single character.
+// CRC-8 finds every error within 8 bits, so it finds every single wrong character.
 // REQ-CAN-08
 TEST(FdcanusbProtocol, NoSingleDamagedCharacterPassesTheChecksum)
 {
@@ -145,8 +145,8 @@ TEST(FdcanusbProtocol, NoSingleDamagedCharacterPassesTheChecksum)
     }
 }
 
-// Whatever the mutation, the parser survives, and what it lets through is a frame that a bus can carry.
-// REQ-CAN-03: A damaged, half, over-long or unknown line is counted and never used.
+// With every mutation the parser survives, and what it accepts is a frame that a bus can carry.
+// REQ-CAN-03: A damaged, incomplete, over-long or unknown line is counted and never used.
 TEST(FdcanusbProtocol, MutatedLinesNeverYieldAnImpossibleFrame)
 {
     const std::vector<std::string> seeds{"rcv 0100 CEBDE68D7DB39AD27643196A0173BCEB32294EAB e B F r x-1",
@@ -185,10 +185,10 @@ TEST(FdcanusbProtocol, MutatedLinesNeverYieldAnImpossibleFrame)
             ASSERT_TRUE(sendLine(*frame).has_value()) << line;
         }
     }
-    EXPECT_GT(frames, 1000);  // the mutations were not so wild that nothing got through
+    EXPECT_GT(frames, 1000);  // enough mutated lines were still frames
 }
 
-// The maker's lines: tests/data/moteus_golden.json, or another file of the same schema.
+// The lines of the maker: tests/data/moteus_golden.json, or another file with the same schema.
 QJsonArray goldenLines()
 {
     QFile file(qEnvironmentVariable("MOTEUS_GOLDEN", QStringLiteral(BORESIGHT_TEST_DATA "/moteus_golden.json")));
@@ -206,8 +206,9 @@ std::uint32_t idOf(const QJsonObject& object, const char* key)
     return static_cast<std::uint32_t>(std::stoul(textOf(object, key), nullptr, 16));
 }
 
-// The golden lines leave out a flag that the adapter is to choose and put a space between flags, where we always write
-// both in one word. So: command, identifier and data must be equal to the letter, and every golden flag be in ours.
+// The golden lines leave out a flag that the adapter may choose, and separate the flags by a space. Boresight always
+// writes both flags in one word. So command, identifier and data must be identical, and every golden flag must be
+// present.
 void expectSameCommand(const std::string& ours, const std::string& golden)
 {
     const std::size_t flagsAt = ours.rfind(' ');

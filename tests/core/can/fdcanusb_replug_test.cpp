@@ -28,8 +28,8 @@ CanFrame anyFrame()
     return frame;
 }
 
-// An operator who configured ttyACM0 finds the adapter again although it comes back as ttyACM1, and although another
-// device is ttyACM0 now.
+// An operator configured ttyACM0. The adapter is found again although it comes back as ttyACM1 and another device has
+// become ttyACM0.
 class FdcanusbReplugTest : public testing::Test
 {
 protected:
@@ -69,9 +69,8 @@ protected:
     FdcanusbLink link{adapterPort(first.path(), folder.filePath(QStringLiteral("by-id"))), clock};
 };
 
-// REQ-CAN-18 (FdcanusbReplugTest.*): An adapter configured by a name of the kernel's (`/dev/ttyACM0`) is found again
-// under its name in `/dev/serial/by-id`, whatever the kernel calls it now. Another device under the old name is left
-// alone.
+// REQ-CAN-18 (FdcanusbReplugTest.*): An adapter that is configured by a kernel name (`/dev/ttyACM0`) is found again by
+// its name in `/dev/serial/by-id`, whatever kernel name it has then. Another device under the old name is left alone.
 TEST_F(FdcanusbReplugTest, AdapterIsFoundAgainUnderItsStableName)
 {
     unplugFirst();
@@ -109,7 +108,7 @@ TEST_F(FdcanusbReplugTest, SpareAdapterInItsPlaceIsTakenAndRemembered)
     EXPECT_THAT(link.status().text.toStdString(), HasSubstr("79678ECE"));
 }
 
-// A link that the operator chose counts, wherever it leads next time.
+// A symbolic link that the operator chose is followed to wherever it leads next time.
 TEST_F(FdcanusbReplugTest, ChosenLinkIsFollowed)
 {
     link.close();

@@ -15,7 +15,7 @@
 #include <array>
 #include <vector>
 
-// An fdcanusb link that was opened on a pseudo-terminal, whose other end the test plays.
+// An fdcanusb link opened on a pseudo-terminal. The test plays the other end.
 namespace boresight {
 
 inline CanFrame frameTo(std::uint32_t id, std::initializer_list<std::uint8_t> bytes)

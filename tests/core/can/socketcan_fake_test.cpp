@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// SocketCanLink over a socket pair in place of AF_CAN: runs on any kernel and under the sanitizers. What only a real
-// interface shows is in socketcan_link_test.cpp, which runs in User-Mode Linux.
+// SocketCanLink over a socket pair in place of AF_CAN: this runs on any kernel and under the sanitizers. Tests that
+// need a real interface are in socketcan_link_test.cpp, which runs in User-Mode Linux.
 #include "core/can/socketcan_link.h"
 #include "tests/fakes/manual_clock.h"
 #include "tests/fakes/text_of.h"
@@ -188,7 +188,7 @@ TEST_F(SocketCanFakeTest, FloodOfErrorFramesIsSaidOnceAndCounted)
     EXPECT_THAT(text(), HasSubstr("damaged frames on the bus: check the drives' power, the cable"));
 }
 
-// Frames come through between the damaged ones: the text must not flicker, and goes when the damage is over.
+// Good frames arrive between the damaged ones. The text must not flicker, and must disappear when the damage is over.
 // REQ-CAN-11
 TEST_F(SocketCanFakeTest, DamagedFramesAreForgottenAfterASecondWithout)
 {
@@ -210,7 +210,7 @@ TEST_F(SocketCanFakeTest, DamagedFramesAreForgottenAfterASecondWithout)
     EXPECT_EQ(text(), "");
 }
 
-// Some drivers report a missing acknowledge as a violation of the protocol in the acknowledge slot.
+// Some drivers report a missing acknowledge as a protocol violation in the acknowledge slot.
 // REQ-CAN-11
 TEST_F(SocketCanFakeTest, MissingAcknowledgeIsKnownByItsPlaceInTheFrame)
 {
@@ -224,7 +224,7 @@ TEST_F(SocketCanFakeTest, MissingAcknowledgeIsKnownByItsPlaceInTheFrame)
     EXPECT_THAT(text(), HasSubstr("no board acknowledges"));
 }
 
-// A flood is a warning after one window of 200 ms and stays one until the bus is quiet again.
+// A flood of frames is a warning after one window of 200 ms, and stays a warning until the bus is quiet again.
 // REQ-CAN-20
 TEST_F(SocketCanFakeTest, FloodOfAnotherProgramIsSaid)
 {
@@ -241,13 +241,13 @@ TEST_F(SocketCanFakeTest, FloodOfAnotherProgramIsSaid)
         return true;
     };
     using std::chrono::milliseconds;
-    ASSERT_TRUE(receiveOver(390, milliseconds(199)));  // just short of a window
+    ASSERT_TRUE(receiveOver(390, milliseconds(199)));  // just shorter than a window
     EXPECT_EQ(text(), "");
     ASSERT_TRUE(receiveOver(30, milliseconds(2)));
     EXPECT_EQ(link.status().state, LinkState::Up);
     EXPECT_THAT(text(), HasSubstr("more than 2000 frames a second on the bus"));
     EXPECT_THAT(text(), HasSubstr("Another program floods the bus. End that program (`candump can0`"));
-    ASSERT_TRUE(receiveOver(300, milliseconds(201)));  // 1500 a second: not yet over
+    ASSERT_TRUE(receiveOver(300, milliseconds(201)));  // 1500 a second: still a flood
     EXPECT_EQ(changes.size(), 1);
     ASSERT_TRUE(receiveOver(40, milliseconds(201)));  // two drives at 100 Hz
     EXPECT_EQ(text(), "");
@@ -318,7 +318,7 @@ TEST_F(SocketCanTimingTest, BusOffFromBeforeIsSeenAtOpening)
 
 TEST_F(SocketCanFakeTest, FullTransmitQueueTellsHowManyFramesLeft)
 {
-    std::vector<CanFrame> batch(100000, frameTo(0x8001));  // far more than a socket buffer holds; nobody reads
+    std::vector<CanFrame> batch(100000, frameTo(0x8001));  // far more than a socket buffer holds, and nobody reads
     const auto result = link.send(batch);
     ASSERT_FALSE(result.has_value());
     const auto sent = link.status().sent;

@@ -104,8 +104,8 @@ ErrorReport reportOf(canid_t errorClass, std::uint8_t controller = 0)
     return readErrorFrame(raw);
 }
 
-// REQ-CAN-11: Bus-off, error-passive, missing acknowledge and damaged frames are told apart, each with its remedy. So
-// is a bus-off from before we came.
+// REQ-CAN-11: Bus-off, error-passive, missing acknowledge and damaged frames are distinguished, each with its remedy. A
+// bus-off from before the program started is detected, too.
 TEST(SocketCanFrame, ErrorFramesAreToldApart)
 {
     EXPECT_EQ(reportOf(CAN_ERR_BUSOFF), ErrorReport{.busOff = true});
@@ -118,7 +118,8 @@ TEST(SocketCanFrame, ErrorFramesAreToldApart)
     EXPECT_EQ(reportOf(CAN_ERR_CRTL, CAN_ERR_CRTL_TX_WARNING), ErrorReport{.errorActive = true});
     EXPECT_EQ(reportOf(CAN_ERR_CRTL, CAN_ERR_CRTL_RX_OVERFLOW), ErrorReport{.receiveOverflow = true});
     EXPECT_EQ(reportOf(CAN_ERR_PROT), ErrorReport{.busError = true});
-    EXPECT_EQ(reportOf(CAN_ERR_BUSERROR, 0xff), ErrorReport{.busError = true});  // data[1] is of the class CRTL only
+    // data[1] counts only for the class CRTL
+    EXPECT_EQ(reportOf(CAN_ERR_BUSERROR, 0xff), ErrorReport{.busError = true});
 }
 
 }  // namespace

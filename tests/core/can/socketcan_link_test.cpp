@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// SocketCanLink on the kernel's own CAN stack. Needs vcan interfaces and the right to change them, so ctest runs it in
-// User-Mode Linux (tests/system/uml_can_run.sh). can-utils are the independent witness.
+// SocketCanLink on the kernel's own CAN stack. It needs vcan interfaces and the right to change them, so ctest runs it
+// in User-Mode Linux (tests/system/uml_can_run.sh). can-utils check it independently.
 #include "core/can/socketcan_link.h"
 
 #include "core/can/bit_timing.h"
@@ -37,7 +37,7 @@ bool run(const std::string& command)
     return std::system(command.c_str()) == 0;
 }
 
-// The same with the event loop running beside it.
+// The same while the event loop runs.
 bool runBeside(const std::string& command)
 {
     QProcess shell;
@@ -110,7 +110,7 @@ TEST_F(SocketCanLinkTest, CandumpSeesFlagsIdentifiersAndPadding)
     QProcess candump;
     candump.start(QStringLiteral("candump"), {QStringLiteral("-L"), QStringLiteral("boresight0")});
     QByteArray seen;
-    // It may begin to listen in the middle of a batch.
+    // candump may start to listen in the middle of a batch.
     const auto sawAll = [&candump, &seen] {
         seen += candump.readAllStandardOutput();
         const auto first = seen.indexOf("00008001##");
@@ -130,7 +130,7 @@ TEST_F(SocketCanLinkTest, CandumpSeesFlagsIdentifiersAndPadding)
     candump.kill();
     candump.waitForFinished();
     ASSERT_TRUE(saw) << seen.toStdString();
-    // "##": CAN-FD; the digit after it: the flags, of which 1 is the bit-rate switch and 4 only says CAN-FD again.
+    // "##" means CAN-FD. The digit after it has the flags: 1 is the bit-rate switch, 4 says CAN-FD again.
     const std::string lines = seen.toStdString();
     EXPECT_THAT(lines, testing::ContainsRegex("boresight0 00008001##[15]111111111111111111505050\n"));
     EXPECT_THAT(lines, testing::ContainsRegex("boresight0 100##[15]111111\n"));
@@ -138,7 +138,7 @@ TEST_F(SocketCanLinkTest, CandumpSeesFlagsIdentifiersAndPadding)
     EXPECT_THAT(lines, testing::ContainsRegex("boresight0 102#1111\n"));
 }
 
-// REQ-CAN-02: What is received comes out bit for bit, stamped with the time of arrival.
+// REQ-CAN-02: Received frames are passed on bit for bit, with the time of arrival.
 TEST_F(SocketCanLinkTest, FramesOfCansendAreRead)
 {
     if (QStandardPaths::findExecutable(QStringLiteral("cansend")).isEmpty()) {
@@ -173,16 +173,16 @@ TEST_F(SocketCanLinkTest, ErrorFramesOfTheKernelAreUnderstood)
     EXPECT_EQ(link.status().received, 0U);
 }
 
-// The screen shows what the link says within one of its updates (50 ms), so that 250 ms are left for noticing. The best
-// of many rounds: what comes late does so each time, what else this computer has to do not.
-// REQ-CAN-17: A change of the interface is noticed within 250 ms.
+// The screen shows the status of the link within one update (50 ms), so 250 ms are left to detect a change. The best of
+// many rounds counts: a slow detection is slow in every round, other load of this computer is not.
+// REQ-CAN-17: A change of the interface is detected within 250 ms.
 TEST_F(SocketCanLinkTest, ChangesAreNoticedInTime)
 {
     struct Change
     {
         const char* command;
         LinkState state;
-        qint64 best;  // ms after the command was done
+        qint64 best;  // ms after the end of the command
     };
     constexpr qint64 kInTime = 250;
     constexpr qint64 kNever = 60'000;
@@ -210,7 +210,7 @@ TEST_F(SocketCanLinkTest, ChangesAreNoticedInTime)
     }
 }
 
-// REQ-CAN-10: Interface down, up, removed or replaced is noticed at once, also when nothing is sent.
+// REQ-CAN-10: An interface that goes down or up, is removed or replaced, is detected at once, even if nothing is sent.
 TEST_F(SocketCanLinkTest, DownAndUpAreNoticedWithoutSending)
 {
     ASSERT_TRUE(run("ip link set boresight0 down"));
@@ -262,7 +262,7 @@ TEST_F(SocketCanLinkTest, SendIntoARemovedInterfaceIsLost)
     EXPECT_EQ(link.status().state, LinkState::Lost);
 }
 
-// An interface of the same name is another one: the old socket hears nothing of it.
+// A new interface with the same name is a different one: the old socket receives nothing from it.
 // REQ-CAN-10
 TEST_F(SocketCanLinkTest, ReplacedInterfaceIsLost)
 {
@@ -294,8 +294,8 @@ TEST_F(SocketCanLinkTest, KernelTellsThatAVirtualInterfaceHasNoTiming)
     EXPECT_EQ(text(), "");
 }
 
-// A serial-line adapter on a pseudo-terminal is a real controller to the kernel, though without CAN-FD: what it tells
-// of its timing is read, and opening it is refused with the remedy.
+// For the kernel a serial-line adapter on a pseudo-terminal is a real controller, but without CAN-FD. Its timing is
+// read, and opening it is refused with the remedy.
 // REQ-CAN-15
 TEST_F(SocketCanLinkTest, KernelTellsTheBitTimingOfAController)
 {
@@ -328,16 +328,16 @@ TEST_F(SocketCanLinkTest, KernelTellsTheBitTimingOfAController)
     std::printf("the kernel says of %s: %s\n", name.c_str(), trouble.c_str());
 }
 
-// REQ-CAN-12: Frames that the kernel dropped are counted, none twice.
+// REQ-CAN-12: Frames that the kernel dropped are counted, none of them twice.
 TEST_F(SocketCanLinkTest, FramesThatTheKernelDropsAreCounted)
 {
     SocketCanLink talker(QStringLiteral("boresight0"), clock);
     ASSERT_TRUE(talker.open().has_value());
-    constexpr std::uint64_t kFrames = 20000;  // the receive buffer holds about 1,300 while nobody reads
+    constexpr std::uint64_t kFrames = 20000;  // while nobody reads, the receive buffer holds about 1,300
     const std::vector<CanFrame> burst(kFrames, frameTo(0x8001, 64));
     ASSERT_TRUE(talker.send(burst).has_value());
     const auto allAccounted = [this, &talker] {
-        // The count of lost frames comes with the next frame that is received.
+        // The count of lost frames arrives with the next received frame.
         static_cast<void>(talker.send(std::array{frameTo(0x8002)}));
         return link.status().received + link.status().dropped >= kFrames;
     };
@@ -347,7 +347,7 @@ TEST_F(SocketCanLinkTest, FramesThatTheKernelDropsAreCounted)
     EXPECT_EQ(link.status().received, static_cast<std::uint64_t>(frames.size()));
 }
 
-// A token bucket of one small frame in front of the interface: the kernel answers ENOBUFS, as a real adapter does when
+// A token bucket for one small frame in front of the interface: the kernel answers ENOBUFS, as with a real adapter when
 // nothing on the bus acknowledges.
 // REQ-CAN-05
 TEST_F(SocketCanLinkTest, FullTransmitQueueStopsTheBatchAndIsSaid)

@@ -95,8 +95,9 @@ private:
     }
 };
 
-// REQ-CONTROL-23 (Arming.*): What stands in the way of any motion is reported, the first obstacle first. A lost drive
-// waits for a re-arm. Heat or a sagging supply of either drive refuses the re-arm, with value and limit.
+// REQ-CONTROL-23 (Arming.*): Boresight reports what prevents any motion, the first obstacle first. A lost drive waits
+// for a re-arm. An overheated drive or a low supply voltage of either axis refuses the re-arm. The refusal names the
+// value and the limit.
 TEST(Arming, WaitsForBothDrivesAndTheirFitness)
 {
     ArmingRig rig;
@@ -226,7 +227,8 @@ TEST(Arming, HeatMustPassBeforeARearm)
     EXPECT_TRUE(rig.arming.rearm(kOperator));
 }
 
-// Story: the other board was at 78 °C meanwhile; re-armed, it let its axis go a second later.
+// Story: the board of the other drive was at 78 °C. The re-arm was accepted, and that axis lost its torque a second
+// later.
 TEST(Arming, WhatWouldStopTheMountAgainOnTheOtherAxisRefusesTheRearmToo)
 {
     ArmingRig rig;

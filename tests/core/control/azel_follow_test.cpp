@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The Moon that the station follows by the azel.dat of WSJT-X.
+// The station tracks the Moon with the file azel.dat of WSJT-X.
 #include "core/sources/azel_follow.h"
 
 #include "core/alarms/catalogue.h"
@@ -20,7 +20,7 @@ namespace {
 using testing::HasSubstr;
 
 const Site kMoonSite{.latitude = 38.757_deg, .longitude = -9.117_deg, .heightMetres = 80.0};
-constexpr Angle kHalfStep = Angle::fromDegrees(0.0708);  // of the file, in both angles
+constexpr Angle kHalfStep = Angle::fromDegrees(0.0708);  // half a step of the file, in both angles
 
 profile::Profile atMoonSite()
 {
@@ -43,7 +43,7 @@ protected:
     }
 
     [[nodiscard]] UtcTime now() const { return rig.clock.utc(); }
-    // Sets the clock to when the Moon passes this elevation next, upwards.
+    // Sets the clock to the next moment when the rising Moon passes this elevation.
     void moonIs(Angle elevation)
     {
         ephemeris::Almanac almanac(kMoonSite);
@@ -59,7 +59,7 @@ protected:
         rig.clock.setUtc(*sets);
     }
     void look() { (void)rig.control.receive(writer.readingAt(now())); }
-    // With a writer that writes each second.
+    // Runs the station while WSJT-X writes the file every second.
     void run(
         Seconds time, const std::function<void()>& each = [] {})
     {
@@ -77,7 +77,7 @@ protected:
         const Result<> answer = rig.ask(request::FollowAzel{}, by);
         return answer ? std::string() : textOf(answer.error());
     }
-    // On the Moon.
+    // Starts to track the Moon and runs until the mount is on the Moon.
     void follow()
     {
         run(Seconds(2.5));
@@ -91,9 +91,9 @@ protected:
         profile.azel = settings;
         rig.setProfile(profile);
     }
-    // Of the set-points from the Moon.
+    // Angle between the set-points and the Moon of the file.
     [[nodiscard]] Angle off() { return angleBetween({place().azimuth, place().elevation}, writer.moon(now())); }
-    // Of the set-points.
+    // Axis positions of the set-points.
     [[nodiscard]] AxisPosition place() const
     {
         const auto sample = rig.control.sample();
@@ -116,8 +116,9 @@ private:
     UtcTime m_written{};
 };
 
-// REQ-AZEL-911: The mount follows the Moon of the file. While it agrees with our own Moon, that one stands for it
-// between its steps of 0.1°: the set-points are within 0.01° of the Moon, and never leap.
+// REQ-AZEL-911: The mount tracks the Moon of the file. While the file agrees with the Moon that Boresight computes, the
+// computed Moon fills the gaps between the 0.1° steps of the file. The set-points are within 0.01° of the Moon and
+// never jump.
 TEST_F(StationAzelFollow, OurOwnMoonFillsTheStepsOfTheFile)
 {
     follow();
@@ -140,8 +141,9 @@ TEST_F(StationAzelFollow, OurOwnMoonFillsTheStepsOfTheFile)
     EXPECT_GT(*status.tracked->next, now());
 }
 
-// REQ-AZEL-912: Where the file and our own Moon differ by more than 0.2°, the file is followed in its own steps, and an
-// advisory names the difference. The same without a site. By more than 2° it is not steered to: that is another place.
+// REQ-AZEL-912: Where the file and the computed Moon differ by more than 0.2°, or where no site is set, the mount
+// follows the steps of the file. An advisory names the difference. If they differ by more than 2° the mount does not go
+// there, because the file is for another place.
 TEST_F(StationAzelFollow, AFileThatDiffersIsFollowedInItsSteps)
 {
     writer.moonInstead = SkyPointing{120.3_deg, 40.1_deg};
@@ -174,8 +176,8 @@ TEST_F(StationAzelFollow, AFileThatDiffersIsFollowedInItsSteps)
     EXPECT_FALSE(status().apart);
 }
 
-// REQ-AZEL-913: It is refused with the reason: no file, a file that nobody writes, a client who asks, a file without
-// the flag where the mount may move only while receiving. The screen has the same reason.
+// REQ-AZEL-913: Tracking by the file is refused with the reason: there is no file, nobody writes the file, a client
+// asks, or the mount may move only while receiving and the file has no transmit flag. The screen shows the same reason.
 TEST_F(StationAzelFollow, IsRefusedWithTheReason)
 {
     rig.run(Seconds(1.0));
@@ -197,8 +199,8 @@ TEST_F(StationAzelFollow, IsRefusedWithTheReason)
     EXPECT_EQ(ask(), "");
 }
 
-// REQ-AZEL-914: The mount moves on by the interval of the profile, or when the Moon is the wanted part of the beam
-// width away, and stands still in between.
+// REQ-AZEL-914: The mount moves at the interval of the profile, or when the Moon is farther away than the set part of
+// the beam width. It stands still in between.
 TEST_F(StationAzelFollow, MovesByTheIntervalOrThePartOfTheBeam)
 {
     follow();
@@ -224,13 +226,13 @@ TEST_F(StationAzelFollow, MovesByTheIntervalOrThePartOfTheBeam)
     narrow.azel = {.beamFraction = 0.2};
     rig.setProfile(narrow);
     run(Seconds(3.0));
-    const int moves = movesWithin(Seconds(80.0));  // the Moon goes 0.32°
+    const int moves = movesWithin(Seconds(80.0));  // the Moon moves by 0.32°
     EXPECT_GE(moves, 2);
     EXPECT_LE(moves, 3);
 }
 
-// REQ-AZEL-915: Where the profile wants that, nothing moves while the radio transmits, also on the way to the Moon.
-// What was saved up is driven when it receives.
+// REQ-AZEL-915: If the profile says so, nothing moves while the radio transmits, not even on the way to the Moon. The
+// mount makes the postponed motion when the radio receives.
 TEST_F(StationAzelFollow, MovesOnlyWhileReceiving)
 {
     set({.onlyWhileReceiving = profile::OnlyWhileReceiving::On});
@@ -262,8 +264,8 @@ TEST_F(StationAzelFollow, MovesOnlyWhileReceiving)
     EXPECT_EQ(starts(), before) << "it is one motion";
 }
 
-// REQ-AZEL-922: While the mount stands still for the radio the Moon goes on. It is the target that is
-// shown, and the error from it counts.
+// REQ-AZEL-922: The Moon moves on while the mount stands still for the radio. The status shows the Moon as the target,
+// and the error is measured from the Moon.
 TEST_F(StationAzelFollow, TheMoonIsTheTargetWhileTheMountStandsStill)
 {
     set({.onlyWhileReceiving = profile::OnlyWhileReceiving::On});
@@ -281,8 +283,8 @@ TEST_F(StationAzelFollow, TheMoonIsTheTargetWhileTheMountStandsStill)
     EXPECT_EQ(status.stateReason, QStringLiteral("stands still while WSJT-X transmits"));
 }
 
-// REQ-AZEL-916: Below the horizon the mount is parked once, and the time of the next rise is known. It follows the Moon
-// from its rise on. At the horizon nothing goes to and fro.
+// REQ-AZEL-916: Below the horizon the mount is parked once, and the status shows the time of the next rise. The mount
+// tracks the Moon again from its rise. At the horizon the mount does not go back and forth.
 TEST_F(StationAzelFollow, IsParkedOnceWhileTheMoonIsDown)
 {
     moonSetsTo(0.2_deg);
@@ -307,7 +309,7 @@ TEST_F(StationAzelFollow, IsParkedOnceWhileTheMoonIsDown)
     EXPECT_EQ(starts(), before + 2);
 }
 
-// What the operator has trimmed is a part of where the mount stands.
+// The operator's trim is part of the position that the mount holds.
 TEST_F(StationAzelFollow, ATrimIsHeldWhileTheRadioTransmits)
 {
     set({.onlyWhileReceiving = profile::OnlyWhileReceiving::On});
@@ -345,8 +347,8 @@ TEST_F(StationAzelFollow, ParkingWaitsForReceiving)
     EXPECT_EQ(starts(), before) << "once";
 }
 
-// REQ-AZEL-917: 30 s after the last change of the file the mount stands still, with an alarm. It goes on when the file
-// is written again within 2 minutes. After that the tracking has ended, with an alarm, and does not come back by
+// REQ-AZEL-917: The mount stands still 30 s after the last change of the file, with an alarm. Tracking continues if the
+// file is written again within 2 minutes. After that the tracking has ended, with an alarm, and does not resume by
 // itself.
 TEST_F(StationAzelFollow, AStaleFileHoldsAndThenEndsIt)
 {
@@ -376,8 +378,8 @@ TEST_F(StationAzelFollow, AStaleFileHoldsAndThenEndsIt)
     EXPECT_EQ(place(), ended);
 }
 
-// REQ-AZEL-918: STOP, Hold, a jog, another target, the operator's own Park and control that is given away end it. It
-// does not come back by itself. Another target is not disturbed.
+// REQ-AZEL-918: STOP, Hold, a jog, another target, the operator's own Park and handing over control end the tracking.
+// It does not resume by itself, and it does not disturb another target.
 TEST_F(StationAzelFollow, EverythingElseEndsIt)
 {
     const std::vector<std::function<void()>> enders{
@@ -406,8 +408,8 @@ TEST_F(StationAzelFollow, EverythingElseEndsIt)
     EXPECT_NEAR(place().azimuth.degrees(), 10.0, 0.01) << "the last one was not held on its way";
 }
 
-// REQ-AZEL-921: The cable is on a wrap that has room until the Moon sets, where there is one and our own Moon stands
-// for that of the file. So it is after each rise.
+// REQ-AZEL-921: Where possible the mount chooses a wrap of the cable that has room until the Moon sets. This needs a
+// computed Moon that agrees with the file. The same choice is made after each rise.
 TEST_F(StationAzelFollow, TheWrapHasRoomUntilTheMoonSets)
 {
     moonIs(5_deg);

@@ -22,7 +22,7 @@ protected:
         lead.came(client(1), "10.0.0.7");
         lead.came(client(2), "10.0.0.9");
     }
-    // Asks for a motion, and moves if it may; else why not.
+    // Asks for a motion and moves if that is allowed. Returns the reason of a refusal, else an empty text.
     std::string moves(std::uint64_t id)
     {
         const Result<> may = lead.admits(rules, client(id), clock.now());
@@ -33,7 +33,7 @@ protected:
         lead.moved(client(id), clock.now());
         return {};
     }
-    // As a client's request comes in.
+    // The same through a client's request.
     std::string asks(std::uint64_t id)
     {
         lead.asked(client(id), clock.now());
@@ -47,12 +47,13 @@ protected:
     ClientLead lead;
 };
 
-// Story: Gpredict with a threshold of 0.1° says nothing for 12 to 16 s while a satellite moves slowly, and lost the
-// mount in mid-pass to a program that asked just then.
-// REQ-CONTROL-27 (ClientLeadTest.*): Of several clients one moves the mount, by the profile's rule: the first, until
-// for 10 s it neither asked for a motion nor read the position while it is tracking, or until it left; the newest; or
-// one host. The others' motions are refused with the reason. Reading and stopping stay open to all. The operator gives
-// control to a client, makes it read-only, or disconnects it.
+// Story: Gpredict with a threshold of 0.1° sends nothing for 12 to 16 s while a satellite moves slowly. In mid-pass it
+// lost control to a program that sent a target in that pause.
+// REQ-CONTROL-27 (ClientLeadTest.*): Only one of several clients moves the mount, by the rule of the profile: the first
+// client, the newest client, or the clients of one host. The first client keeps control until it leaves, or until for
+// 10 s it neither asked for a motion nor read the position during tracking. The motions of the other clients are
+// refused with the reason. Every client may read and stop. The operator gives control to a client, makes it read-only,
+// or disconnects it.
 TEST_F(ClientLeadTest, WhoIsFollowedAndReadsKeepsTheLead)
 {
     EXPECT_EQ(moves(1), "");
@@ -101,7 +102,7 @@ TEST_F(ClientLeadTest, WhoLeavesFreesTheLead)
     EXPECT_EQ(moves(3), "");
 }
 
-// `rotctl P 90 45` twice from a shell, or a program that connects for each command.
+// For example `rotctl P 90 45` twice from a shell, or a program that connects for each command.
 TEST_F(ClientLeadTest, AHostThatConnectsForEachCommandKeepsTheLead)
 {
     EXPECT_EQ(moves(1), "");
@@ -193,7 +194,7 @@ TEST_F(ClientLeadTest, ReadOnlyMovesNothingAndLeadsNot)
 TEST_F(ClientLeadTest, WhoLedBeforeTheOperatorTookOverGoesOn)
 {
     EXPECT_EQ(moves(1), "");
-    pass(60.0);  // jogged by hand meanwhile
+    pass(60.0);  // the operator jogs meanwhile
     lead.resume(clock.now());
     EXPECT_NE(moves(2), "");
     EXPECT_EQ(moves(1), "");
@@ -206,7 +207,8 @@ TEST_F(ClientLeadTest, NobodyThereCannotBeToldAnything)
     EXPECT_EQ(moves(1), "");
 }
 
-// Story: a client without the lead re-armed, and the stream that had gone on through the fault moved the mount at once.
+// Story: a client without control re-armed. Another client had kept sending through the fault, and its stream moved the
+// mount at once.
 // REQ-CONTROL-23a
 TEST_F(ClientLeadTest, AfterAClientsRearmTheOthersThatKeptSendingWait)
 {
@@ -265,7 +267,7 @@ TEST_F(ClientLeadTest, AProgramThatConnectsForEachCommandWaitsUnderItsAddress)
         lead.came(client(id), "10.0.0.7");
         EXPECT_NE(asks(id), "");
         lead.gone(client(id));
-        lead.came(client(id + 100), "10.0.0.7");  // which only reads
+        lead.came(client(id + 100), "10.0.0.7");  // this client only reads
         lead.gone(client(id + 100));
         pass(1.0);
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the station publishes of each action is what it answers when the action is asked for.
+// The permissions that the station publishes for each action agree with its answers to the requests.
 #include "tests/core/control/station_rig.h"
 #include "tests/fakes/text_of.h"
 
@@ -99,7 +99,7 @@ void homeBelowTheHorizon(StationRig& rig)
     standing(rig);
     pointing::Region region = rig.profile.limits;
     region.horizon = {{0_deg, 10_deg}, {180_deg, 10_deg}};
-    rig.profile.park.elevation = 20_deg;  // else the profile makes no sense
+    rig.profile.park.elevation = 20_deg;  // otherwise the profile is invalid
     rig.draw(region);
 }
 
@@ -120,7 +120,7 @@ void turnAsked(StationRig& rig)
     ASSERT_TRUE(rig.control.status().drives->azimuth.turnQuestion);
 }
 
-// One of the places where the drive says that the axis may be, inside its travel.
+// One of the possible positions that the drive reports, inside the travel of the axis.
 Angle placeOf(const StationRig& rig, Axis axis)
 {
     const DrivesStatus drives = *rig.control.status().drives;
@@ -143,7 +143,7 @@ AxisRates jogging(JogDirection direction, AngularRate rate)
     return {.azimuth = rate};
 }
 
-// As the screen asks for it.
+// The request that the screen sends for this action.
 Request requestOf(Action action, const StationRig& rig)
 {
     const auto jog = [&](JogDirection direction) {
@@ -259,9 +259,9 @@ void PrintTo(const Scene& one, std::ostream* out)
 class PermissionsIn : public ::testing::TestWithParam<Scene>
 {};
 
-// REQ-CONTROL-921: Each button of the operator that acts on the mount is offered by the gate that judges its request,
-// with the same reason: motions, drives, bus, proof, re-arm, reset of STOP, who has control, the answer about a wrap.
-// The answer may add where else the mount could go.
+// REQ-CONTROL-921: The check that judges a request also decides whether the operator's button is offered, and gives the
+// same reason. This holds for motions, drives, bus, crash-stop test, re-arm, reset of STOP, control authority and the
+// answer about a wrap. The answer may also name another place where the mount could go.
 TEST_P(PermissionsIn, AnActionIsAnsweredAsItWasPublished)
 {
     for (const Action action : kAsked) {
@@ -292,7 +292,7 @@ INSTANTIATE_TEST_SUITE_P(Permissions, PermissionsIn,
                                            Scene{"turnUnknown", turnUnknown}, Scene{"turnAsked", turnAsked}),
                          [](const auto& one) { return std::string(one.param.name); });
 
-// The scenes above show each of these both ways.
+// The situations above show each of these actions both allowed and refused.
 TEST(Permissions, WhatBringsTheMountBackIsOfferedWhereItCanAct)
 {
     const auto may = [](Situation situation) {
@@ -379,7 +379,7 @@ TEST(Permissions, AnAngleIsSetOfAnAxisThatStandsAndIsSeen)
     EXPECT_FALSE(rig.control.status().permissions.allows(Action::SetAzimuth)) << "nobody knows where it stands";
 }
 
-// Story: the zero of an axis was offered while a hand turned it.
+// Story: setting the zero of an axis was offered while somebody turned the axis by hand.
 TEST(Permissions, AnAngleIsNotSetOfAnAxisThatIsTurnedByHand)
 {
     StationRig rig;
@@ -394,7 +394,7 @@ TEST(Permissions, AnAngleIsNotSetOfAnAxisThatIsTurnedByHand)
     EXPECT_TRUE(rig.control.status().permissions.allows(Action::SetAzimuth));
 }
 
-// Story: behind a low gear the noise of the velocity alone, 3.6°/s here, refused it now and then.
+// Story: behind a low gear ratio the noise of the velocity alone, here 3.6°/s, refused the angle from time to time.
 TEST(Permissions, AnAngleIsSetWhereOnlyTheReportedRateIsNotZero)
 {
     StationRig rig;
@@ -403,7 +403,7 @@ TEST(Permissions, AnAngleIsSetWhereOnlyTheReportedRateIsNotZero)
     EXPECT_TRUE(rig.control.status().permissions.allows(Action::SetAzimuth));
 }
 
-// Story: Hold was grey while the crash-stop proof moved the mount.
+// Story: the Hold button was grey while the crash-stop test moved the mount.
 TEST(Permissions, HoldIsOfferedWhileSomethingMovesTheMountAndEndsIt)
 {
     for (const Situation situation : {moving, proving}) {
@@ -443,7 +443,7 @@ TEST(Permissions, AClientIsToldWhyControlCannotBeGivenToIt)
     ASSERT_TRUE(rig.ask(request::GiveLead{.clientId = 1}));
     EXPECT_EQ(obstacle(1), "it has control");
     EXPECT_EQ(obstacle(2), "");
-    // Story: it named the newest client, and a client that connects later has no control before it sends a target.
+    // Story: the reason named the newest client. A client that connects later has no control before it sends a target.
     rig.profile.rotctld.lead = profile::Lead::Last;
     rig.setProfile(rig.profile);
     EXPECT_EQ(obstacle(2), "the client that sent last has control");

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Settings that apply at once, at those who read the profile in force where they use it. That others react to a change
-// is shown beside them: the region and the Sun (station_sun_test), the drive check (drive_care_test), the sensor
-// (sensor_disagreement_test), the calibrations (calibration_follow_test, calibration_points_test), broker and server
-// (station_broker_test, station_test).
+// Settings that apply at once because their users read the current profile at each use. Other tests show how the rest
+// of the station reacts to a change: the region and the Sun (station_sun_test), the drive check (drive_care_test), the
+// sensor (sensor_disagreement_test), the calibrations (calibration_follow_test, calibration_points_test), broker and
+// server (station_broker_test, station_test).
 #include "core/station/station_rotator.h"
 #include "tests/core/control/station_rig.h"
 #include "tests/fakes/text_of.h"

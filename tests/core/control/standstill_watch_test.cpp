@@ -11,7 +11,7 @@ using namespace boresight::literals;
 class StandstillWatchTest : public testing::Test
 {
 protected:
-    // One report each `pause`, `step` further than the last.
+    // Makes one report after each `pause`. Each report is `step` farther than the last.
     void turn(int reports, Angle step, std::chrono::milliseconds pause = std::chrono::milliseconds(20))
     {
         for (int i = 0; i < reports; ++i) {

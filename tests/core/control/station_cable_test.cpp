@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is told when the azimuth cable ends while something is followed. Travel -90…450°.
+// What is reported when the azimuth cable ends during tracking. The travel is -90…450°.
 #include "tests/core/control/station_rig.h"
 
 #include <QDateTime>
@@ -25,7 +25,8 @@ protected:
         ASSERT_TRUE(rig.ask(request::GiveAuthority{}));
     }
 
-    // A client's points along 30° of elevation, one a second, counted beyond 360°; the last one's azimuth.
+    // A client sends one target a second along 30° of elevation, with azimuths counted beyond 360°. Returns the last
+    // azimuth.
     double stream(
         double from, double perSecond, int seconds, const std::function<void()>& look = [] {})
     {
@@ -54,7 +55,7 @@ protected:
         return alarms.empty() ? std::string() : alarms.front().what.toStdString();
     }
 
-    // How far the time in the headline is from what the bar counts.
+    // Difference between the time in the headline and the countdown of the bar.
     [[nodiscard]] double headlineOff() const
     {
         const StationStatus status = rig.control.status();
@@ -72,9 +73,9 @@ constexpr const char* kTurnsBack =
     "turns back by 360° because the cable ends at axis 450.0°, and the target is lost for about 37 s";
 constexpr const char* kDetail = "cable end, turns back 360°";
 
-// Story: at the end of the cable the mount set off for a whole turn, and neither the log nor the screen said why.
-// REQ-CONTROL-31a: Unwrapping at the cable end is a motion of its own in the log, with source and reason, and stands
-// below the state for as long as it lasts. This holds for a go-to as well.
+// Story: at the end of the cable the mount started to turn by 360°, and neither the log nor the screen gave a reason.
+// REQ-CONTROL-31a: Unwrapping at the cable end is a separate motion in the log, with source and reason. While it lasts
+// the screen shows it below the state. This holds for a go-to as well.
 TEST_F(StationCable, ATurnBackIsToldWithWhoAndWhyForAsLongAsItLasts)
 {
     standAt(440_deg);
@@ -99,7 +100,7 @@ TEST_F(StationCable, ATurnBackIsToldWithWhoAndWhyForAsLongAsItLasts)
     EXPECT_EQ(turnBacks().size(), 1U) << "once, not with each point";
 }
 
-// Faster than a satellite: no path is forecast, so no alarm came before it either.
+// The targets move faster than a satellite: no path is predicted, so no alarm came before the unwrapping either.
 // REQ-CONTROL-31a
 TEST_F(StationCable, ATurnBackAfterTargetsFasterThanASatelliteIsToldAlike)
 {
@@ -124,7 +125,7 @@ TEST_F(StationCable, TheOtherEndTurnsItBackTheOtherWay)
     EXPECT_NEAR(rig.azimuthDegrees(), 266.0, 1.0);
 }
 
-// Story: from 90° to 270° was logged as "turns back by 180° because the cable ends at -90.0°".
+// Story: the way from 90° to 270° was logged as "turns back by 180° because the cable ends at -90.0°".
 TEST_F(StationCable, HalfATurnIsNoTurnBack)
 {
     standAt(90_deg);
@@ -165,8 +166,8 @@ TEST_F(StationCable, AGoToTheOtherWayRoundSaysWhy)
     EXPECT_EQ(reason(), "go to 120.00° 30.00°");
 }
 
-// REQ-CONTROL-31b: The operator may choose to wait at the cable end instead of unwrapping. The mount goes on as soon as
-// the target is back. The choice ends with the motion, and clients keep control.
+// REQ-CONTROL-31b: The operator may choose to wait at the cable end instead of unwrapping. The mount moves on as soon
+// as the target is back in range. The choice ends with the motion, and clients keep control.
 TEST_F(StationCable, TheOperatorMayHoldAtTheEnd)
 {
     standAt(430_deg);
@@ -218,7 +219,7 @@ TEST_F(StationCable, UnwindingIsNoTurnBackByTheCable)
     EXPECT_TRUE(reason().starts_with("unwrap the cable"));
 }
 
-// Story: "ends in 38 s" stood there until the end, and as over after it.
+// Story: the headline showed "ends in 38 s" until the end, and still after the end.
 // REQ-CONTROL-31
 TEST_F(StationCable, TheHeadlineTellsWhenAndStaysTrue)
 {

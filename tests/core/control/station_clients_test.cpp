@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Several clients and an operator: who moves the mount, and what the others hear.
+// Several clients and an operator: who moves the mount, and which answers the others receive.
 #include "tests/core/control/station_rig.h"
 #include "tests/fakes/text_of.h"
 
@@ -60,9 +60,9 @@ TEST_F(StationClients, AnybodyStops)
     EXPECT_EQ(rig.state(), StationState::Hold);
 }
 
-// Story: "P 90 -5" was answered RPRT 0, and nobody could see why the mount stood at 0°.
-// REQ-CONTROL-33: A target that is reached only as far as the limits permit is never silently clipped. For as long as
-// it lasts the status, an advisory and the client's line give the reason. The log has it once.
+// Story: "P 90 -5" was answered with RPRT 0, and nobody could see why the mount stood at 0°.
+// REQ-CONTROL-33: A target that the limits cut off is never clipped silently. While that lasts the status, an advisory
+// and the line of the client give the reason. The log has it once.
 TEST_F(StationClients, ATargetOutsideIsToldForAsLongAsItLasts)
 {
     const auto limitedLines = [this] {
@@ -126,9 +126,9 @@ TEST_F(StationClients, ASilentDriverIsReleasedAndTheMountHolds)
     EXPECT_TRUE(rig.point(300.0, 10.0, kOtherClient));
 }
 
-// Story: Gpredict at a threshold of 0.1° pauses 12 to 16 s between two targets, and lost the mount to another program.
-// REQ-CONTROL-501: A client that reads the position while the mount follows it keeps control without a new target. It
-// loses control 10 s after it has ceased to read.
+// Story: Gpredict at a threshold of 0.1° pauses 12 to 16 s between two targets. It lost control to another program.
+// REQ-CONTROL-501: A client that reads the position while the mount tracks its target keeps control without a new
+// target. It loses control 10 s after its last reading.
 TEST_F(StationClients, WhoReadsWhileItIsFollowedKeepsControl)
 {
     for (int i = 0; i < 3; ++i) {
@@ -230,14 +230,14 @@ TEST_F(StationClients, WhoGoesOnAskingInVainIsShown)
     EXPECT_FALSE(status(kOtherClient, rig.clock.now()).wanting) << "all are refused, and are told why";
 }
 
-// REQ-CONTROL-403 (StationTakenControl.*): STOP, Re-arm, the answer about the wrap, Go and whatever else takes control
-// from the clients without being asked for does so never silently: the log says it, and the status while a client that
-// is connected wants to move the mount. It ends when control is given back or taken explicitly.
+// REQ-CONTROL-403 (StationTakenControl.*): STOP, Re-arm, the answer about the wrap, Go and other actions may take
+// control from the clients as a side effect. This is never silent. The log reports it. The status shows it while a
+// connected client wants to move the mount. It ends when the operator hands control back or takes it explicitly.
 class StationTakenControl : public StationClients
 {
 protected:
     bool tookControl() { return rig.control.status().tookControl; }
-    // A client that goes on asking and reading for so long.
+    // The client sends targets and reads the position for this time.
     void insist(const Source& client, int seconds)
     {
         for (int second = 0; second < seconds; ++second) {
@@ -315,7 +315,7 @@ TEST_F(StationTakenControl, TakenExplicitlyItIsNoSurprise)
     EXPECT_FALSE(tookControl()) << "now it is wanted so";
 }
 
-// A client that is satisfied sends nothing but reads the position.
+// A client that has reached its target only reads the position.
 TEST_F(StationTakenControl, WhoHadControlWantsItForAsLongAsItReads)
 {
     insist(kClient, 3);
@@ -367,7 +367,7 @@ TEST_F(StationTakenControl, AProgramThatConnectsForEachCommandWaitsWhenItAsksAga
     EXPECT_FALSE(tookControl());
 }
 
-// A fault in mid-motion, while the clients go on sending for some seconds.
+// A fault during a motion. The clients go on sending for some seconds.
 void failInMidMotion(StationRig& rig, const Source& streaming, int seconds)
 {
     ASSERT_TRUE(rig.point(80.0, 30.0, streaming));
@@ -380,10 +380,11 @@ void failInMidMotion(StationRig& rig, const Source& streaming, int seconds)
     }
 }
 
-// Story: "R 1" of a client that the lock refused was accepted, and the locked client's stream moved the mount at once.
+// Story: a client that the lock refused sent "R 1". It was accepted, and the stream of the locked client moved the
+// mount at once.
 // REQ-CONTROL-23a: A client re-arms only if it may move the mount. The other clients that kept sending through the
-// fault wait for an act of their own: `R 1`, a pause of 10 s, a new connection, or the operator's permission. A client
-// that may not move the mount does not set the speed either.
+// fault wait for a deliberate act: `R 1`, a pause of 10 s, a new connection, or the operator's permission. A client
+// that may not move the mount cannot set the speed either.
 TEST_F(StationClients, WhoMayNotMoveMayNotRearm)
 {
     rig.profile.rotctld.lead = profile::Lead::Locked;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the operator's desk asks: trim, settings at run time, first moves of an unproven mount, single alarms.
+// Requests of the operator's desk: trim, settings at run time, first moves of an unproven mount, single alarms.
 #include "core/alarms/catalogue.h"
 #include "tests/core/control/station_rig.h"
 #include "tests/fakes/text_of.h"
@@ -39,8 +39,8 @@ TEST(StationDesk, ATrimIsACorrectionNotAnotherTarget)
     EXPECT_FALSE(rig.ask(request::ClearTrim{}, kClient));
 }
 
-// REQ-ALARMS-23c: A permitted setting that is hardly meant (`profile::adviceOn`) is an advisory for as long as it is
-// in force.
+// REQ-ALARMS-23c: A setting that is permitted but probably a mistake (`profile::adviceOn`) raises an advisory while it
+// is in force.
 TEST(StationDesk, AProfileWithoutBrakesIsAnAdvisoryForAsLongAsItIsInForce)
 {
     StationRig rig;
@@ -69,7 +69,8 @@ TEST(StationDesk, ANudgeWithoutAStreamIsAStep)
     EXPECT_FALSE(rig.control.status().trim);
 }
 
-// REQ-CONTROL-34: Unwrap turns back by whole turns to where the azimuth cable is wound least, inside the limits.
+// REQ-CONTROL-34: Unwrap turns the azimuth by a multiple of 360° to the wrap, inside the limits, where the cable is
+// wound least.
 TEST(StationDesk, UnwindTurnsBackToTheSameDirection)
 {
     StationRig rig;  // travel -90…450°
@@ -110,8 +111,8 @@ TEST(StationDesk, HorizonKeepsTheAzimuth)
     EXPECT_NEAR(rig.elevationDegrees(), 0.0, 0.05);
 }
 
-// REQ-CONTROL-404 (StationOneAxis.*): A go-to to an azimuth or an elevation alone leaves the other axis where it is, or
-// where it stops. The horizon may be asked for at an azimuth.
+// REQ-CONTROL-404 (StationOneAxis.*): A go-to of only one axis leaves the other axis where it stands or where it comes
+// to a stop. The horizon may be the target of an azimuth go-to.
 TEST(StationOneAxis, TheOtherAxisStaysWhereItIs)
 {
     StationRig rig;
@@ -142,7 +143,7 @@ TEST(StationOneAxis, TheAzimuthKeepsItsTurnAndTakesTheNearestOne)
     EXPECT_NEAR(rig.azimuthDegrees(), 420.0, 0.01);
 }
 
-// It neither goes on to where it was going, nor comes back to where it was.
+// The other axis neither goes on to its old target nor returns to where it was.
 TEST(StationOneAxis, AnAxisThatMovesStops)
 {
     StationRig rig;
@@ -228,9 +229,9 @@ TEST(StationDesk, NewSettingsAreInForceWithTheNextRequest)
     EXPECT_NEAR(rig.azimuthDegrees(), 33.0, 0.05);
 }
 
-// REQ-CONTROL-30: Before the directions are confirmed the mount is only moved by hand (a jog, or `M` of a client where
-// there is no window), at 5 °/s and 2° at most from where that began. Directions that are doubted again allow the same
-// from where the mount stands then. The log says at the start how they are confirmed.
+// REQ-CONTROL-30: Before the directions are confirmed the mount is only jogged, or moved by `M` of a client where there
+// is no window. The speed is at most 5°/s. The axis stays within 2° of where the jogging began. Directions that are in
+// doubt again allow the same 2° from the present position. At the start the log says how to confirm the directions.
 TEST(StationDesk, BeforeItsDirectionsAreConfirmedAMountIsJoggedALittleAndSlowly)
 {
     profile::Profile fresh;
@@ -255,7 +256,7 @@ TEST(StationDesk, BeforeItsDirectionsAreConfirmedAMountIsJoggedALittleAndSlowly)
     EXPECT_TRUE(rig.point(50.0, 30.0, kOperator));
 }
 
-// Without a window the person at the mast sees the directions by a client's "M".
+// Without a window, the person at the mast checks the directions with a client's "M".
 // REQ-CONTROL-30
 TEST(StationDesk, BeforeItsDirectionsAreConfirmedAClientMovesItALittleAndSlowly)
 {
@@ -276,7 +277,7 @@ TEST(StationDesk, BeforeItsDirectionsAreConfirmedAClientMovesItALittleAndSlowly)
     EXPECT_FALSE(rig.ask(request::Move{{.elevation = -1_deg_s}}, kClient));
 }
 
-// Seen in the guide: after the azimuth had gone its small way the elevation did not move at all.
+// Story from the guide: when the azimuth had used up its 2°, the elevation did not move at all.
 TEST(StationDesk, AnAxisAtTheEndOfItsSmallWayKeepsNeitherTheOtherNorTheWayBack)
 {
     profile::Profile fresh;
@@ -313,7 +314,7 @@ TEST(StationDesk, DirectionsThatAreDoubtedAgainAllowASmallWayFromWhereTheMountSt
     rig.setProfile(fresh);
     ASSERT_TRUE(rig.point(50.0, 30.0, kOperator));
     rig.settle();
-    fresh.mount.directions = Directions::Unconfirmed;  // the motors are swapped, for instance
+    fresh.mount.directions = Directions::Unconfirmed;  // for example because the motors are swapped
     rig.setProfile(fresh);
     EXPECT_FALSE(rig.point(60.0, 30.0, kOperator));
     for (int repeat = 0; repeat < 200; ++repeat) {

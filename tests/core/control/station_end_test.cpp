@@ -8,8 +8,8 @@ namespace {
 
 using moteus::Mode;
 
-// REQ-CONTROL-14: Closing decelerates and then leaves the drives as the profile says. Drives that were never commanded
-// are left alone.
+// REQ-CONTROL-14: On closing, the mount decelerates and then the drives are left as the profile says. Drives that were
+// never commanded are left untouched.
 TEST(StationControl, ClosingDeceleratesThenLeavesTheDrivesAsTheProfileSays)
 {
     for (const auto& [how, mode] :
@@ -91,7 +91,7 @@ TEST(StationControl, AClientCannotPushTheRestOutOfTheLog)
     EXPECT_LE(rig.log.lastNumber() - before, 5U);
 }
 
-// REQ-CONTROL-16: Every start of a motion has a log line that names source and reason.
+// REQ-CONTROL-16: The log has a line for the start of each motion, with its source and reason.
 TEST(StationControl, EveryMotionStartNamesSourceAndReason)
 {
     StationRig rig;

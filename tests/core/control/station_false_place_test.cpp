@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Drives that report a place where the axis is not, or none at all. The axis itself is what counts: what is judged is
-// how far the drive's set-points have moved it.
+// Drives that report a wrong position, or none. The tests judge how far the set-points have moved the real axis.
 #include "tests/core/control/station_rig.h"
 
 #include <gmock/gmock.h>
@@ -17,7 +16,7 @@ namespace {
 using moteus::Register;
 using ::testing::HasSubstr;
 
-constexpr double kAllowed = 0.3;  // degrees that an axis may move for a false reply
+constexpr double kAllowed = 0.3;  // degrees that a false reply may move an axis
 
 enum class Pattern
 {
@@ -26,12 +25,12 @@ enum class Pattern
     Alternating,
     TenPercent,
     TenPercentSame,
-    Burst,        // five that agree
-    LongerBurst,  // eight that agree
-    Lasting       // agreeing, for 2 s
+    Burst,        // five replies that agree
+    LongerBurst,  // eight replies that agree
+    Lasting       // replies that agree for 2 s
 };
 
-// By how much the replies of 10 s are false, in degrees; the first one is.
+// Errors of the replies of 10 s, in degrees. The first reply is always false.
 std::deque<double> errors(Pattern pattern, double by)
 {
     std::minstd_rand random(5);
@@ -82,7 +81,7 @@ struct FalsePlaceRig : StationRig
         return profile.axis(axis).geometry.toMotor(angle).turns();
     }
 
-    // One tick in which the drive of `axis` says a place that is off by so much.
+    // One tick in which the drive of `axis` reports a position with this error, in degrees.
     void tickWithError(Axis axis, double error)
     {
         drive(axis).falsePlaces.clear();
@@ -134,12 +133,12 @@ protected:
     [[nodiscard]] static bool agree() { return GetParam().pattern >= Pattern::LongerBurst; }
 };
 
-// Story: one reply that was false by 90° moved a standing antenna by 2.8°, and one by -60° led the elevation below its
-// travel: the set-point was put where the false reply said.
-// REQ-AXES-19a (FalsePlaces.*): Motion uses the place that is believed (`PlaceBelief`), never a single reply. No false
-// reply moves an axis by more than 0.3°, makes it leave its travel, makes its drive ignore its bounds, or is written
-// down. One or two in a row change no motion. After three the axis is braked (REQ-AXES-24). Six that agree with each
-// other are a jump: the drive is Held, its wrap is doubted, and no set-point goes out before an act.
+// Story: one reply that was false by 90° moved a standing antenna by 2.8°. One that was false by -60° moved the
+// elevation below its travel. The set-point had been put where the false reply said.
+// REQ-AXES-19a (FalsePlaces.*): Motion uses the believed position (`PlaceBelief`), never a single reply. No false reply
+// moves an axis by more than 0.3°, makes it leave its travel, makes its drive ignore its bounds, or is stored. One or
+// two false replies in a row change no motion. After three the axis is braked (REQ-AXES-24). Six that agree with each
+// other are a jump: the drive holds, its wrap is in doubt, and no set-point goes out before somebody acts.
 TEST_P(FalsePlaces, NothingMovesThatStands)
 {
     const auto& [pattern, axis, by] = GetParam();
@@ -163,7 +162,7 @@ TEST_P(FalsePlaces, NothingMovesThatStands)
     }
 }
 
-// Story: 15°/s of 10 came out of a slew with false replies.
+// Story: false replies during a slew at 10°/s led to 15°/s.
 TEST_P(FalsePlaces, ASlewGoesOnOrEnds)
 {
     const auto& [pattern, axis, by] = GetParam();
@@ -235,7 +234,7 @@ TEST(FalsePlace, OneIsToldAndTheMotionGoesOn)
     EXPECT_TRUE(std::ranges::none_of(rig.control.status().alarms, &Alarm::active));
 }
 
-// The journal must not keep a false place.
+// The journal must not store a false position.
 TEST(FalsePlace, IsNeverWrittenDown)
 {
     FalsePlaceRig rig(100.0, 45.0);
@@ -251,7 +250,7 @@ TEST(FalsePlace, IsNeverWrittenDown)
     EXPECT_TRUE(rig.control.faultLatched());
 }
 
-// Behind a fault, too, no set-point goes out before somebody has asked for a motion.
+// After a fault, too, no set-point goes out before somebody has asked for a motion.
 TEST(FalsePlace, AnAxisWhoseAngleHasJumpedGetsNoSetPointBeforeAnAct)
 {
     FalsePlaceRig rig(100.0, 45.0);
@@ -271,7 +270,7 @@ TEST(FalsePlace, AnAxisWhoseAngleHasJumpedGetsNoSetPointBeforeAnAct)
     EXPECT_EQ(rig.control.status().azimuth.state, AxisState::Holding);
 }
 
-// Story: 39° in 4 s at full speed, without an alarm.
+// Story: the axis moved by 39° in 4 s at full speed, without an alarm.
 class BlindDrive : public ::testing::TestWithParam<int>
 {
 protected:
@@ -285,8 +284,8 @@ protected:
     }
 };
 
-// REQ-AXES-19b (BlindDrive.*): A drive that answers without a place that can be believed is braked after three such
-// replies, like a silent drive. After 0.2 s it is lost like a silent one.
+// REQ-AXES-19b (BlindDrive.*): A drive that replies without a believable position is braked after three such replies,
+// like a silent drive. After 0.2 s it counts as lost, like a silent drive.
 TEST_P(BlindDrive, IsBrakedAfterThreeRepliesAndLostLikeASilentOne)
 {
     FalsePlaceRig rig(100.0, 20.0);
@@ -342,8 +341,8 @@ TEST_P(BlindDrive, TwoRepliesWithoutAPlaceAreChance)
 
 INSTANTIATE_TEST_SUITE_P(Kinds, BlindDrive, ::testing::Range(0, 4));
 
-// REQ-SUPERVISION-13a: Supply, temperatures and torque are judged without a place, too. A value that is no number is
-// unknown: it changes no trend and no comparison.
+// REQ-SUPERVISION-13a: Supply, temperatures and torque are checked even without a position. A value that is not a
+// number is unknown: it changes no trend and no comparison.
 TEST(BlindDrive, SupplyAndHeatAreJudgedWithoutAPlace)
 {
     FalsePlaceRig rig(100.0, 20.0);
@@ -378,10 +377,11 @@ TEST(BlindDrive, ValuesThatAreNoNumbersAreUnknown)
     EXPECT_THAT(rig.alarms(), HasSubstr("reached 65 °C"));
 }
 
-// Story: from 10°/s the mount ran on by 3.5°, came back, and raised a false "following error": its set-point had been
-// put where it was when the supply fell.
-// REQ-AXES-19c (StopInMidMotion.*): A stop brakes from the present set-point and never comes back. Only an axis that
-// cannot follow is held where it stands: blocked, pushed, or moving the wrong way.
+// Story: from 10°/s the mount overran by 3.5°, came back, and raised a false "following error". Its set-point had been
+// put back to where it was when the supply failed.
+// REQ-AXES-19c (StopInMidMotion.*): A stop brakes from the present set-point and never goes back. Only an axis that
+// cannot follow its set-point is held where it stands: a blocked axis, a pushed axis, or an axis that moves the wrong
+// way.
 TEST(StopInMidMotion, BrakesFromTheSetPoint)
 {
     FalsePlaceRig rig(100.0, 20.0);
@@ -405,7 +405,7 @@ TEST(StopInMidMotion, BrakesFromTheSetPoint)
     EXPECT_THAT(rig.alarms(), ::testing::Not(HasSubstr("away from its set-point")));
 }
 
-// Story: a slip of 2° in mid-slew was not noticed, because the gate was as wide as a reply can be late.
+// Story: a slip of 2° during a slew was not noticed, because the tolerance was as wide as a late reply can explain.
 class SlipInASlew : public ::testing::TestWithParam<double>
 {};
 

@@ -12,7 +12,7 @@ namespace {
 
 using moteus::Mode;
 
-// REQ-CONTROL-07: A lost drive ends the motion. The healthy axis holds. Only an explicit act re-arms.
+// REQ-CONTROL-07: A lost drive ends the motion. The healthy axis holds. Only an explicit request re-arms.
 TEST(StationControl, AFaultOnOneAxisHoldsTheOtherAndWaitsForRearm)
 {
     StationRig rig;
@@ -74,7 +74,7 @@ TEST(StationControl, AFaultInStandbyIsShownToo)
     rig.run(Seconds(0.5));
     rig.elevation.mode = Mode::Fault;
     rig.elevation.fault = 43;
-    rig.elevation.position = std::nan("");  // a drive without an encoder answers, but not where it is
+    rig.elevation.position = std::nan("");  // a drive without an encoder replies, but reports no position
     rig.run(Seconds(0.2));
     EXPECT_EQ(rig.state(), StationState::Fault);
     EXPECT_TRUE(rig.control.status().alarms.front().what.contains(QStringLiteral("43")));
@@ -137,7 +137,7 @@ TEST(StationControl, ADriveThatIgnoresUsIsAFault)
     EXPECT_EQ(rig.azimuthDegrees(), 0.0) << "no axis moves before both hold";
 }
 
-// Story: a fault of the second drive that came a moment before the re-arm was cleared with the first, untold.
+// Story: a second drive had a fault a moment before the re-arm. The re-arm cleared it with the first one, unreported.
 TEST(StationControl, AFaultThatNobodyWasToldIsNotClearedWithAnother)
 {
     StationRig rig;
@@ -190,7 +190,7 @@ TEST(StationControl, AnActiveLimitIsAHintNotAFault)
 {
     StationRig rig;
     ASSERT_TRUE(rig.setsOff(100.0, 60.0, Seconds(1.0)));
-    rig.azimuth.deaf = true;  // keeps the code below from being cleared
+    rig.azimuth.deaf = true;  // so the code below is not cleared
     rig.azimuth.fault = 100;
     rig.tick();
     rig.tick();
@@ -199,7 +199,7 @@ TEST(StationControl, AnActiveLimitIsAHintNotAFault)
     EXPECT_EQ(rig.control.status().alarms.front().severity, Severity::Warning);
 }
 
-// Story: a random walk took the fitness away in mid-motion, and the mount went on.
+// Story: in a random walk an interlock appeared during a motion, and the mount went on moving.
 // REQ-CONTROL-18
 TEST(StationControl, DrivesThatAreNotFitAnyMoreAreNotMovedOn)
 {
@@ -217,8 +217,8 @@ TEST(StationControl, DrivesThatAreNotFitAnyMoreAreNotMovedOn)
     EXPECT_FALSE(rig.moving()) << "and nothing comes back by itself";
 }
 
-// Story: a random walk switched the drives off in the midst of a re-arm; the fault was gone from the screen while a
-// drive was still in it.
+// Story: a random walk switched the drives off during a re-arm. The fault vanished from the screen while a drive was
+// still in fault.
 TEST(StationControl, DrivesAreNotSwitchedOffInTheMidstOfARearm)
 {
     StationRig rig;
@@ -237,9 +237,9 @@ TEST(StationControl, DrivesAreNotSwitchedOffInTheMidstOfARearm)
     EXPECT_TRUE(rig.control.faultLatched());
 }
 
-// REQ-CONTROL-930: The drive of one axis can be switched off alone while nothing moves. Its axis is OFF, and the other
-// goes on holding. Nothing is switched on again before somebody moves the mount, and clients are refused until then.
-// A drive that is off already is not offered.
+// REQ-CONTROL-930: The drive of one axis can be switched off alone while nothing moves. Its axis shows OFF, and the
+// other axis goes on holding. Nothing is switched on again before the operator moves the mount, and clients are refused
+// until then. The action is not offered for a drive that is already off.
 TEST(StationControl, TheDriveOfOneAxisIsSwitchedOffAlone)
 {
     StationRig rig;
@@ -267,8 +267,8 @@ TEST(StationControl, TheDriveOfOneAxisIsSwitchedOffAlone)
     EXPECT_NEAR(rig.elevationDegrees(), 12.0, 0.001);
 }
 
-// REQ-CONTROL-931: The reason why the drive of one axis cannot be switched off alone is shown: it is off already, or no
-// drive of ours turns it.
+// REQ-CONTROL-931: The status gives the reason why the drive of one axis cannot be switched off alone: it is already
+// off, or the axis has no drive of its own.
 TEST(StationControl, ADriveThatIsOffIsNotSwitchedOffAgain)
 {
     StationRig rig;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A mount that does not know north: what is asked for and told are true directions, what is driven are the axes.
+// A mount that does not know north. Targets and reported positions are true directions. The axes are driven by axis
+// angles.
 #include "core/station/station_rotator.h"
 #include "tests/core/control/station_rig.h"
 #include "tests/fakes/random_pointing.h"
@@ -52,11 +53,11 @@ struct ModelRig : StationRig
     StationRotator rotator{control, inForce, log, clock};
 };
 
-// The tilt of 0.6° to the north, where true azimuth is 100°: the axis stands 0.6° sin 100° tan 20° = 0.215° further,
-// and 0.6° cos 100° = -0.104° lower.
-// REQ-CONTROL-32 (StationPointingModel.*): Directions that are asked for, reported and shown are true. Travel, limits,
-// cable, trim, park and journal are mechanical. Applying a pointing model moves nothing. A client's stream uses it
-// from its next point on.
+// The mount leans 0.6° to the north. At true azimuth 100° the azimuth axis stands 0.6° sin 100° tan 20° = 0.215°
+// farther, and the elevation axis 0.6° cos 100° = -0.104° lower.
+// REQ-CONTROL-32 (StationPointingModel.*): Targets, reported positions and displayed directions are true directions.
+// Travel, limits, cable, trim, park and journal are axis angles. Applying a pointing model moves nothing. A client's
+// stream uses the model from its next target on.
 TEST(StationPointingModel, AClientsTargetIsATrueDirection)
 {
     ModelRig rig;
@@ -122,7 +123,7 @@ TEST(StationPointingModel, AStreamGoesOnWithTheNewModelFromItsNextPoint)
     EXPECT_EQ(rig.state(), StationState::Track);
     follow(20);
     EXPECT_EQ(rig.state(), StationState::Track);
-    rig.expectBeam(azimuth, 30.0, 0.6);  // a point a second, half a degree apart
+    rig.expectBeam(azimuth, 30.0, 0.6);  // one target a second, half a degree apart
     EXPECT_NEAR(rig.azimuthDegrees(), azimuth - 3.0, 0.6);
 }
 
@@ -164,7 +165,7 @@ TEST(StationPointingModel, TheOtherConventionsTellTheTrueAzimuth)
     }
 }
 
-// The advertised numbers are true directions: what the axes can reach is not withheld.
+// The limits that clients receive are true directions. They include everything that the axes can reach.
 TEST(StationPointingModel, LimitsForClientsAreTrueDirections)
 {
     const ModelRig rig(leaning({.azimuthOffset = 37.4_deg, .elevationOffset = -1_deg, .tiltEast = 0.5_deg}));
@@ -188,7 +189,7 @@ TEST(StationPointingModel, ATrimIsReckonedInTheAxesAndTakenOutOfWhatTheClientIsT
     EXPECT_NEAR(rig.control.status().actual->azimuth.degrees(), 101.0, 0.01);
 }
 
-// A mast at 300…330° to the north-west: the axes stay out of it where it truly is.
+// A mast in the north-west, at 300…330°: the beam stays out of this true direction.
 TEST(StationPointingModel, KeepOutsAreTrueDirections)
 {
     profile::Profile profile = leaning();

@@ -38,8 +38,8 @@ TEST(StationControl, CrossingNorthDoesNotUnwind)
     EXPECT_NEAR(rig.azimuthDegrees(), 370.0, 0.01);
 }
 
-// REQ-CONTROL-10: The operator is refused a target outside the limits. A client gets the nearest point or a refusal,
-// as the profile says.
+// REQ-CONTROL-10: The operator's target outside the limits is refused. A client's target outside the limits goes to the
+// nearest allowed point or is refused, as the profile says.
 TEST(StationControl, TheOperatorIsRefusedWhatIsOutside)
 {
     StationRig rig;
@@ -53,7 +53,7 @@ TEST(StationControl, TheOperatorIsRefusedWhatIsOutside)
     EXPECT_FALSE(rig.ask(request::PointAxes{{.azimuth = 451_deg, .elevation = 0_deg}}));
 }
 
-// Story: an operator typed 95, meaning 9.5, and the mount turned by 180° to the equal direction at 85°.
+// Story: an operator typed 95 instead of 9.5. The mount turned by 180° to the equal direction at 85°.
 TEST(StationControl, TheOperatorIsNotSentOverTheTop)
 {
     StationRig rig;
@@ -109,7 +109,7 @@ TEST(StationControl, ARepeatedTargetDoesNotDisturbTheMotion)
     }
 }
 
-// Story: the points of two clients that both sent P made one path, and the mount ran ahead along it.
+// Story: two clients both sent P. Their targets were taken for one path, and the mount ran ahead along it.
 TEST(StationControl, AnotherClientBeginsAStreamOfItsOwn)
 {
     StationRig rig({.rotctld = {.lead = profile::Lead::Last}});
@@ -167,7 +167,7 @@ TEST(StationControl, StepsAddUpFromTheTarget)
     EXPECT_FALSE(rig.ask(request::Step{.azimuth = 0_deg, .elevation = -2_deg}));
 }
 
-// REQ-CONTROL-13: A jog ends with its keep-alive. A client's `M` ends with its connection.
+// REQ-CONTROL-13: A jog ends when its keep-alive stops. A client's `M` ends with its connection.
 TEST(StationControl, JogEndsWhenTheKeepAliveStops)
 {
     StationRig rig;

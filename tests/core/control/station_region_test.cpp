@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whoever asks: what is forbidden is refused with its reason, or the nearest permitted place is driven, and shown.
+// A forbidden target is refused with its reason, or the mount goes to the nearest permitted place and shows that. This
+// holds for every source.
 #include "tests/core/control/station_rig.h"
 #include "tests/fakes/text_of.h"
 
@@ -19,7 +20,7 @@ pointing::KeepOut stationMast(Angle top = 40_deg)
             .elevationMax = top};
 }
 
-// The case of scenario S15: 25° all round but for a valley, and a box in the north-west.
+// The region of scenario S15: a horizon of 25° all round except for one valley, and a keep-out in the north-west.
 pointing::Region roof()
 {
     return {.horizon = {{210_deg, 25_deg}, {214_deg, 0_deg}, {262_deg, 0_deg}, {266_deg, 25_deg}},
@@ -37,7 +38,7 @@ struct RegionRig : StationRig
 {
     explicit RegionRig(const pointing::Region& region) : StationRig(profileWith(region)) { run(Seconds(0.2)); }
 
-    // Until nothing moves; once the set-points are permitted they stay so.
+    // Runs until nothing moves. Once the set-points are permitted, they must stay permitted.
     void settlePermitted()
     {
         const pointing::PermittedRegion permitted(profile.limits, profile.azimuth.geometry.travel,
@@ -75,11 +76,11 @@ struct RegionRig : StationRig
 };
 
 // REQ-AXES-25 (StationRegion.*)
-// REQ-CONTROL-405 (StationRegion.*): Azimuths in refusals are directions from 0° to 360°, as they are typed. Counts of
-// the axis are called so.
+// REQ-CONTROL-405 (StationRegion.*): Azimuths in refusals are directions from 0° to 360°, as people type them. Azimuths
+// counted along the cable are marked as axis angles.
 // REQ-AXES-26 (StationRegion.*): A forbidden target is refused with the reason and the nearest permitted place, or the
-// mount goes there and shows AT LIMIT. A free target behind something forbidden is reached around it, on another wrap
-// if need be, or refused with the obstacle.
+// mount goes to that place and shows AT LIMIT. If an obstacle is in the way to a permitted target, the mount goes
+// around it, if necessary on another wrap, or refuses the target and names the obstacle.
 TEST(StationRegion, TheOperatorIsRefusedAForbiddenPlaceAndToldTheNearest)
 {
     RegionRig rig({.keepOuts = {stationMast()}});
@@ -91,8 +92,9 @@ TEST(StationRegion, TheOperatorIsRefusedAForbiddenPlaceAndToldTheNearest)
     EXPECT_EQ(rig.commands(), 0U);
 }
 
-// REQ-CONTROL-920 (StationRegion.*): What the window shows of a direction before the operator sends the mount there is
-// judged by the gates of the go-to itself: forbidden where it would be refused, allowed where it would be accepted.
+// REQ-CONTROL-920 (StationRegion.*): The window shows, before the operator sends the mount to a direction, whether it
+// is allowed. The same checks as for the go-to decide: what shows as forbidden is refused, what shows as allowed is
+// accepted.
 TEST(StationRegion, ADirectionIsJudgedAsAGoToThereIsAnswered)
 {
     pointing::Region region = roof();
@@ -114,8 +116,8 @@ TEST(StationRegion, ADirectionIsJudgedAsAGoToThereIsAnswered)
     EXPECT_GT(allowed, 20);
 }
 
-// REQ-UI-712: For a place that is not allowed the menu of the plot offers the nearest one that is, as a direction from
-// 0° to 360°.
+// REQ-UI-712: For a direction that is not allowed the menu of the plot offers the nearest allowed direction, from 0° to
+// 360°.
 TEST(StationRegion, TheNearestAllowedDirectionIsOneThatIsAllowed)
 {
     RegionRig rig(roof());
@@ -132,7 +134,7 @@ TEST(StationRegion, TheNearestAllowedDirectionIsOneThatIsAllowed)
     EXPECT_EQ(rig.control.judge({315_deg, 35_deg}).whyNot, QStringLiteral("the keep-out \"stationMast\""));
 }
 
-// A free place behind a wall from the horizon to the zenith: nowhere else is nearer.
+// A permitted place behind a wall from the horizon to the zenith. There is no nearer permitted place.
 TEST(StationRegion, ADirectionWithoutAWayIsForbiddenAndHasNoOtherNearIt)
 {
     pointing::Region region{.keepOuts = {stationMast(90_deg)}};
@@ -144,7 +146,7 @@ TEST(StationRegion, ADirectionWithoutAWayIsForbiddenAndHasNoOtherNearIt)
 }
 
 // REQ-CONTROL-934 (StationLimits.*): An antenna that stands where limits, horizon or a keep-out forbid it raises an
-// alarm until it is out. It starts no motion. At the edge, within half a degree, there is none.
+// alarm until it is out. The alarm starts no motion. Within half a degree of the edge there is no alarm.
 TEST(StationLimits, AKeepOutDrawnOverTheAntennaIsAnAlarmUntilItIsOut)
 {
     RegionRig rig({});
@@ -172,7 +174,7 @@ TEST(StationLimits, AtTheEdgeThereIsNoAlarm)
     EXPECT_FALSE(rig.stands("limits.outside"));
 }
 
-// REQ-CONTROL-922: To ask about a direction moves nothing, takes no control and leaves no line in the log.
+// REQ-CONTROL-922: Asking about a direction moves nothing, takes no control and leaves no line in the log.
 TEST(StationRegion, AskingAboutADirectionChangesNothing)
 {
     RegionRig rig(roof());
@@ -185,7 +187,7 @@ TEST(StationRegion, AskingAboutADirectionChangesNothing)
     EXPECT_EQ(rig.log.lastNumber(), lines);
 }
 
-// Story: 315° was typed, and -45° was refused.
+// Story: the operator typed 315°, and the refusal named -45°.
 TEST(StationRegion, ARefusalNamesTheAzimuthAsItIsTyped)
 {
     RegionRig rig({.keepOuts = {stationMast(90_deg)}});

@@ -7,7 +7,7 @@
 #include "tests/fakes/ideal_drive.h"
 #include "tests/fakes/manual_clock.h"
 
-// StationControl with two ideal drives, or with one if the profile has one, and a hand-turned clock. Both are on the
+// StationControl with two ideal drives, or one if the profile has one, and a hand-turned clock. The drives are on the
 // bus.
 namespace boresight {
 
@@ -19,7 +19,7 @@ struct StationRig
 {
     static constexpr Seconds kTick{0.02};  // of the default profile
 
-    // With drives that were surveyed and found fit, and that stand where they say.
+    // The drives passed the drive check, and they stand where they report.
     explicit StationRig(const profile::Profile& settings = {},
                         const TurnKeeper::Start& start = {.trustFirstContact = true},
                         const MakeSources& sources = motionSources)
@@ -36,7 +36,7 @@ struct StationRig
         }
     }
 
-    // As the survey tells it.
+    // Sets the facts as the drive check reports them.
     void learn(Axis axis, const survey::DriveFacts& known)
     {
         facts[index(axis)] = known;
@@ -71,7 +71,7 @@ struct StationRig
         clock.advance(heldUp);
         if (mount.busLeft()) {
             mount.framesSent();
-            return;  // the station's link is closed
+            return;  // the link of the station is closed
         }
         mount.framesTaken();
         for (const CanFrame& frame : frames) {
@@ -91,11 +91,11 @@ struct StationRig
         }
     }
 
-    // Until nothing moves any more, at most `time`.
+    // Runs until nothing moves, for at most `time`.
     void settle(Seconds time = Seconds(120.0))
     {
         run(Seconds(0.2));
-        constexpr int kBetween = 5;  // a whole status is asked for, which costs as much as a tick
+        constexpr int kBetween = 5;  // ticks between two checks: a whole status costs as much as a tick
         for (Seconds left = time; left > Seconds(0.0) && moving(); left -= kBetween * step) {
             for (int i = 0; i < kBetween; ++i) {
                 tick();
@@ -119,7 +119,7 @@ struct StationRig
                    source);
     }
 
-    // A client's first target, and `time` on the way there.
+    // Sends a client's first target and runs for `time` on the way there. Returns whether the target was accepted.
     [[nodiscard]] bool setsOff(double azimuthDegrees, double elevationDegrees, Seconds time)
     {
         run(Seconds(0.2));
@@ -128,7 +128,7 @@ struct StationRig
         return accepted;
     }
 
-    // From the start, without the way there.
+    // Puts the axes at this place from the start, without a motion to it.
     [[nodiscard]] bool holdAt(const AxisPosition& place)
     {
         azimuth.position = profile.azimuth.geometry.toMotor(place.azimuth).turns();
@@ -145,7 +145,7 @@ struct StationRig
         setProfile(profile);
     }
 
-    // As the station does it when the operator applies one.
+    // Does what the station does when the operator applies a profile.
     void setProfile(const profile::Profile& wanted)
     {
         profile = wanted;
@@ -165,13 +165,13 @@ struct StationRig
         return lines.empty() ? std::string() : lines.back().text.toStdString();
     }
 
-    profile::Profile profile;  // as applied last
-    const Seconds step;        // of the clock in one tick
+    profile::Profile profile;  // as last applied
+    const Seconds step;        // what the clock advances in one tick
     profile::InForce inForce{profile};
     fakes::ManualClock clock;
     EventLog log{clock};
-    Seconds heldUp{0.0};       // between the beginning of a tick and its frames
-    bool originIsRead = true;  // the drive check reads at once what a position counts from
+    Seconds heldUp{0.0};       // time between the start of a tick and its frames
+    bool originIsRead = true;  // the drive check reads at once the origin that positions count from
     AlarmBoard alarms{log, clock};
     MoteusMount mount;
     StationControl control;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A satellite that the station follows by its elements, from where it rises to where it sets.
+// The station tracks a satellite by its orbital elements, from its rise to its set.
 #include "core/alarms/catalogue.h"
 #include "core/orbit/topocentric.h"
 #include "core/passes/pass_finder.h"
@@ -39,7 +39,7 @@ struct FoundOrbit
     passes::Pass pass;
 };
 
-// Of the circular orbits at 420 km the first with such a pass.
+// The first circular orbit at 420 km that has such a pass.
 FoundOrbit orbitWith(UtcTime now, const std::function<bool(const passes::Pass&)>& wanted)
 {
     for (int node = 0; node < 360; node += 5) {
@@ -64,7 +64,7 @@ protected:
     explicit StationSatellite(const profile::Profile& profile = atTrackSite()) : rig(profile) { rig.run(Seconds(0.5)); }
 
     [[nodiscard]] UtcTime now() const { return rig.clock.utc(); }
-    // One that rises after so long.
+    // A satellite that rises between these two times from the present.
     FoundOrbit risingIn(Seconds from, Seconds to)
     {
         return orbitWith(now(), [&](const passes::Pass& pass) {
@@ -96,7 +96,7 @@ protected:
         const auto state = orbit::Sgp4(found.elements).propagate(date);
         return orbit::Observer(kTrackSite).look(orbit::groundState(*state, date)).direction;
     }
-    // Of the set-points from the satellite, in degrees on the sky: azimuth × cos elevation, elevation.
+    // Error of the set-points from the satellite, in degrees on the sky: azimuth × cos elevation, elevation.
     [[nodiscard]] std::pair<double, double> errors(const FoundOrbit& found) const
     {
         const SkyPointing wanted = directionOf(found, now());
@@ -125,7 +125,7 @@ protected:
     StationRig rig;
 };
 
-// Whole passes, which last for minutes.
+// Tracks whole passes, which last for minutes.
 class StationSatellitePass : public StationSatellite
 {
 protected:
@@ -140,8 +140,8 @@ protected:
     }
 };
 
-// REQ-TRACK-900: Track sends the mount to where the satellite rises, follows it from there until it sets, and holds.
-// The window is told what is waited for or followed, its way, and when that ends. Nothing moves afterwards.
+// REQ-TRACK-900: Track sends the mount to where the satellite rises, tracks it until it sets, and then holds. The
+// window shows what the station waits for or tracks, the path, and when it ends. Nothing moves afterwards.
 TEST_F(StationSatellitePass, WaitsWhereItRisesFollowsItUntilItSetsAndHolds)
 {
     const FoundOrbit found = follow();
@@ -173,8 +173,8 @@ TEST_F(StationSatellitePass, WaitsWhereItRisesFollowsItUntilItSetsAndHolds)
     EXPECT_EQ(rig.state(), StationState::Hold);
 }
 
-// REQ-TRACK-901: In a pass of 40 to 60° the set-points are at most 0.02° rms from the satellite in each axis (azimuth
-// as wide as it is there), from 5 s after its rise.
+// REQ-TRACK-901: In a pass that culminates between 40° and 60° the set-points are at most 0.02° rms from the satellite
+// in each axis, from 5 s after its rise. The azimuth error counts as an angle on the sky.
 TEST_F(StationSatellite, TheSetPointsAreWithinTwoHundredthsOfADegree)
 {
     const FoundOrbit found = follow();
@@ -194,8 +194,8 @@ TEST_F(StationSatellite, TheSetPointsAreWithinTwoHundredthsOfADegree)
     EXPECT_LT(std::sqrt(elevation / count), 0.02);
 }
 
-// REQ-TRACK-902: Track is refused with the reason: no site, elements older than the profile permits, a satellite that
-// does not rise within a day, or not within half an hour. A client cannot ask for it.
+// REQ-TRACK-902: Track is refused with the reason: no site is set, the elements are older than the profile permits, or
+// the satellite does not rise within a day or within half an hour. A client cannot start it.
 TEST_F(StationSatellite, IsRefusedWithTheReason)
 {
     FoundOrbit later =
@@ -217,8 +217,8 @@ TEST_F(StationSatellite, IsRefusedWithTheReason)
     EXPECT_FALSE(rig.moving());
 }
 
-// REQ-TRACK-903: STOP, Hold, a jog, another target and control that is given away end the tracking. It does not come
-// back by itself.
+// REQ-TRACK-903: STOP, Hold, a jog, another target and handing over control end the tracking. It does not resume by
+// itself.
 TEST_F(StationSatellitePass, EverythingElseEndsIt)
 {
     const std::vector<std::function<void()>> enders{
@@ -244,8 +244,8 @@ TEST_F(StationSatellitePass, EverythingElseEndsIt)
     }
 }
 
-// REQ-TRACK-912: While something is tracked by a clock that nothing sets, an alarm says so. It is over with the
-// tracking. A place on the Earth and a direction need no clock.
+// REQ-TRACK-912: An alarm reports that a target is tracked while no time source sets the clock. The alarm ends with the
+// tracking. A place on the Earth and a fixed direction need no clock.
 TEST_F(StationSatellite, AClockThatNothingSetsIsAnAlarm)
 {
     follow();
@@ -262,8 +262,8 @@ TEST_F(StationSatellite, AClockThatNothingSetsIsAnAlarm)
     EXPECT_FALSE(rig.alarms.active(alarmEntry("track.clock")));
 }
 
-// REQ-TRACK-904: A small correction of the clock is taken up by at most 1 ms in a tick: no set-point leaps. A clock
-// that is set by more than half a second is followed at once, within the limits of the mount.
+// REQ-TRACK-904: A small correction of the clock is spread over the ticks, at most 1 ms in each tick, so no set-point
+// jumps. A clock that is set by more than half a second applies at once, within the limits of the mount.
 TEST_F(StationSatellite, ACorrectionOfTheClockLeapsNowhere)
 {
     const FoundOrbit found = follow();
@@ -284,12 +284,12 @@ TEST_F(StationSatellite, ACorrectionOfTheClockLeapsNowhere)
     EXPECT_LT(std::hypot(acrossNow, alongNow), 0.02);
 }
 
-// REQ-TRACK-905: An orbit that cannot be computed any more ends the tracking with an alarm. The mount holds.
+// REQ-TRACK-905: An orbit that can no longer be computed ends the tracking with an alarm. The mount holds.
 TEST_F(StationSatellitePass, AnOrbitThatEndsIsAnAlarm)
 {
     FoundOrbit falling = risingIn(Seconds(20.0), Seconds(120.0));
     bool found = false;
-    // A drag that no satellite has: its mean eccentricity leaves what the theory knows.
+    // A drag beyond that of any satellite: the mean eccentricity leaves the range of the theory.
     for (double bstar = 1e-3; bstar < 1e4 && !found; bstar *= 1.2) {
         falling.elements.bstar = bstar;
         const auto list =
@@ -308,7 +308,8 @@ TEST_F(StationSatellitePass, AnOrbitThatEndsIsAnAlarm)
     EXPECT_EQ(rig.state(), StationState::Hold);
 }
 
-// REQ-TRACK-906: The cable is on a wrap that has room for the whole pass before it begins, where there is one.
+// REQ-TRACK-906: Before a pass begins the mount chooses a wrap of the cable that has room for the whole pass, if there
+// is one.
 TEST_F(StationSatellitePass, TheWrapHasRoomForTheWholePass)
 {
     for (const Angle start : {-80_deg, 440_deg}) {
@@ -325,7 +326,7 @@ TEST_F(StationSatellitePass, TheWrapHasRoomForTheWholePass)
     }
 }
 
-// A mount without overlap: north is where its cable ends.
+// A mount without cable overlap: its cable ends at north.
 class StationSatelliteNorth : public StationSatellite
 {
 protected:
@@ -334,13 +335,13 @@ protected:
     static profile::Profile withoutOverlap()
     {
         profile::Profile profile = atTrackSite();
-        profile.control.tickHz = 20;  // the lowest: it lasts for minutes
+        profile.control.tickHz = 20;  // the lowest, because the passes last for minutes
         profile.control.watchdog = Seconds(0.2);
         profile.limits.azimuth = {0_deg, 360_deg};
         return profile;
     }
 
-    // When the satellite passes north.
+    // The moment when the satellite passes north.
     static UtcTime passesNorth(const FoundOrbit& found)
     {
         UtcTime utc = found.pass.aos.utc;

@@ -14,7 +14,7 @@ namespace {
 
 using moteus::Mode;
 
-// Story: on a busy computer two red "No reply" greeted a newcomer before the first question had been sent.
+// Story: on a busy computer a new user saw two red "No reply" before the first query had been sent.
 TEST(StationControl, WhoHasHadNoQuestionIsNotSilent)
 {
     StationRig rig;
@@ -34,7 +34,7 @@ TEST(StationControl, ASilentBusInMidMotionNeedsRearm)
     StationRig rig;
     ASSERT_TRUE(rig.setsOff(100.0, 60.0, Seconds(2.0)));
     rig.azimuth.silent = rig.elevation.silent = true;
-    rig.azimuth.mode = rig.elevation.mode = Mode::PositionTimeout;  // what their watchdogs do
+    rig.azimuth.mode = rig.elevation.mode = Mode::PositionTimeout;  // as their watchdogs do
     rig.run(Seconds(0.32));
     EXPECT_EQ(rig.state(), StationState::Disconnected);
     EXPECT_EQ(rig.control.status().azimuth.state, AxisState::NoData) << "nobody knows what a silent drive does";
@@ -51,14 +51,14 @@ TEST(StationControl, ASilentBusInMidMotionNeedsRearm)
     ASSERT_TRUE(rig.ask(request::Rearm{}, kClient));
     rig.run(Seconds(0.3));
     EXPECT_EQ(rig.state(), StationState::Standby);
-    // Story: re-armed drives were left in mode 0, and an unbalanced elevation fell to its stop.
+    // Story: re-armed drives were left in mode 0, and an unbalanced elevation axis fell to its stop.
     EXPECT_EQ(rig.elevation.mode, Mode::Position) << "what held the axis before holds it again";
     EXPECT_EQ(rig.azimuth.mode, Mode::Position);
     EXPECT_TRUE(rig.point(100.0, 60.0));
 }
 
-// REQ-ALARMS-60: Drives that fall silent together have one alarm and one reason, because it is the bus. When they are
-// back, it says for how long they were silent and how far the mount moved meanwhile.
+// REQ-ALARMS-60: Drives that fall silent together have one alarm with one reason, because the bus is the cause. When
+// they are back, the alarm says how long they were silent and how far the mount moved meanwhile.
 TEST(StationControl, ABusThatIsGoneIsOneAlarm)
 {
     StationRig rig;
@@ -67,7 +67,7 @@ TEST(StationControl, ABusThatIsGoneIsOneAlarm)
     rig.azimuth.mode = rig.elevation.mode = Mode::PositionTimeout;
     rig.run(Seconds(8.0));
     rig.azimuth.position += 0.4 / 360.0;
-    rig.azimuth.silent = false;  // a tick before the other
+    rig.azimuth.silent = false;  // one tick before the other
     rig.run(Seconds(0.02));
     rig.elevation.silent = false;
     rig.run(Seconds(0.5));
@@ -84,10 +84,10 @@ TEST(StationControl, ABusThatIsGoneIsOneAlarm)
     EXPECT_FALSE(rig.control.status().alarms.front().active);
 }
 
-// Story: after 8 s of silence the drive check read for 2 s until the wraps were confirmed. The alarm of the return was
-// made after 1 s, and never said how far the mount had moved.
+// Story: after a silence of 8 s the drive check read for 2 s before the wraps were confirmed. The alarm of the return
+// was raised after 1 s, and never said how far the mount had moved.
 // REQ-ALARMS-303: The alarm of drives that are back says how far the mount moved as soon as its position is confirmed,
-// also when that is after the alarm was raised.
+// even if that is after the alarm was raised.
 TEST(StationControl, HowFarTheMountMovedIsAddedWhenItIsKnown)
 {
     StationRig rig;
@@ -115,8 +115,7 @@ TEST(StationControl, HowFarTheMountMovedIsAddedWhenItIsKnown)
     EXPECT_EQ(confirmed.alarms.front().since, unconfirmed.alarms.front().since);
 }
 
-// REQ-ALARMS-61: Of two drives that fell silent together, one that comes back alone has an alarm of its own, and so has
-// the other.
+// REQ-ALARMS-61: If one of two drives that fell silent together comes back alone, each drive has its own alarm.
 TEST(StationControl, OneOfTwoSilentDrivesThatComesBackIsTold)
 {
     StationRig rig;
@@ -136,7 +135,7 @@ TEST(StationControl, OneOfTwoSilentDrivesThatComesBackIsTold)
                                                       "The elevation drive does not reply."));
 }
 
-// Story: the drives had answered for ten seconds, and FAULT still said "no reply from the azimuth drive".
+// Story: the drives had replied for ten seconds, and the fault still said "no reply from the azimuth drive".
 // REQ-ALARMS-29
 TEST(StationControl, ADriveThatAnswersAgainSaysSoWhileItWaitsForTheRearm)
 {
@@ -162,7 +161,7 @@ TEST(StationControl, ADriveThatAnswersAgainSaysSoWhileItWaitsForTheRearm)
     EXPECT_TRUE(rig.control.status().alarms.empty());
 }
 
-// What stands in the alarm list about the azimuth drive's silence, and what the log said of it last.
+// The entries of the alarm list about the silent azimuth drive, and the last log line about it.
 struct SilenceRig : StationRig
 {
     SilenceRig() { EXPECT_TRUE(setsOff(100.0, 60.0, Seconds(2.0))); }
@@ -204,8 +203,8 @@ struct SilenceRig : StationRig
 constexpr const char* kNoReply = "The azimuth drive does not reply.";
 constexpr const char* kBack = "The azimuth drive was silent for 1 s and is back.";
 
-// Story: of two losses without a re-arm between, the second was never told: 41 s later the alarm still said that the
-// drive answered again.
+// Story: a drive was lost twice without a re-arm in between. The second loss was never reported. 41 s later the alarm
+// still said that the drive replied again.
 // REQ-ALARMS-29
 TEST(StationControl, EverySilenceBeforeTheRearmIsTold)
 {
@@ -251,7 +250,7 @@ TEST(StationControl, HowFarOneAxisMovedIsAddedWhenItIsKnown)
         << "the position before the second silence was not confirmed";
 }
 
-// What the operator has entered does not prove that the axis only moved that far.
+// The position that the operator entered does not prove how far the axis really moved.
 // REQ-ALARMS-303
 TEST(StationControl, APositionThatWasEnteredIsNotCalledContinuous)
 {
@@ -273,7 +272,7 @@ TEST(StationControl, APositionThatWasEnteredIsNotCalledContinuous)
     }));
 }
 
-// A loose plug: more changes than the log takes in a second.
+// A loose plug causes more changes than the log accepts in a second.
 // REQ-ALARMS-29
 TEST(StationControl, ASilenceThatLastsIsToldAfterAFlicker)
 {
@@ -312,7 +311,8 @@ TEST(StationControl, ADriveInFaultThatFallsSilentIsToldBesideItsFault)
     EXPECT_TRUE(std::ranges::none_of(rig.control.status().alarms, &Alarm::active));
 }
 
-// Story: a machine that stopped for 0.3 s blamed the cable, although the replies lay unread in its own buffers.
+// Story: this computer stalled for 0.3 s and the alarm blamed the cable, although the replies lay unread in its own
+// buffers.
 // REQ-CONTROL-06: A stall of this computer is not silence of the drives.
 TEST(StationControl, AStallOfThisComputerIsNotSilenceOfTheDrives)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is shown of a slew: how long it still takes, and the way that the beam will go. And its end on both axes.
+// The status of a slew: the remaining time and the path of the beam. Also the setting that both axes arrive together.
 #include "tests/core/control/station_rig.h"
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ protected:
         ASSERT_FALSE(rig.control.status().slew);
     }
 
-    // On the way there what was shown at each moment was right, within 10 % or 0.5 s, until it is not shown any more.
+    // Runs to the end of the slew. The remaining time shown at each moment must prove right within 10 % or 0.5 s.
     static void expectTrueToTheEnd(StationRig& rig)
     {
         struct Shown
@@ -64,7 +64,7 @@ protected:
         EXPECT_GT(done, 0.9);
     }
 
-    // How far the beam will turn, all the way.
+    // The angle that the beam turns along the whole route.
     static double turning(const std::vector<SkyPointing>& route)
     {
         double sum = 0.0;
@@ -75,8 +75,8 @@ protected:
     }
 };
 
-// REQ-CONTROL-400 (StationSlew.*): While the mount slews, the status shows how long that still takes and which part of
-// it is done, right within 10 % or 0.5 s, and the way that the beam will go, fine enough to be drawn.
+// REQ-CONTROL-400 (StationSlew.*): While the mount slews, the status shows the remaining time, right within 10 % or 0.5
+// s, and the part that is done. It also shows the coming path of the beam, with enough points to draw it.
 TEST_F(StationSlew, AGoTo)
 {
     StationRig rig(settings());
@@ -133,7 +133,7 @@ TEST_F(StationSlew, BothAxesTogether)
     EXPECT_NEAR(Seconds(rig.clock.now() - then).count(), half.slew->remaining.count(), 0.8);
 }
 
-// The setting applies at once.
+// The setting applies at once, during a slew.
 TEST_F(StationSlew, TogetherIsChosenOnTheWay)
 {
     StationRig rig(settings());
@@ -148,7 +148,7 @@ TEST_F(StationSlew, TogetherIsChosenOnTheWay)
     EXPECT_GT(rig.elevationDegrees(), 10.0);
 }
 
-// Faster or slower limits in the middle of it: the rest is right again.
+// The limits become faster or slower during the slew. The remaining time is right again.
 TEST_F(StationSlew, OtherLimitsOnTheWay)
 {
     StationRig rig(settings());
@@ -179,7 +179,7 @@ TEST_F(StationSlew, WhatEndsItEndsWhatIsShown)
     EXPECT_TRUE(rig.control.status().route.empty());
 }
 
-// REQ-CONTROL-401: The way that is shown is the long one where the cable ends, and a whole turn when the cable is
+// REQ-CONTROL-401: The path that is shown is the long one where the cable ends, and a full turn when the cable is
 // unwrapped.
 TEST_F(StationSlew, TheLongWayIsShownAsItWillBeGone)
 {
@@ -209,7 +209,7 @@ TEST_F(StationSlew, UnwrappingIsAWholeTurn)
     expectTrueToTheEnd(rig);
 }
 
-// REQ-CONTROL-407: A stream that turns back in the middle shows its way and its time, too.
+// REQ-CONTROL-407: A stream that unwraps the cable during tracking shows its path and its remaining time, too.
 TEST_F(StationSlew, AStreamThatTurnsBackShowsItsWayAndItsTime)
 {
     StationRig rig(settings());
@@ -237,7 +237,7 @@ TEST_F(StationSlew, AStreamThatTurnsBackShowsItsWayAndItsTime)
     EXPECT_TRUE(rig.control.status().route.empty());
 }
 
-// REQ-CONTROL-402: The line of the log that begins a motion to a place says how long it takes.
+// REQ-CONTROL-402: The log line at the start of a motion to a place says how long the motion takes.
 TEST_F(StationSlew, TheLogNamesItsTime)
 {
     StationRig rig(settings());
@@ -254,9 +254,9 @@ TEST_F(StationSlew, TheLogNamesItsTime)
     EXPECT_EQ(rig.lastLog(), "moves the mount from 113.00° 10.00°: home to 0.00° 0.00°, there in 3 min 47 s");
 }
 
-// REQ-CONTROL-932: Electrical power is reported of each axis and of all together. The energy of a motion is summed from
-// the tick in which it begins until the mount stands, power that is fed back counts negative, and its highest power is
-// kept with it until the next motion ends. Standing costs nothing of it.
+// REQ-CONTROL-932: The status reports the electrical power of each axis and the sum. The energy of a motion is summed
+// from its first tick until the mount stands. Power that is fed back counts negative. The highest power is kept with
+// the energy until the next motion ends. The power of standing still is not included.
 TEST(StationEnergy, AMotionIsSummedUpFromItsBeginToItsEnd)
 {
     StationRig rig;
@@ -284,8 +284,8 @@ TEST(StationEnergy, AMotionIsSummedUpFromItsBeginToItsEnd)
     EXPECT_EQ(status.power.last->peak, 20.0) << "what came behind it is no part of it";
 }
 
-// REQ-CONTROL-933: What is not reported for more than 0.1 s is not guessed: it is no part of the energy, and how long
-// that was is reported.
+// REQ-CONTROL-933: Power that is not reported for more than 0.1 s is not guessed. The gap adds nothing to the energy,
+// and its length is reported.
 TEST(StationEnergy, AGapIsToldAndNotGuessed)
 {
     StationRig rig;

@@ -11,7 +11,7 @@ namespace {
 
 using moteus::Mode;
 
-// What the drives do meanwhile: nothing is commanded for `time`, so they stop by themselves.
+// The effect of a stall on the drives: they receive no command for `time` and stop by themselves.
 void stall(StationRig& rig, Seconds time)
 {
     rig.clock.advance(time);
@@ -23,12 +23,12 @@ bool logHas(const StationRig& rig, const QString& text)
     return std::ranges::any_of(rig.log.since(0, 1000), [&](const LogEntry& line) { return line.text.contains(text); });
 }
 
-// Story: one hiccup of 0.1 s on a busy computer ended a pass, and every later target of the client was refused.
-// REQ-CONTROL-06a (StationStall.*): After a stall of at most 2 s, from tick to tick or from frame to frame, that let
-// the drives' watchdogs act, the motion is resumed within 1 s, unless the profile says "wait". Any doubt waits for a
-// re-arm: a drive in fault or power-cycled, a wrap that is not proven, an axis that moved by 2°, a latched STOP, a
-// drive that does not come back. Requests made meanwhile count. Stalls in a row, or a stall while drives are taken
-// over, change nothing of that.
+// Story: one stall of 0.1 s on a busy computer ended a pass, and every later target of the client was refused.
+// REQ-CONTROL-06a (StationStall.*): A stall of at most 2 s, from tick to tick or from frame to frame, can let the
+// watchdogs of the drives stop the mount. The motion is then resumed within 1 s, unless the profile says "wait". Any
+// doubt waits for a re-arm: a drive in fault or power-cycled, a wrap that is not proven, an axis that moved by 2°, a
+// latched STOP, a drive that does not come back. Requests made meanwhile count. This also holds for several stalls in a
+// row, and for a stall while drives are taken over.
 TEST(StationStall, TheMotionGoesOnByItself)
 {
     for (const double seconds : {0.08, 0.15, 1.0, 1.97}) {
@@ -47,9 +47,9 @@ TEST(StationStall, TheMotionGoesOnByItself)
     }
 }
 
-// Story: after a sleep of 20 s the window blamed the bus, and only the log had the reason.
-// REQ-ALARMS-304: Drives that timed out because this computer stalled have an alarm that says so, and for how long it
-// stalled. Of a time-out without a stall it says nothing.
+// Story: after a suspend of 20 s the window blamed the bus, and only the log had the reason.
+// REQ-ALARMS-304: If drives timed out because this computer stalled, the alarm says so and names the length of the
+// stall. An alarm about a time-out without a stall does not mention one.
 TEST(StationStall, TheAlarmAfterALongOneNamesIt)
 {
     StationRig rig;
@@ -67,8 +67,8 @@ TEST(StationStall, TheAlarmAfterALongOneNamesIt)
               QStringLiteral("The azimuth drive timed out because it received no command in time."));
 }
 
-// Story: under load a tick began 65 ms after the one before and sent its frames 45 ms later. The drives timed out, no
-// stall was seen, and a pass of two hours lost its last quarter.
+// Story: under load a tick began 65 ms after the one before, and its frames left 45 ms later. The drives timed out, no
+// stall was detected, and a pass of two hours lost its last quarter.
 TEST(StationStall, TwoDelaysThatAddUpAreOne)
 {
     StationRig rig;
@@ -84,7 +84,7 @@ TEST(StationStall, TwoDelaysThatAddUpAreOne)
     EXPECT_NEAR(rig.azimuthDegrees(), 100.0, 0.001);
 }
 
-// With the longest watchdog the sum is long enough for the axes to stand elsewhere.
+// With the longest watchdog time the two delays are long enough for the axes to stand somewhere else.
 TEST(StationStall, TwoDelaysThatAddUpExcuseTheDrivesToo)
 {
     profile::Profile patient;
@@ -232,7 +232,7 @@ TEST(StationStall, BehindStopNothingIsResumed)
     EXPECT_EQ(rig.azimuthDegrees(), stood);
 }
 
-// A button that is held while this computer stalls has no keep-alive either.
+// A jog button that is pressed while this computer stalls sends no keep-alive either.
 TEST(StationStall, AJogEnds)
 {
     StationRig rig;

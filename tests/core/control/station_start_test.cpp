@@ -70,7 +70,7 @@ TEST(StationControl, WithoutDrivesRequestsAreAnsweredAtOnce)
     EXPECT_EQ(rig.control.status().alarms.size(), 1U);
 }
 
-// REQ-CONTROL-08: A position older than 1 s is no position.
+// REQ-CONTROL-08: A position that is older than 1 s does not count as a position.
 TEST(StationControl, APositionOlderThanASecondIsNoPosition)
 {
     StationRig rig;

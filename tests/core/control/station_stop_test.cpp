@@ -12,9 +12,9 @@ namespace {
 using moteus::Mode;
 using moteus::Register;
 
-// REQ-CONTROL-03: STOP decelerates, holds and latches. It brakes as hard as a drive that is left alone, with the jerk
-// bounded by the averaging of the profile: 0.3 s from full speed on the reference mount. After its reset nothing comes
-// back by itself. Clients that kept sending must first be given control.
+// REQ-CONTROL-03: STOP decelerates, holds and latches. It brakes as hard as a drive that has lost its commands, with
+// the jerk bounded by the averaging of the profile. The reference mount stops from full speed in 0.3 s. After the reset
+// of STOP nothing moves again by itself. Clients that kept sending must first be given control.
 TEST(StationControl, StopDeceleratesHoldsAndLatches)
 {
     StationRig rig;
@@ -41,7 +41,7 @@ profile::Profile withoutBrakes()
     return profile;
 }
 
-// Story: with 0.5°/s² in the profile STOP took 14 s and 49°.
+// Story: with 0.5°/s² in the profile, STOP took 14 s and 49°.
 // REQ-CONTROL-03
 TEST(StationControl, StopBrakesHarderThanAProfileWithoutBrakes)
 {
@@ -56,7 +56,7 @@ TEST(StationControl, StopBrakesHarderThanAProfileWithoutBrakes)
     rig.run(Seconds(1.7));
     EXPECT_EQ(rig.control.status().azimuth.commandedRate, AngularRate{});
     EXPECT_LT(rig.azimuthDegrees() - from, 8.0);
-    // The drive must be able to follow that: 7.5°/s² in turns.
+    // The drive must be allowed this acceleration: 7.5°/s², in turns.
     double hardest = 0.0;
     for (const auto& [mode, fields] : rig.azimuth.seen) {
         hardest = std::max(hardest, fields.at(Register::CommandAccelerationLimit));
@@ -68,7 +68,7 @@ TEST(StationControl, StopBrakesHarderThanAProfileWithoutBrakes)
     EXPECT_LE(rig.azimuth.seen.back().fields.at(Register::CommandAccelerationLimit), 0.75 / 360.0);
 }
 
-// The reference mount from full speed: 0.3 s and 1.4° instead of 1.2 s and 6°, still without a jerk.
+// The reference mount at full speed stops in 0.3 s and 1.4° instead of 1.2 s and 6°, still with bounded jerk.
 // REQ-CONTROL-03
 TEST(StationControl, StopFromFullSpeedTakesAThirdOfASecond)
 {
@@ -112,7 +112,7 @@ TEST(StationControl, AfterResetOfStopNothingComesBackByItself)
     EXPECT_TRUE(rig.point(200.0, 60.0));
 }
 
-// REQ-CONTROL-11: The operator goes before the clients. Everybody may stop the mount.
+// REQ-CONTROL-11: The operator has priority over the clients. Everybody may stop the mount.
 TEST(StationControl, TheOperatorGoesBeforeTheClients)
 {
     StationRig rig;
@@ -132,8 +132,10 @@ TEST(StationControl, HoldFromAClientEndsTheMotionWithoutLatching)
     EXPECT_TRUE(rig.point(20.0, 30.0));
 }
 
-// Story: STOP was logged and shown while the mount went on turning by an order that somebody else had left.
-// REQ-CONTROL-04: STOP takes over a drive that moves without our orders. STOP cannot be reset while the mount brakes.
+// Story: STOP was logged and shown while the mount went on turning by a command that another program had left in the
+// drive.
+// REQ-CONTROL-04: STOP takes over a drive that moves without a command of Boresight. STOP cannot be reset while the
+// mount brakes.
 TEST(StationControl, StopTakesOverWhatMovesWithoutOurOrders)
 {
     StationRig rig;
@@ -152,8 +154,8 @@ TEST(StationControl, StopTakesOverWhatMovesWithoutOurOrders)
     EXPECT_EQ(rig.control.status().elevation.state, AxisState::Off);
 }
 
-// Story: a drive that another tool had set in motion turned on behind a latched STOP, and its silence meanwhile was
-// called a fault.
+// Story: another tool had set a drive in motion. The drive turned on although STOP was latched, and its silence
+// meanwhile was reported as a fault.
 TEST(StationControl, StopWhileTheBusIsWithOthersTakesTheDrivesOverWhenItIsBack)
 {
     StationRig rig;
@@ -164,7 +166,7 @@ TEST(StationControl, StopWhileTheBusIsWithOthersTakesTheDrivesOverWhenItIsBack)
     rig.run(Seconds(1.0));
     EXPECT_FALSE(rig.control.faultLatched());
     rig.azimuth.seen.clear();
-    rig.azimuth.mode = Mode::Position;  // by the other tool
+    rig.azimuth.mode = Mode::Position;  // set by the other tool
     ASSERT_TRUE(rig.ask(request::TakeBus{}));
     rig.run(Seconds(0.5));
     ASSERT_FALSE(rig.azimuth.seen.empty());
@@ -200,7 +202,7 @@ TEST(StationControl, StopIsNotResetWhileTheMountStillBrakes)
     EXPECT_TRUE(rig.ask(request::ResetStop{}));
 }
 
-// Story: the Hold button was undone by the next target of the client, a second later.
+// Story: the operator pressed Hold, and a second later the next target of the client moved the mount again.
 TEST(StationControl, HoldOfTheOperatorIsNotUndoneByAClient)
 {
     StationRig rig;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The beam stays away from the Sun, whoever moves it; a mount that stands while the Sun comes over it stays there.
+// The beam stays away from the Sun for every source of motion. A mount that stands still while the Sun passes stays
+// where it is.
 #include "core/control/clock_trust.h"
 #include "core/control/sun_watch.h"
 #include "core/ephemeris/almanac.h"
@@ -29,7 +30,7 @@ profile::Profile sunny()
     return profile;
 }
 
-// Lisbon at noon: the Sun stands in the south, 31° high, and goes 0.3° of azimuth in a minute.
+// Lisbon at noon: the Sun stands in the south at 31° elevation, and its azimuth changes by 0.3° a minute.
 struct SunRig : StationRig
 {
     explicit SunRig(const profile::Profile& settings = sunny()) : StationRig(settings)
@@ -60,7 +61,7 @@ struct SunRig : StationRig
         settle();
         return accepted;
     }
-    // Hours in which nobody asks for anything, a tick in a second.
+    // Lets this time pass without any request, one tick a second.
     void wait(Seconds time)
     {
         for (Seconds left = time; left > Seconds(0.0); left -= Seconds(1.0)) {
@@ -70,9 +71,10 @@ struct SunRig : StationRig
     }
 };
 
-// REQ-CONTROL-39 (StationSun.*): The beam stays away from the Sun where the profile says so: a keep-out that is
-// renewed every 20 s holds for every motion. A mount that stands while the Sun comes over it stays, with an alarm.
-// From inside only the way out is open. Where keep-away is switched on while the Sun is tracked, the mount holds.
+// REQ-CONTROL-39 (StationSun.*): If the profile says so, the beam stays away from the Sun. A keep-out around the Sun is
+// renewed every 20 s and holds for every motion. A mount that stands still while the Sun passes stays there, with an
+// alarm. From inside the keep-out only the way out is allowed. If keep-away is switched on while the Sun is tracked,
+// the mount holds.
 TEST(StationSun, IsAKeepOutWhileItIsUp)
 {
     SunRig rig;
@@ -105,7 +107,7 @@ TEST(StationSun, NobodyMovesIntoIt)
     EXPECT_FALSE(rig.warned());
 }
 
-// A client's satellite goes right through the Sun: the beam passes it by.
+// A client's satellite crosses the Sun: the beam goes around the Sun.
 TEST(StationSun, AStreamIsLedAroundIt)
 {
     SunRig rig;
@@ -122,7 +124,7 @@ TEST(StationSun, AStreamIsLedAroundIt)
     EXPECT_NEAR(rig.azimuthDegrees(), sun.azimuth.degrees() + 40.0, 0.01);
 }
 
-// For two hours a mount stands where the Sun will come by: it never moves, and it is told while it lasts.
+// A mount stands for two hours where the Sun will pass. It never moves, and an alarm reports the Sun while it is there.
 TEST(StationSun, AMountThatStandsStaysAndIsTold)
 {
     SunRig rig;
@@ -147,7 +149,8 @@ TEST(StationSun, AMountThatStandsStaysAndIsTold)
     EXPECT_EQ(rig.state(), StationState::Hold);
 }
 
-// The same for a client that has pointed there once: its target does not push the mount aside.
+// A client has pointed the mount once to where the Sun will pass. The mount stays: this old target does not make it
+// move aside.
 TEST(StationSun, ATargetThatStandsIsGivenUp)
 {
     SunRig rig;
@@ -184,7 +187,7 @@ TEST(StationSun, FromInsideOnlyTheWayOutIsOpen)
     EXPECT_FALSE(rig.warned());
 }
 
-// The computer's clock is set: the keep-out is not 20 s in coming.
+// When the clock of the computer is set, the keep-out moves at once and does not wait for 20 s.
 TEST(StationSun, IsFoundAnewWhenTheClockIsSet)
 {
     SunRig rig;
@@ -196,7 +199,7 @@ TEST(StationSun, IsFoundAnewWhenTheClockIsSet)
                 rig.sun().azimuth.degrees(), 0.2);
 }
 
-// A beam at its edge is out of the circle until the keep-out is renewed, at any time of the day.
+// A beam at the edge of the circle stays outside until the keep-out is renewed, at any time of the day.
 // REQ-CONTROL-39 (SunWatch.*)
 TEST(SunWatch, ServesUntilItIsRenewed)
 {
@@ -225,7 +228,7 @@ TEST(SunWatch, ServesUntilItIsRenewed)
     }
 }
 
-// A computer without a battery starts at 1 January 2000. Nothing vouches for its clock.
+// A computer without a clock battery starts at 1 January 2000. No time source confirms its clock.
 struct DoubtedRig : StationRig
 {
     explicit DoubtedRig(const profile::Profile& settings = sunny()) : StationRig(settings)
@@ -255,12 +258,12 @@ struct DoubtedRig : StationRig
     }
 };
 
-// Story: at 1 January 2000 the beam went into the Sun without a word.
-// REQ-CONTROL-39a (StationSunClock.*): Without a clock that a time source vouches for, keep-away refuses every place
-// that the Sun can have at this latitude, and an alarm and the refusals name the clock. From inside this band only the
-// operator moves the mount, by the slow jog. When the clock is synchronised the band goes, and what it held back stays
-// where it is. A clock that was synchronised is trusted for 24 h more unless it is set. `sun.clock = "trusted"`
-// vouches for a computer without a time source. No date before 2026 is trusted.
+// Story: with the clock at 1 January 2000 the beam went into the Sun without an alarm.
+// REQ-CONTROL-39a (StationSunClock.*): While no time source confirms the clock, keep-away refuses every place that the
+// Sun can have at this latitude. An alarm and the refusals name the clock. Inside this band only the operator moves the
+// mount, by slow jog. When the clock is synchronised the band ends, and nothing that was refused starts by itself. A
+// clock that was synchronised is trusted for 24 h more unless it is set. `sun.clock = "trusted"` vouches for a computer
+// without a time source. No date before 2026 is trusted.
 TEST(StationSunClock, WithoutASynchronisedClockNothingMovesToWhereTheSunCanBe)
 {
     DoubtedRig rig;
@@ -303,7 +306,7 @@ TEST(StationSunClock, AnySourceThatVouchesForItEndsTheDoubtAndNothingSetsOff)
     EXPECT_NEAR(rig.elevationDegrees(), 60.0, 0.01);
 }
 
-// A mount that stands where the Sun may be: no way out is known to be safe, so somebody has to look at it.
+// A mount stands where the Sun may be. No way out is known to be safe, so the operator has to look at the mount.
 TEST(StationSunClock, FromInsideTheOperatorJogsOutSlowly)
 {
     profile::Profile off = sunny();
@@ -345,7 +348,7 @@ TEST(StationSunClock, WhatIsOnItsWayInTheBandEndsWhenTheClockComesToBeDoubted)
     EXPECT_FALSE(rig.point(azimuth - 20.0, 50.0));
 }
 
-// Where there is no time source the operator vouches, but not for a date before this program was written.
+// Without a time source the operator may vouch for the clock, but not for a date before this program was written.
 TEST(StationSunClock, TheOperatorMayVouchForIt)
 {
     profile::Profile trusting = sunny();
@@ -358,7 +361,8 @@ TEST(StationSunClock, TheOperatorMayVouchForIt)
     EXPECT_EQ(rig.control.status().sunKeepOuts.size(), 1U);
 }
 
-// Story: a field station loses its network; the kernel calls the clock unsynchronised nine hours later, in mid-pass.
+// Story: a field station lost its network. Nine hours later, in mid-pass, the kernel reported the clock as not
+// synchronised.
 // REQ-CONTROL-39a (ClockTrust.*)
 TEST(ClockTrust, OutlivesTheTimeSourceForADay)
 {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What else than satellites the station follows by itself: Sun, Moon, planets and radio sources, and what stays in its
-// place.
+// Targets other than satellites that the station tracks by itself: Sun, Moon, planets, radio sources and fixed targets.
 #include "core/sources/target_track.h"
 #include "core/tables/table_reader.h"
 #include "core/targets/target_path.h"
@@ -26,7 +25,7 @@ profile::Profile atSite()
     profile::Profile profile;
     profile.site = {
         .known = true, .latitude = kSite.latitude, .longitude = kSite.longitude, .heightMetres = kSite.heightMetres};
-    profile.control.tickHz = 20;  // the lowest: they are followed for minutes
+    profile.control.tickHz = 20;  // the lowest, because the bodies are tracked for minutes
     profile.control.watchdog = Seconds(0.2);
     return profile;
 }
@@ -43,7 +42,7 @@ protected:
 
     [[nodiscard]] UtcTime now() const { return rig.clock.utc(); }
     static targets::TargetPath pathOf(std::string_view text) { return {targetOf(text), kSite}; }
-    // Empty: accepted.
+    // Empty if accepted, else the reason.
     std::string ask(std::string_view text, const Source& by = kOperator)
     {
         const Result<> answer = rig.ask(request::Track{targetOf(text)}, by);
@@ -74,7 +73,7 @@ protected:
     StationRig rig{atSite()};
 };
 
-// REQ-TRACK-920: Sun, Moon, planets and radio sources are followed until they set, within 0.01°. Then the mount holds.
+// REQ-TRACK-920: Sun, Moon, planets and radio sources are tracked until they set, within 0.01°. Then the mount holds.
 TEST_F(StationTarget, FollowsABodyUntilItSets)
 {
     for (const char* const text : {"moon", "sun", "jupiter", "tau a"}) {
@@ -97,8 +96,8 @@ TEST_F(StationTarget, FollowsABodyUntilItSets)
     }
 }
 
-// REQ-TRACK-921: A body that is below the horizon is refused with the time of its next rise, or because it does not
-// rise within a day. In the last half hour before its rise the mount waits where it rises, and follows it from there.
+// REQ-TRACK-921: A body below the horizon is refused with the time of its next rise, or because it does not rise within
+// a day. In the last half hour before the rise the mount waits where the body rises, and tracks it from there.
 TEST_F(StationTarget, WaitsForABodyToRise)
 {
     const auto set = pathOf("sun").nextUp(now() + std::chrono::hours(12)).value().sets.value();
@@ -122,8 +121,8 @@ TEST_F(StationTarget, WaitsForABodyToRise)
     EXPECT_LT(distance(pathOf("sun")), 0.01_deg);
 }
 
-// REQ-TRACK-922: To a direction and to a position the mount goes and stays there, without an end. One that is out of
-// reach is refused with the reason. A direction needs no site. Each new target is a line of the log.
+// REQ-TRACK-922: For a direction or a place on the Earth the mount goes there and stays, without an end. A target that
+// is out of reach is refused with the reason. A direction needs no site. Each new target is a line in the log.
 TEST_F(StationTarget, StaysWhereATargetStays)
 {
     for (const char* const text : {"azel 100,30", "IM67", "IM67 long", "place 39.3,-8.5,11000"}) {
@@ -150,8 +149,8 @@ TEST_F(StationTarget, StaysWhereATargetStays)
     EXPECT_EQ(ask("azel 100,30"), "");
 }
 
-// REQ-TRACK-923: The Sun is refused while the profile keeps the beam away from it. Where keep-away is switched on while
-// it is tracked, the tracking ends and the mount holds.
+// REQ-TRACK-923: Tracking the Sun is refused while the profile keeps the beam away from it. If keep-away is switched on
+// during tracking, the tracking ends and the mount holds.
 TEST_F(StationTarget, TheProfileMayForbidTheSun)
 {
     goTo(now() + std::chrono::hours(12));
@@ -173,7 +172,7 @@ TEST_F(StationTarget, TheProfileMayForbidTheSun)
     EXPECT_EQ(rig.state(), StationState::Hold);
 }
 
-// REQ-TRACK-924: A site that is changed while a target is tracked ends the tracking, and the mount holds.
+// REQ-TRACK-924: Changing the site during tracking ends the tracking, and the mount holds.
 TEST_F(StationTarget, AnotherSiteEndsIt)
 {
     goTo(now() + std::chrono::hours(12));
@@ -190,8 +189,8 @@ TEST_F(StationTarget, AnotherSiteEndsIt)
     EXPECT_EQ(rig.state(), StationState::Hold);
 }
 
-// REQ-TRACK-930: The mount follows a target where the rule of the profile for refraction has it. Another rule counts
-// from the next set-point on, and for the way that is shown.
+// REQ-TRACK-930: The mount tracks a target with the refraction rule of the profile. Another rule applies from the next
+// set-point on, and to the path that is shown.
 TEST_F(StationTarget, FollowsByTheRuleForRefraction)
 {
     const auto up = pathOf("moon").nextUp(now()).value();
@@ -215,7 +214,7 @@ TEST_F(StationTarget, FollowsByTheRuleForRefraction)
     EXPECT_EQ(shown.direction, path.at(shown.utc).value());
 }
 
-// REQ-TRACK-925: A client cannot ask for a target, and STOP ends its tracking.
+// REQ-TRACK-925: A client cannot start tracking of a target, and STOP ends the tracking.
 TEST_F(StationTarget, BelongsToTheOperatorAndEndsWithStop)
 {
     EXPECT_NE(ask("azel 100,30", kClient), "");
@@ -228,7 +227,7 @@ TEST_F(StationTarget, BelongsToTheOperatorAndEndsWithStop)
     EXPECT_NE(ask("azel 100,30"), "") << "STOP is latched";
 }
 
-// The way of a table of rows, 12° in three minutes from two minutes on.
+// A table of rows that moves by 12° in three minutes and begins in two minutes.
 targets::Target tableFrom(UtcTime start)
 {
     std::string text;
@@ -240,8 +239,8 @@ targets::Target tableFrom(UtcTime start)
     return targets::tableTarget(tables::readTable(text, QStringLiteral("/tmp/way.txt")).value());
 }
 
-// REQ-TRACK-926: The table of a file is tracked like a satellite: the mount waits where it begins, follows it on the
-// great circle between its rows to 0.01°, and holds where it ends. Directions need no site.
+// REQ-TRACK-926: A table from a file is tracked like a satellite. The mount waits where the table begins, follows the
+// great circle between its rows within 0.01°, and holds where it ends. A table of directions needs no site.
 TEST_F(StationTarget, FollowsATable)
 {
     profile::Profile nowhere = rig.profile;
@@ -274,7 +273,7 @@ TEST_F(StationTarget, FollowsATable)
     EXPECT_THAT(textOf(over.error()), HasSubstr("The table of way.txt ended at"));
 }
 
-// REQ-TRACK-927: An OEM needs the site. A table that begins in more than half an hour is refused with its time.
+// REQ-TRACK-927: An OEM needs the site. A table that begins in more than half an hour is refused with its start time.
 TEST_F(StationTarget, ATableMustLeadSomewhereSoon)
 {
     const UtcTime start = std::chrono::floor<std::chrono::seconds>(now());

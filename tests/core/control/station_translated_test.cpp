@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the control decides is the same in another language.
+// The decisions of the control do not depend on the language.
 #include "tests/core/control/station_rig.h"
 #include "tests/fakes/one_word.h"
 
@@ -12,8 +12,8 @@
 namespace boresight {
 namespace {
 
-// What happens to a mount whose drive falls silent, comes back, and then has a fault: states, alarms and lines of the
-// log, without their texts.
+// The events of a mount whose drive falls silent, comes back and then has a fault: states, alarms and log lines,
+// without their texts.
 class Story
 {
 public:
@@ -72,10 +72,10 @@ private:
     std::vector<std::string> m_told;
 };
 
-// Story: a remedy that began with "re-arm" only in English decided about the sentence, and an alarm took the place of
-// another where their texts differed.
-// REQ-CONTROL-502: A translated text decides nothing. Alarms come, take each other's place and go, and a re-arm
-// completes, in every language alike.
+// Story: a check whether a remedy began with "re-arm" worked in English only and chose the wrong sentence. Where two
+// texts differed, one alarm replaced another.
+// REQ-CONTROL-502: A translated text decides nothing. Alarms appear, replace each other and disappear, and a re-arm
+// completes, in the same way in every language.
 TEST(StationTranslated, AlarmsAndRearmAreTheSameInOneWord)
 {
     const std::vector<std::string> inEnglish = Story().told();

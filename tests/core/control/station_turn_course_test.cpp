@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The turning that a sensor on the antenna has seen, as evidence for the turn of the azimuth.
+// The turning seen by a sensor on the antenna, as evidence for the wrap of the azimuth.
 #include "tests/core/control/station_rig.h"
 
 #include <gmock/gmock.h>
@@ -11,8 +11,8 @@ namespace {
 
 using testing::HasSubstr;
 
-// A sensor that has seen the azimuth go to 400°; then its drive was without power for a moment, and now it knows its
-// direction within 3.6° only. The journal says 400°.
+// The sensor has seen the azimuth go to 400°. Then the drive lost power for a moment, and it knows its direction only
+// within a multiple of 3.6°. The journal says 400°.
 struct SensedRig : StationRig
 {
     SensedRig()
@@ -25,7 +25,7 @@ struct SensedRig : StationRig
         run(Seconds(0.2));
     }
 
-    // Its readings are of true azimuths, and a deviation of some degrees is in them.
+    // The sensor reads true azimuths, with a deviation of some degrees.
     void sense(Angle axis)
     {
         course.azimuth = axis + 37_deg + 6_deg;
@@ -51,7 +51,7 @@ struct SensedRig : StationRig
         EXPECT_TRUE(asked);
         return asked.value_or(TurnQuestion{});
     }
-    // All but the last sentence, which is that of the sensor's heading.
+    // The evidence without its last sentence, which is about the heading of the sensor.
     [[nodiscard]] std::string turning() const
     {
         const auto evidence = question().evidence;
@@ -61,8 +61,8 @@ struct SensedRig : StationRig
     SensorCourse course{.unbroken = 3, .azimuth = {}};
 };
 
-// REQ-WITNESS-46 (StationTurnCourse.*): A sensor that ran without a gap since the azimuth's wrap was known shows in
-// the question of the wrap how far it has turned. It takes back a proposal that it contradicts.
+// REQ-WITNESS-46 (StationTurnCourse.*): A sensor that ran without a gap since the wrap of the azimuth was known shows,
+// in the question about the wrap, how far it has turned. It cancels a proposal that it contradicts.
 // REQ-MEMORY-09 (StationTurnCourse.*)
 TEST(StationTurnCourse, AgreesWithTheJournalWhereNobodyTurnedTheMast)
 {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What proves the turn of an axis over a new start, a silence, other tools: only a position that nobody has set since.
+// What proves the wrap of an axis after a restart, a silence or the use of other tools: only a position that nobody has
+// set since then.
 #include "tests/core/control/station_rig.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +10,7 @@
 namespace boresight {
 namespace {
 
-// A mount whose journal is dated an hour ahead, so that the operator is asked. It stands at 0°.
+// A mount whose journal is dated an hour ahead, so Boresight asks the operator. The axes stand at 0°.
 memory::MountMemory journalOfTheFuture(const StationRig& rig)
 {
     memory::MountMemory journal;
@@ -30,7 +31,7 @@ memory::MountMemory journalOfTheFuture(const StationRig& rig)
     return journal;
 }
 
-// The program starts again with what was saved; drives and their power stay, the clock is right meanwhile.
+// The program restarts with the saved data. The drives stay powered, and the clock is right again.
 void restartInto(StationRig& next, const StationRig& before)
 {
     next.clock.advance(Seconds(before.clock.now() - next.clock.now()) + Seconds(1.0));
@@ -51,10 +52,10 @@ memory::MountMemory withTheClockRight(memory::MountMemory journal)
     return journal;
 }
 
-// Story: while the question stood, the drive had been set to the middle of its travel; the program was started anew,
-// the journal's date was right again, and the setting of the zero was counted as a motion: 180°, for certain.
-// REQ-AXES-15 (StationTurns.*): The wrap of an axis is shown or asked, never guessed. While it is unknown there is no
-// pointing and no position for clients, and only the operator jogs, slowly.
+// Story: while the question was open, the drive's position had been set to the middle of its travel. The program was
+// restarted, the date of the journal was right again, and the setting was taken for a motion: a certain error of 180°.
+// REQ-AXES-15 (StationTurns.*): The wrap of an axis is proven or asked for, never guessed. While it is unknown there is
+// no pointing and no position for clients, and only the operator jogs, slowly.
 TEST(StationTurns, CountingFromTheMiddleIsNeverTakenForAMotion)
 {
     const StationRig standing;
@@ -74,7 +75,7 @@ TEST(StationTurns, CountingFromTheMiddleIsNeverTakenForAMotion)
     })) << "which still tells where it was";
 }
 
-// The same without a new start: what was in the way of the proof may pass while the drive is silent.
+// The same without a restart: the obstacle to the proof may disappear while the drive is silent.
 TEST(StationTurns, CountingFromTheMiddleProvesNothingAfterASilenceEither)
 {
     const StationRig standing;
@@ -89,7 +90,7 @@ TEST(StationTurns, CountingFromTheMiddleProvesNothingAfterASilenceEither)
     EXPECT_FALSE(rig.control.status().azimuth.turnKnown);
 }
 
-// Killed right after the answer was written into the drive, before the new place was saved.
+// The program was killed right after the answer was written into the drive and before the new position was saved.
 TEST(StationTurns, AnAnswerHalfWrittenIsNeverTakenForAMotion)
 {
     const StationRig standing;
@@ -111,13 +112,13 @@ TEST(StationTurns, AnAnswerHalfWrittenIsNeverTakenForAMotion)
 enum class OtherTool
 {
     Looks,
-    Moves,         // the axis
-    Sets,          // what the drive calls its position
-    MovesAndSets,  // so that the drive reports the same place as before
+    Moves,         // turns the axis
+    Sets,          // sets the position value in the drive
+    MovesAndSets,  // both, so the drive reports the same position as before
 };
 
-// Story: moved by hand and set back to the old number by another tool, a mount was 216° from where it said, for
-// certain.
+// Story: another tool moved the axis and then set the old position value in the drive. The mount was 216° from its
+// reported position, and Boresight called that certain.
 TEST(StationTurns, OnlySettingTheDrivesPositionIsAskedAboutAfterOtherTools)
 {
     for (const OtherTool tool : {OtherTool::Looks, OtherTool::Moves, OtherTool::Sets, OtherTool::MovesAndSets}) {
@@ -175,7 +176,8 @@ TEST(StationTurns, APositionSetWhileTheProgramWasClosedIsAskedAbout)
     }
 }
 
-// By less than a jump of the encoder is suspected, or while this computer stood still, nothing else shows it.
+// If the value changes by less than the limit for an encoder jump, or while this computer stalls, nothing else shows
+// the change.
 TEST(StationTurns, APositionSetWhileTheTurnIsKnownIsFoundOutBySeconds)
 {
     for (const bool stalled : {false, true}) {
@@ -196,7 +198,7 @@ TEST(StationTurns, APositionSetWhileTheTurnIsKnownIsFoundOutBySeconds)
     }
 }
 
-// Story: a piece of the console's answer came twice. What it said was taken for a setting by another tool.
+// Story: part of the console's answer arrived twice. The value in it was taken for a setting by another tool.
 TEST(StationTurns, OneFalseReadingOfTheOriginIsNoSetting)
 {
     StationRig rig;
@@ -211,8 +213,8 @@ TEST(StationTurns, OneFalseReadingOfTheOriginIsNoSetting)
     EXPECT_TRUE(rig.control.status().azimuth.turnKnown);
 }
 
-// Story: the axis stood where the drive counted from while it was asked; the setting to there was taken for another
-// tool's, some seconds after the answer.
+// Story: the axis already stood where the drive counts from when the operator was asked. Some seconds after the answer
+// this position was taken for a setting by another tool.
 TEST(StationTurns, AnAnswerThatNeedsNoSettingIsKept)
 {
     const StationRig standing;
@@ -229,7 +231,7 @@ TEST(StationTurns, AnAnswerThatNeedsNoSettingIsKept)
     EXPECT_TRUE(rig.control.status().elevation.turnKnown);
 }
 
-// Until it is known what the drive counts from, its record must not seem to prove anything.
+// Until the origin of the drive's count is known, the stored record of the drive must not count as proof.
 TEST(StationTurns, ARecordOfADriveThatDoesNotTellProvesNothing)
 {
     StationRig before;

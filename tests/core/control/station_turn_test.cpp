@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which turn an axis is on: asked where it cannot be shown, written into the drive. What proves it, and what does
-// not any more: station_turn_proof_test.cpp.
+// Which wrap an axis is on: the operator is asked where the wrap cannot be proven, and the answer is written into the
+// drive. station_turn_proof_test.cpp shows what proves the wrap.
 #include "tests/core/control/station_rig.h"
 #include "tests/fakes/text_of.h"
 
@@ -15,13 +15,13 @@ namespace {
 using moteus::HomeState;
 using moteus::Register;
 
-// At the beginning of a test.
+// The time at the beginning of a test.
 UtcTime now()
 {
     return fakes::ManualClock().utc();
 }
 
-// The azimuth drive has been without power: it knows its direction within 3.6° only.
+// The azimuth drive has lost power: it knows its direction only within a multiple of 3.6°.
 struct RestartedRig : StationRig
 {
     RestartedRig()
@@ -89,14 +89,14 @@ TEST(StationTurns, OnlyTheOperatorJogsMeanwhileAndSlowly)
         rig.run(Seconds(0.1));
     }
     EXPECT_NEAR(rig.question()->movedSince.degrees(), -2.5, 0.3);
-    // Its own bounds stay in force, and it counts from where they leave room.
+    // The drive's own bounds stay in force. Its count begins in the middle of the travel, where the bounds leave room.
     EXPECT_FALSE(rig.azimuth.seen.back().fields.contains(Register::CommandIgnorePositionBounds));
     EXPECT_NEAR(rig.azimuthDegrees(), 180.0, 5.0) << "the middle of the travel";
     EXPECT_FALSE(rig.mount.memory().turns[0]) << "jogged, the axis is not where the journal says";
 }
 
 // REQ-CONTROL-1410: Control is not handed back to the clients while Boresight asks for the wrap of an axis. The refusal
-// names the axis. The answer about the wrap makes it possible again.
+// names the axis. After the answer about the wrap control can be handed back again.
 TEST(StationTurns, ControlIsHandedBackOnlyAfterTheAnswer)
 {
     RestartedRig rig;
@@ -111,8 +111,8 @@ TEST(StationTurns, ControlIsHandedBackOnlyAfterTheAnswer)
     EXPECT_TRUE(rig.ask(request::GiveAuthority{}));
 }
 
-// REQ-CONTROL-923: The board of an axis that was exchanged for another one stands on an unknown wrap: the mount is sent
-// nowhere until the operator has entered where it stands. Only the operator jogs it, slowly, and only after the drive
+// REQ-CONTROL-923: If the board of an axis was replaced, its wrap is unknown. The mount goes to no target until the
+// operator has entered the position of the axis. Only the operator jogs the axis, slowly, and only after the drive
 // check has read the safety settings of the new board and found them safe.
 TEST(StationTurns, AnExchangedBoardIsOnlyJoggedSlowlyAndNotBeforeItWasChecked)
 {
@@ -161,7 +161,7 @@ TEST(StationTurns, AHeldAxisIsHeldWhileItTakesItsPlace)
 {
     RestartedRig rig;
     ASSERT_TRUE(rig.ask(request::Jog{{.azimuth = 1_deg_s}}));
-    rig.run(Seconds(2.0));  // the keep-alive ends it; both axes are held
+    rig.run(Seconds(2.0));  // the jog ends without its keep-alive, and both axes are held
     ASSERT_EQ(rig.azimuth.mode, moteus::Mode::Position);
     rig.azimuth.seen.clear();
     const double before = rig.azimuth.position;
@@ -179,7 +179,7 @@ TEST(StationTurns, WhatTheDriveContradictsIsNotTaken)
     StationRig rig(profile);
     rig.azimuth.home = HomeState::Rotor;
     auto facts = rig.factsOf(Axis::Azimuth);
-    facts.outputEncoder = true;  // knows the direction: one turn is 360°
+    facts.outputEncoder = true;  // the drive knows the direction: only the 360° wraps are in doubt
     facts.bootedAt = rig.clock.now();
     rig.run(Seconds(0.5));
     ASSERT_TRUE(rig.ask(request::PointAxes{{360_deg, 45_deg}}));
@@ -199,7 +199,7 @@ TEST(StationTurns, WhatTheDriveContradictsIsNotTaken)
     EXPECT_NE(textOf(refused.error()).find("contradicts"), std::string::npos) << textOf(refused.error());
 }
 
-// The elevation coasted beyond its travel (0…90°) without power, and nobody has a journal.
+// The elevation coasted beyond its travel (0…90°) without power, and there is no journal.
 struct CoastedRig : StationRig
 {
     explicit CoastedRig(double place, std::optional<Angle> told = std::nullopt)
@@ -224,7 +224,8 @@ struct CoastedRig : StationRig
     }
 };
 
-// Story: "26 places from 0.2° to 90.2° are possible", and the true one, -7°, was said to contradict the drive.
+// Story: the question said "26 places from 0.2° to 90.2° are possible". The true position, -7°, was refused as
+// contradicting the drive.
 TEST(StationTurns, BeyondTheTravelTheTruePlaceCanBeTold)
 {
     CoastedRig asked(-7.0);
@@ -235,7 +236,8 @@ TEST(StationTurns, BeyondTheTravelTheTruePlaceCanBeTold)
     EXPECT_NEAR(told.elevationDegrees(), -7.0, 1e-4);
 }
 
-// Story: the places were found once and only shifted along, so that none of them was true after jogging back.
+// Story: the possible places were computed once and then only shifted with the motion. After jogging back none of them
+// was true.
 TEST(StationTurns, JoggedBackThePlacesAreThoseOfNow)
 {
     CoastedRig rig(-20.0);
@@ -252,7 +254,7 @@ TEST(StationTurns, JoggedBackThePlacesAreThoseOfNow)
     EXPECT_GE(rig.question()->candidates.front(), -15_deg);
 }
 
-// What is reported is a place at the upper end of a travel shorter than 3.6°.
+// The drive reports a place at the upper end of the travel, which is shorter than 3.6°.
 TEST(StationTurns, ALimitOfAnUnknownTurnBlocksNoWay)
 {
     profile::Profile profile;
@@ -278,7 +280,8 @@ TEST(StationTurns, ALimitOfAnUnknownTurnBlocksNoWay)
     EXPECT_TRUE(may.allows(Action::JogDown)) << may.reason(Action::JogDown).toStdString();
 }
 
-// Story: told a place beyond its own bounds, a drive that held clamped to the bound without a ramp: it yanked the axis.
+// Story: a drive that held was set to a position beyond its own bounds. It clamped to the bound without a ramp and
+// yanked the axis.
 TEST(StationTurns, BeyondItsBoundsADriveIsToldItsPlaceOnlyWhenItIsOff)
 {
     CoastedRig rig(-7.0);
@@ -304,7 +307,7 @@ TEST(StationTurns, BeyondItsBoundsADriveIsToldItsPlaceOnlyWhenItIsOff)
     EXPECT_TRUE(rig.elevation.seen.back().fields.contains(Register::CommandIgnorePositionBounds)) << "let back inside";
 }
 
-// A drive that knows nothing of its direction: any angle may be entered.
+// A drive that knows nothing about its direction: any angle may be entered.
 struct LostRig : StationRig
 {
     explicit LostRig(std::optional<Angle> told = std::nullopt)
@@ -318,11 +321,12 @@ struct LostRig : StationRig
     [[nodiscard]] std::optional<TurnQuestion> question() const { return control.status().drives->azimuth.turnQuestion; }
 };
 
-// Story: "--standing-at 4050,10" for 405, and the next target ran through the end of the cable into the stop.
-// REQ-AXES-15a: A place that is entered, in the window or by `--standing-at`, is refused farther than 15° outside the
-// travel (an axis that was let go coasts less far). The wrap stays asked, and a refused place of the command line is
-// an alarm. A place of the command line counts once, for ten minutes after somebody looked, also over a restart: the
-// journal keeps the time of the last one that was used.
+// Story: the operator entered "--standing-at 4050,10" instead of 405. The next target ran through the end of the cable
+// into the mechanical stop.
+// REQ-AXES-15a: A position that is entered in the window or with `--standing-at` is refused if it is more than 15°
+// outside the travel. (An axis without torque coasts less far.) Boresight keeps asking for the wrap, and a refused
+// position from the command line is an alarm. A position from the command line counts once, for ten minutes after the
+// operator looked at the mount, also across a restart. The journal keeps the time of the last one that was used.
 TEST(StationTurns, APlaceFarOutsideTheTravelIsRefused)
 {
     LostRig rig;
@@ -357,7 +361,7 @@ TEST(StationTurns, APlaceOfTheCommandLineFarOutsideTheTravelIsAnAlarmAndTheWrapS
     EXPECT_TRUE(std::ranges::none_of(after, [](const Alarm& alarm) { return alarm.active; }));
 }
 
-// An axis that was pushed, or entered, beyond the travel by more than the drives' own bounds allow.
+// An axis that was pushed beyond the travel, or entered there, by more than the bounds of the drives allow.
 struct OutsideRig : StationRig
 {
     OutsideRig() : StationRig(profile::Profile{})
@@ -371,8 +375,8 @@ struct OutsideRig : StationRig
     }
 };
 
-// REQ-CONTROL-15b: While an axis stands farther outside its travel than its drive's bounds
-// (`control.drive_limit_margin_deg`) only the operator jogs, inwards, at `jog.unwind_deg_s` at most.
+// REQ-CONTROL-15b: An axis can stand farther outside its travel than the bounds of its drive allow
+// (`control.drive_limit_margin_deg`). Then only the operator jogs it, inwards, at `jog.unwind_deg_s` at most.
 TEST(StationTurns, FarOutsideTheTravelOnlyTheOperatorJogsSlowlyAndInwards)
 {
     OutsideRig rig;
@@ -400,7 +404,8 @@ TEST(StationTurns, FarOutsideTheTravelOnlyTheOperatorJogsSlowlyAndInwards)
     EXPECT_NEAR(rig.azimuthDegrees(), 100.0, 0.1);
 }
 
-// Story: a brown-out shorter than a silence left the turn known, and the place after it overwrote the journal.
+// Story: a brown-out was too short to count as a silence, so the wrap still counted as known. The wrong position after
+// it overwrote the journal.
 TEST(StationTurns, ARestartThatNobodyNoticedIsSeenByTheHomeState)
 {
     StationRig rig;
@@ -440,7 +445,8 @@ TEST(StationTurns, AJogRightAfterTheAnswerLeavesNothingHalfDone)
     EXPECT_NEAR(rig.azimuthDegrees(), 100.0, 1e-4);
 }
 
-// Story: the operator held the dish and switched the drives off; the next target of a client switched them on again.
+// Story: the operator held the dish by hand and switched the drives off. The next target of a client switched them on
+// again.
 TEST(StationTurns, SwitchingOffIsNotUndoneByAClient)
 {
     StationRig rig;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a drive does not tell by itself: it stalls, jumps or runs away, and says that all is well.
+// What a drive does not report by itself: it stalls, jumps or runs away, and its status says that all is well.
 #include "tests/core/control/station_rig.h"
 #include "tests/fakes/text_of.h"
 
@@ -15,7 +15,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-// A mount whose azimuth drive reports what the test makes of it, between two ticks.
+// A mount with an azimuth drive whose reports the test changes between two ticks.
 struct WatchRig : StationRig
 {
     WatchRig()
@@ -25,7 +25,7 @@ struct WatchRig : StationRig
         settle();
     }
 
-    // Until the station has stopped the mount; the time that took.
+    // Runs until the station has stopped the mount. Returns the time that took.
     Seconds untilFault(const std::function<void()>& spoil, Seconds limit = Seconds(5.0))
     {
         Seconds time{0.0};
@@ -37,7 +37,7 @@ struct WatchRig : StationRig
         return time;
     }
 
-    // The alarm with all its parts; empty if there is none.
+    // The alarm with all its parts, or an empty text if there is none.
     [[nodiscard]] std::string alarm(const char* words) const
     {
         for (const Alarm& one : control.status().alarms) {
@@ -61,8 +61,7 @@ struct WatchRig : StationRig
     }
 };
 
-// REQ-AXES-19 (StationWatch.*): What the drive does not report is noticed all the same, and stops the mount with its
-// reason.
+// REQ-AXES-19 (StationWatch.*): Boresight detects what the drive does not report, and stops the mount with the reason.
 // REQ-AXES-19c
 TEST(StationWatch, AStalledAxisStopsTheMountWithinASecond)
 {
@@ -82,9 +81,10 @@ TEST(StationWatch, AStalledAxisStopsTheMountWithinASecond)
     EXPECT_NEAR(rig.azimuthDegrees(), 110.0, 0.01);
 }
 
-// Story: the integrator of a blocked drive pushed on with all its torque, through the re-arm.
-// REQ-AXES-19d: A blocked axis is not pushed on after the stop, nor after the re-arm, and an unbalanced one does not
-// fall: its drive restarts its control where it measures the axis, without its integrator until the next motion.
+// Story: the drive was blocked, and its integrator went on pushing with full torque even through the re-arm.
+// REQ-AXES-19d: A blocked axis is not pushed on after the stop, nor after the re-arm, and an unbalanced axis does not
+// fall. Its drive restarts its control loop at the measured position of the axis, without the integrator until the next
+// motion.
 TEST(StationWatch, ABlockedDriveDropsWhatItsIntegratorHasWoundUpUntilItMovesAgain)
 {
     using moteus::Register;
@@ -117,7 +117,7 @@ TEST(StationWatch, ABlockedDriveDropsWhatItsIntegratorHasWoundUpUntilItMovesAgai
     EXPECT_EQ(integral(rig.azimuth.seen.back()), 1.0);
 }
 
-// Every field at once still fits into a frame.
+// Even with every field set, the command fits into one frame.
 // REQ-AXES-19d
 TEST(Drive, YieldsBeyondItsBounds)
 {
@@ -156,7 +156,7 @@ TEST(Drive, YieldsBeyondItsBounds)
     EXPECT_TRUE(drive.takeEngaged());
 }
 
-// Story: a mount that was stopped at 11.5 V was re-armed at 11.5 V, and its alarm was called over.
+// Story: a low supply of 11.5 V stopped the mount. At 11.5 V the re-arm was accepted, and the alarm was cleared.
 // REQ-CONTROL-23
 TEST(StationWatch, ASupplyThatStoppedTheMountIsNotOverBeforeItIsBack)
 {
@@ -180,14 +180,14 @@ TEST(StationWatch, ASupplyThatStoppedTheMountIsNotOverBeforeItIsBack)
     EXPECT_TRUE(std::ranges::none_of(rig.control.status().alarms, &Alarm::active));
 }
 
-// REQ-ALARMS-23b: An alarm whose cause outlasts the re-arm is not over. It is raised again, and stops the mount again
-// if it must.
+// REQ-ALARMS-23b: An alarm whose cause is still there after the re-arm is not over. It is raised again, and stops the
+// mount again if necessary.
 TEST(StationWatch, AnAlarmWhoseCauseLastsIsNotOverWithTheRearm)
 {
     WatchRig rig;
     ASSERT_TRUE(rig.ask(request::PointAxes{{449.5_deg, 45_deg}}));
     rig.settle();
-    rig.azimuth.deaf = true;  // pushed out against its drive
+    rig.azimuth.deaf = true;  // the axis is pushed out against its drive
     for (int i = 0; i < 30; ++i) {
         rig.azimuth.position += 0.1 / 360.0;
         rig.tick();
@@ -210,7 +210,7 @@ TEST(StationWatch, AnAxisThatRunsAwayFromItsPlaceStopsTheMount)
     WatchRig rig;
     const double held = rig.azimuth.position;
     int ticks = 0;
-    // 3°/s, whatever it is told.
+    // The axis moves at 3°/s, whatever is commanded.
     const Seconds time =
         rig.untilFault([&] { rig.azimuth.position = held + ++ticks * (3.0 * StationRig::kTick.count() / 360.0); });
     EXPECT_LE(time, Seconds(1.7));
@@ -237,8 +237,8 @@ TEST(StationWatch, AJumpOfTheEncoderStopsTheMountAndMakesTheTurnUnknown)
     EXPECT_TRUE(rig.control.status().elevation.turnKnown);
 }
 
-// Story: the second jump behind a latched fault was no news, and the held axis drove the whole shift. Now it gets no
-// set-point: "hold where you are" means the same to a drive whatever its angle counts from.
+// Story: while a fault was latched, a second jump was not handled, and the held axis drove the whole shift. A held axis
+// gets no set-point after a jump: "hold where you are" means the same to a drive whatever its angle counts from.
 TEST(StationWatch, EveryJumpBehindALatchedFaultLeavesTheAxisHeld)
 {
     WatchRig rig;
@@ -247,7 +247,7 @@ TEST(StationWatch, EveryJumpBehindALatchedFaultLeavesTheAxisHeld)
     const double travelled = rig.azimuth.travelled;
     for (int jump = 0; jump < 3; ++jump) {
         rig.azimuth.position += 0.2;
-        rig.run(Seconds(jump == 0 ? 4.0 : 0.2));  // until the finding has passed, and while it lasts
+        rig.run(Seconds(jump == 0 ? 4.0 : 0.2));  // until the detection has ended; after that, while it lasts
         EXPECT_TRUE(std::isnan(rig.azimuth.seen.back().fields.at(moteus::Register::CommandPosition))) << jump;
         EXPECT_EQ(rig.azimuth.travelled, travelled) << jump;
         EXPECT_EQ(rig.state(), StationState::Fault);

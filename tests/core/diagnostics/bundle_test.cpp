@@ -59,7 +59,7 @@ struct Rig
         file.write(bytes);
     }
     [[nodiscard]] QString archive() const { return folder.filePath(QStringLiteral("bundle.tar.gz")); }
-    // By the system's own tar, as the one who gets it would.
+    // Unpacks the archive with the tar of the system, as its receiver would.
     [[nodiscard]] QDir unpacked() const
     {
         QProcess tar;
@@ -79,8 +79,8 @@ struct Rig
     Snapshot snapshot;
 };
 
-// REQ-DIAGNOSTICS-01: The archive is a .tar.gz with one folder, which `tar` unpacks. A README.txt in it names every
-// file and what it is.
+// REQ-DIAGNOSTICS-01: The archive is a .tar.gz with one folder, and `tar` unpacks it. Its README.txt names and
+// describes every file.
 TEST(DiagnosticsBundle, IsUnpackedByTarAndTellsWhatEachFileIs)
 {
     Rig rig;
@@ -98,8 +98,8 @@ TEST(DiagnosticsBundle, IsUnpackedByTarAndTellsWhatEachFileIs)
     EXPECT_EQ(proposedName(kWhen), QStringLiteral("boresight-20261121T181730Z.tar.gz"));
 }
 
-// REQ-DIAGNOSTICS-02: The archive holds: versions of program, Qt, kernel and drive firmware, the drives' configuration
-// as read, crash-stop proofs, the profile, also the one that waits, state, clients and alarms, logs, the position
+// REQ-DIAGNOSTICS-02: The archive holds: versions of program, Qt, kernel and drive firmware, the drive configuration as
+// read, crash-stop tests, the profile in effect and the one that waits, state, clients and alarms, logs, the position
 // journal, the time in UTC.
 TEST(DiagnosticsBundle, HasWhatABugReportNeeds)
 {
@@ -125,7 +125,7 @@ TEST(DiagnosticsBundle, HasWhatABugReportNeeds)
     EXPECT_TRUE(Rig::read(dir, "station.txt").contains(": No reply from elevation. Check its cable.\n"));
 }
 
-// Whatever file of it one looks into.
+// This holds for every file in the archive.
 // REQ-DIAGNOSTICS-03: The archive holds no passwords.
 TEST(DiagnosticsBundle, HasNoPasswords)
 {
@@ -143,18 +143,19 @@ TEST(DiagnosticsBundle, HasNoPasswords)
     EXPECT_TRUE(shown->file.bytes.contains("password = \"(hidden)\"\n"));
 }
 
-// REQ-DIAGNOSTICS-04: A state folder without files, or with one that cannot be read, spoils nothing.
+// REQ-DIAGNOSTICS-04: A state folder without files, or with an unreadable file, does not prevent the archive.
 TEST(DiagnosticsBundle, AMissingLogIsLeftOutAndAnUnreadableOneIsTold)
 {
     Rig rig;
-    ASSERT_TRUE(QDir().mkpath(rig.snapshot.stateDir + QStringLiteral("/events.log")));  // a folder can not be read
+    // a folder cannot be read as a file
+    ASSERT_TRUE(QDir().mkpath(rig.snapshot.stateDir + QStringLiteral("/events.log")));
     ASSERT_TRUE(writeBundle(rig.archive(), collect(rig.snapshot), kWhen));
     const QDir dir = rig.unpacked();
     EXPECT_TRUE(Rig::read(dir, "events.log").startsWith("could not be read: "));
     EXPECT_FALSE(dir.exists(QStringLiteral("events.log.1")));
 }
 
-// REQ-DIAGNOSTICS-05: A place that cannot be written to is reported with path and reason. What was there stays.
+// REQ-DIAGNOSTICS-05: A place that cannot be written to is reported with path and reason. An existing file stays.
 TEST(DiagnosticsBundle, AnUnwritablePlaceIsToldAndLeavesWhatWasThere)
 {
     Rig rig;

@@ -21,7 +21,7 @@ using namespace std::chrono_literals;
 
 struct EasycommTest : ::testing::Test
 {
-    // All that is answered to these bytes.
+    // Everything that is answered to these bytes.
     std::string say(std::string_view bytes)
     {
         talk->receive(bytes);
@@ -46,7 +46,7 @@ struct EasycommTest : ::testing::Test
 using EasycommOnALine = EasycommTest;
 
 // REQ-EASYCOMMSERVER-03 (EasycommOnALine.*): An EasyComm client points, turns, stops, parks and reads the mount by the
-// same requests as a rotctld client. Commands are not answered. The questions of a line are answered on one line.
+// same requests as a rotctld client. Commands are not answered. All queries of a line are answered on one line.
 TEST_F(EasycommOnALine, PointsAndReads)
 {
     EXPECT_EQ(say("AZ60.2 EL30.4\n"), "");
@@ -77,7 +77,7 @@ TEST_F(EasycommOnALine, ASingleLineOfTheFirstVersionPoints)
     EXPECT_EQ(rotator.mover, 0U);
 }
 
-// A controller has a set-point for each axis.
+// The controller keeps a set-point for each axis.
 TEST_F(EasycommOnALine, OneAxisAloneLeavesTheOtherWhereItWasSent)
 {
     static_cast<void>(say("AZ60.0 EL30.0\n"));
@@ -112,7 +112,7 @@ TEST_F(EasycommOnALine, OneAxisAloneLeavesTheOtherWhereItStands)
     static_cast<void>(say("SA SE\nAZ90.0\n"));
     EXPECT_EQ(rotator.lastRequest->elevation, 12_deg) << "it was stopped there";
     clock.advance(30s);
-    // Somebody else has moved it since, also while it still moves.
+    // Another client has moved the mount since. This holds also while the mount still moves.
     static_cast<void>(rotator.pointTo({.id = 3, .address = {}}, {.azimuth = 10_deg, .elevation = 80_deg}));
     clock.advance(2s);
     static_cast<void>(say("AZ30.0\n"));
@@ -154,7 +154,7 @@ TEST_F(EasycommOnALine, TurnsUntilAStop)
     EXPECT_EQ(rotator.mover, 0U);
 }
 
-// A program that sends a rate in each cycle stops nothing but what it turns by rates.
+// A program that sends a rate in each cycle stops only its own turning by rates.
 TEST_F(EasycommOnALine, ARateOfZeroEndsItsOwnTurning)
 {
     EXPECT_EQ(say("VU1250\n"), "");
@@ -204,8 +204,8 @@ TEST_F(EasycommOnALine, TakesAnyPiecesAndAnyLineEnds)
 class EasycommThat : public EasycommTest
 {};
 
-// REQ-EASYCOMMSERVER-04: A question without an answer is answered by an alarm, never by a number. So is a line that is
-// not understood.
+// REQ-EASYCOMMSERVER-04: A query without a valid value is answered by an alarm, never by a number. A line that is not
+// understood is answered by an alarm, too.
 TEST_F(EasycommThat, HasNoPositionSendsAnAlarm)
 {
     static_cast<void>(say("AZ60 EL30\n"));
@@ -235,8 +235,8 @@ TEST_F(EasycommThat, RefusesMovesNothing)
     EXPECT_EQ(say("AZ9999\nnonsense\n"), "");
 }
 
-// REQ-EASYCOMMSERVER-05: A refused motion is an alarm once until one is accepted or the reason is another. A program
-// that only commands reads nothing, and its terminal must not fill. EasyComm I has no alarms.
+// REQ-EASYCOMMSERVER-05: A refused motion is answered by one alarm, until a motion is accepted or the reason changes. A
+// program that only sends commands reads nothing, and its terminal must not fill. EasyComm I has no alarms.
 TEST_F(EasycommThat, RefusesAgainSaysSoOnce)
 {
     refuse(ErrorCode::Refused);
@@ -301,8 +301,8 @@ TEST_F(EasycommThat, IsInTheListOfClients)
     EXPECT_EQ(talk->habits().lastInWords(), QStringLiteral("UP145900000 → nothing for a rotator"));
 }
 
-// REQ-EASYCOMMSERVER-06: Behind a port an EasyComm client is served as a rotctld client is: the end of its turning when
-// it vanishes, its number and protocol for the list.
+// REQ-EASYCOMMSERVER-06: At a port an EasyComm client is served like a rotctld client: its turning ends when it
+// vanishes, and the list shows its number and protocol.
 TEST(EasycommPort, ServesAsTheRotctldPortDoes)
 {
     fakes::ManualClock clock;

@@ -10,7 +10,7 @@ namespace {
 
 using rotctld::MoveDirection;
 
-// The only command of a line besides those for a radio.
+// The only command in a line, apart from those for a radio.
 template <class Wanted>
 std::optional<Wanted> parsed(std::string_view line, Version version = Version::Two)
 {
@@ -38,9 +38,9 @@ void expectTarget(std::string_view line, std::optional<double> azimuth, std::opt
     EXPECT_NEAR(target->elevation.value_or(Angle{}).degrees(), elevation.value_or(0.0), 1e-9) << line;
 }
 
-// REQ-EASYCOMMSERVER-01 (EasycommWords.*): A line of EasyComm I, II or III is read as the standard has it: commands of
-// two letters, divided by blanks. An azimuth and an elevation are one place. A command without its number is a
-// question. Positions are answered in tenths of a degree.
+// REQ-EASYCOMMSERVER-01 (EasycommWords.*): A line of EasyComm I, II or III is read as in the standard: commands of two
+// letters, separated by blanks. An azimuth and an elevation together are one target. A command without its number is a
+// query. Positions are answered in tenths of a degree.
 TEST(EasycommWords, APlaceIsAnAzimuthAndAnElevation)
 {
     expectTarget("AZ123.4 EL45.6", 123.4, 45.6);
@@ -107,8 +107,9 @@ TEST(EasycommWords, WhatIsForTheRadioIsNoMotion)
     ASSERT_TRUE(both && both->size() == 2) << "a question is no mode";
 }
 
-// REQ-EASYCOMMSERVER-02 (EasycommWords.Nothing*, EasycommThat.*): What is half, bad, too long or of another protocol
-// moves nothing. So are registers and inputs. A line is obeyed wholly or not at all.
+// REQ-EASYCOMMSERVER-02 (EasycommWords.Nothing*, EasycommThat.*): Text that is incomplete, invalid, too long or of
+// another protocol moves nothing. Neither do commands for registers and inputs. A line is obeyed completely or not at
+// all.
 TEST(EasycommWords, NothingElseIsACommand)
 {
     for (const char* const line : {"A",
@@ -178,7 +179,7 @@ TEST(EasycommWords, PositionsAreInTenths)
     EXPECT_EQ(elevationAnswer(-1.25_deg), "EL-1.2");
 }
 
-// An alarm has no blank: a blank ends a command.
+// An alarm contains no blank, because a blank ends a command.
 TEST(EasycommWords, EachRefusalIsAnAlarm)
 {
     const auto said = [](ErrorCode code) { return alarmOf({.code = code, .text = QStringLiteral("à la carte")}); };

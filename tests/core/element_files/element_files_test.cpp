@@ -60,7 +60,8 @@ std::vector<std::string> linesOf(const ElementFiles& files)
 
 }  // namespace
 
-// REQ-ELEMENTFILES-01: Files and folders of element sets are read in each form. The newest epoch of a number wins.
+// REQ-ELEMENTFILES-01: Files and folders of element sets are read in each form. For each satellite number the newest
+// epoch is used.
 TEST_F(ElementFilesTest, TheNewestSetOfEachNumberIsUsed)
 {
     write("a.tle", kWeather + kStation);
@@ -75,8 +76,8 @@ TEST_F(ElementFilesTest, TheNewestSetOfEachNumberIsUsed)
     EXPECT_EQ(readElementFiles({write("any name", kOlderStation)}).sets.at(0).name, "OLD");
 }
 
-// REQ-ELEMENTFILES-02: Each bad set is reported with file, line and reason, and the others are used. So are files that
-// cannot be read, are empty or too large.
+// REQ-ELEMENTFILES-02: Each bad set is reported with file, line and reason, and the others are used. Files that are
+// unreadable, empty or too large are reported, too.
 TEST_F(ElementFilesTest, WhatIsBadIsReportedAndTheRestIsUsed)
 {
     std::string bad = kStation;
@@ -97,8 +98,8 @@ TEST_F(ElementFilesTest, WhatIsBadIsReportedAndTheRestIsUsed)
     EXPECT_THAT(linesOf(readElementFiles({QStringLiteral("/proc/self/mem")})), SizeIs(1));
 }
 
-// REQ-ELEMENTFILES-05: What is no file is refused without being opened: a pipe would keep the reader waiting. So is one
-// in a folder, or in the place of the file of a satellite.
+// REQ-ELEMENTFILES-05: Anything but a regular file is refused without being opened, because a pipe would block the
+// reader. This also holds inside a folder, and in place of the file of a satellite.
 TEST_F(ElementFilesTest, APipeIsNotWaitedFor)
 {
     const auto pipe = [this](const char* name) {
@@ -133,11 +134,11 @@ TEST_F(ElementFilesTest, AFileOfAnotherKindHasFewLines)
     EXPECT_THAT(lines[21], HasSubstr("notes.txt: There is no element set in this file."));
 }
 
-// REQ-ELEMENTFILES-03: Two sets of one satellite that place it too far apart are reported with both files. A set that
-// is only older is not.
+// REQ-ELEMENTFILES-03: Two sets of one satellite that give positions too far apart are reported with both files. A set
+// that is only older is not reported.
 TEST_F(ElementFilesTest, SourcesThatDisagreeAreReported)
 {
-    std::string swapped = kWeather;  // another satellite under the number of the station, half a day older
+    std::string swapped = kWeather;  // another satellite with the number of the station, half a day older
     swapped.replace(swapped.find("23023.55811021"), 14, "24129.86689744");
     for (const std::string number : {"1 33591", "2 33591"}) {
         swapped.replace(swapped.find(number), number.size(), number.substr(0, 2) + "25544");
@@ -161,8 +162,8 @@ TEST_F(ElementFilesTest, SourcesThatDisagreeAreReported)
     EXPECT_THAT(linesOf(readElementFiles({good, good})), IsEmpty());
 }
 
-// REQ-ELEMENTFILES-04: The elements of Gpredict are read in place: its folder, its satdata, one satellite of it, or the
-// satellites of a module. A satellite of the module without elements is reported.
+// REQ-ELEMENTFILES-04: The elements of Gpredict are read from its own files: its folder, its satdata, one satellite, or
+// the satellites of a module. A satellite of the module without elements is reported.
 TEST_F(ElementFilesTest, TheFilesOfGpredictAreReadInPlace)
 {
     const auto satdata = [](const std::string& set) {

@@ -24,8 +24,8 @@ protected:
     ElementAddress address = *parseElementAddress("celestrak:weather");
 };
 
-// REQ-ELEMENTWEB-02: The cache has a file of each address, with what the next question needs. What is broken in it is
-// as if nobody had asked.
+// REQ-ELEMENTWEB-02: The cache has a file for each address, with the data for the next request. A broken file counts as
+// if nothing had been downloaded.
 TEST_F(ElementCacheTest, WhatIsKeptComesBack)
 {
     EXPECT_EQ(cache.state(address), CacheState{});
@@ -68,8 +68,8 @@ TEST_F(ElementCacheTest, ABrokenStateIsNone)
     }
 }
 
-// Story: the random state files of tests/fuzz/cache. A time beyond 2262 became one before 1970, and control characters
-// came into a request and onto the screen.
+// Story: random state files of tests/fuzz/cache. A time beyond 2262 became one before 1970, and control characters
+// appeared in a request and on the screen.
 // REQ-ELEMENTWEB-02
 TEST_F(ElementCacheTest, WhatIsSentOrShownHasNoControlCharacters)
 {

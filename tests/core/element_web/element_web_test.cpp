@@ -26,7 +26,7 @@ using testing::StartsWith;
 
 constexpr std::chrono::hours kPeriod = ElementWeb::kPeriod;
 
-// Made up.
+// An invented element set.
 QByteArray setOf(int number)
 {
     return R"({"OBJECT_NAME":"MADE UP","OBJECT_ID":"2026-001A","EPOCH":"2026-11-20T12:00:00.000000","MEAN_MOTION":15.5,)"
@@ -44,7 +44,7 @@ class ElementWebTest : public testing::Test
 protected:
     ElementWebTest() { start(); }
 
-    // A program begins, with what the last one left in the cache.
+    // A program starts with the cache of the last one.
     void start()
     {
         timers.reset();
@@ -55,7 +55,7 @@ protected:
         QObject::connect(web.get(), &ElementWeb::stored, web.get(), [this] { ++stored; });
     }
     [[nodiscard]] QString folder() const { return m_home.filePath(QStringLiteral("cache")); }
-    // Waits until all that is due has been asked.
+    // Waits until all requests that are due have been made.
     [[nodiscard]] bool settles()
     {
         return fakes::waitUntil([this] { return !web->isBusy(); });
@@ -80,7 +80,7 @@ protected:
         return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
     }
     [[nodiscard]] std::string problem() const { return web->problems().join(u'\n').toStdString(); }
-    // Two sets are in the cache, and the next question is due.
+    // Puts two sets into the cache, and makes the next request due.
     void fill()
     {
         server.answersWith("/a", "200 OK", "ETag: \"one\"\r\nLast-Modified: Sat, 21 Nov 2026 00:00:00 GMT\r\n", kTwo);
@@ -88,7 +88,7 @@ protected:
         ASSERT_EQ(cached(), kTwo);
         clock.advance(kPeriod);
     }
-    // What the next question brings replaces nothing.
+    // The result of the next request must replace nothing.
     void staysWhole(const std::string& reason)
     {
         ASSERT_TRUE(follow());
@@ -107,8 +107,8 @@ private:
     QTemporaryDir m_home;
 };
 
-// REQ-ELEMENTWEB-03: A good answer is stored, and nothing is told. The next question tells which answer is known
-// already: when that is still the newest, it only gets younger.
+// REQ-ELEMENTWEB-03: A good answer is stored without a report. The next request names the stored answer. If that is
+// still the newest, only its age is reset.
 TEST_F(ElementWebTest, AnAnswerIsStoredAndAskedForByItsTag)
 {
     fill();
@@ -129,8 +129,8 @@ TEST_F(ElementWebTest, AnAnswerIsStoredAndAskedForByItsTag)
     EXPECT_THAT(problem(), HasSubstr("Elements of 2026-11-21 02:00Z from the cache are used."));
 }
 
-// REQ-ELEMENTWEB-04: An address is asked at most once in two hours, also after a restart of the program and after a
-// failure. After further failures it is asked less often.
+// REQ-ELEMENTWEB-04: An address is requested at most once in two hours, also after a restart of the program and after a
+// failure. After further failures it is requested less often.
 TEST_F(ElementWebTest, ARestartAsksNoSooner)
 {
     server.answersWith("/a", "200 OK", {}, kTwo);
@@ -176,9 +176,9 @@ TEST_F(ElementWebTest, AClockThatIsSetBackDelaysByNoMoreThanTheRule)
     EXPECT_THAT(server.questions(), SizeIs(2));
 }
 
-// REQ-ELEMENTWEB-05: No failure and no answer without good sets replaces what the cache has. Each is told with the
-// address, the reason and the age of what is used: an answer of the server that is none, one that is cut, empty,
-// damaged, a page for browsers, too large, too slow or endless, and one that leads away from https.
+// REQ-ELEMENTWEB-05: A failure, or an answer without good sets, never replaces the content of the cache. Each is
+// reported with the address, the reason and the age of the used sets: an error of the server, an answer that is cut,
+// empty, damaged, a web page, too large, too slow or endless, and a redirect away from https.
 TEST_F(ElementWebTest, AnAnswerWithoutSetsReplacesNothing)
 {
     fill();
@@ -188,7 +188,7 @@ TEST_F(ElementWebTest, AnAnswerWithoutSetsReplacesNothing)
     server.answersWith("/a", "200 OK", "Content-Type: text/html\r\n", "<html>\n<p>Please log in</p></html>");
     staysWhole("The answer has no element set. It begins with \"<html>\".");
     clock.advance(2 * kPeriod);
-    // CelesTrak answers without a line end.
+    // CelesTrak sends this answer without a line end.
     server.answersWith("/a", "200 OK", {}, "No GP data found");
     staysWhole("The answer has no element set. It begins with \"No GP data found\".");
     clock.advance(4 * kPeriod);
@@ -203,7 +203,7 @@ TEST_F(ElementWebTest, ACutAnswerReplacesNothing)
     server.answers("/a", "HTTP/1.1 200 OK\r\nContent-Length: 5000\r\n\r\n" + kTwo);
     staysWhole("The download has failed: ");
     clock.advance(kPeriod);
-    // Where the server does not say how long it is.
+    // The server does not report the length of the answer.
     server.answers("/a", "HTTP/1.0 200 OK\r\n\r\n" + kTwo.left(kTwo.size() - 20));
     staysWhole("The answer is cut or damaged. Line 2: ");
 }
@@ -256,8 +256,8 @@ TEST_F(ElementWebTest, NobodyIsLedAwayFromHttps)
     EXPECT_THAT(server.questions(), SizeIs(2 + 1 + ElementDownload::kMostRedirects));
 }
 
-// REQ-ELEMENTWEB-06: Without a network the cache is used, and the age of what it has is told. A server whose name is
-// not known was not asked, so the next attempt comes after five minutes.
+// REQ-ELEMENTWEB-06: Without a network the cache is used, and its age is reported. If the name of the server cannot be
+// resolved, no request was made, so the next attempt comes after five minutes.
 TEST_F(ElementWebTest, WithoutANetworkTheCacheIsUsed)
 {
     fill();
@@ -277,8 +277,8 @@ TEST_F(ElementWebTest, WithoutANetworkTheCacheIsUsed)
     EXPECT_TRUE(busyAfter(Seconds(60)));
 }
 
-// REQ-ELEMENTWEB-07: While the cache cannot be written nobody is asked, since nobody would know of it later. It is told
-// with folder and reason, and it works again as soon as it can be written.
+// REQ-ELEMENTWEB-07: While the cache cannot be written no request is made, because it could not be recorded. This is
+// reported with folder and reason. Requests continue as soon as the cache can be written.
 TEST_F(ElementWebTest, WithoutACacheNobodyIsAsked)
 {
     server.answersWith("/a", "200 OK", {}, kTwo);
@@ -305,7 +305,7 @@ TEST_F(ElementWebTest, AnAnswerThatCannotBeStoredIsTold)
     EXPECT_EQ(stored, 0);
 }
 
-// REQ-ELEMENTWEB-08: Each address is asked, stored and told by itself.
+// REQ-ELEMENTWEB-08: Each address is requested, stored and reported independently.
 TEST_F(ElementWebTest, AddressesDoNotDisturbEachOther)
 {
     server.answersWith("/a", "200 OK", {}, kTwo);

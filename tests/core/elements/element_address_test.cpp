@@ -17,7 +17,7 @@ std::string reasonOf(std::string_view entry)
 }
 
 // REQ-ELEMENTWEB-01: Elements come from a group of CelesTrak by its name, or from any https address. Plain http is
-// refused but for this computer. What is refused has a reason.
+// refused, except for this computer. Each refusal has a reason.
 TEST(ElementAddress, AGroupOfCelestrakIsTheAddressThatItDocuments)
 {
     const auto group = parseElementAddress("celestrak:Stations");

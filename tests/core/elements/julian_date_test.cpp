@@ -15,7 +15,7 @@ constexpr std::chrono::sys_days kDay{std::chrono::year{2024} / 5 / 9};
 
 }  // namespace
 
-// REQ-ORBIT-04: Times keep their microseconds: a Julian date has two parts.
+// REQ-ORBIT-04: Times are exact to the microsecond, because a Julian date has two parts.
 TEST(JulianDates, KeepTheMicrosecond)
 {
     const UtcTime time = kDay + std::chrono::hours(8) + std::chrono::microseconds(2'899'938'816);
@@ -55,8 +55,8 @@ TEST(IsoEpoch, RefusesWhatIsNoTime)
     }
 }
 
-// REQ-ORBIT-40: Times in lists are those of CCSDS, and also without seconds, a day alone, +00:00, or Unix seconds. A
-// leap second is later than the second before it.
+// REQ-ORBIT-40: Times in lists have the forms of CCSDS, and also without seconds, as a day alone, with +00:00, or as
+// Unix seconds. A leap second is later than the second before it.
 TEST(WrittenTime, IsReadAsPeopleWriteIt)
 {
     const auto utcOf = [](const char* text) { return utcTime(parseWrittenTime(text).value_or(JulianDate())); };

@@ -111,7 +111,8 @@ constexpr ElementForm kOmmForms[] = {ElementForm::Json, ElementForm::Csv, Elemen
 
 }  // namespace
 
-// REQ-ORBIT-05: OMM is read as JSON, CSV, XML and KVN, with catalogue numbers of 9 digits. The text shows its form.
+// REQ-ORBIT-05: OMM is read as JSON, CSV, XML and KVN, with catalogue numbers of 9 digits. The form is detected from
+// the text.
 TEST(Omm, AllFormsGiveTheSameSet)
 {
     for (const ElementForm form : kOmmForms) {
@@ -188,7 +189,7 @@ TEST(Omm, KvnNeedsNoHeadAndKeepsBracketsOfAName)
     EXPECT_EQ(list.sets.front().name, "COSMOS [DEB]");
 }
 
-// REQ-ORBIT-06: Each bad OMM record is reported with its line and the reason, in each form, and the others are used.
+// REQ-ORBIT-06: Each bad OMM record is reported with its line and the reason, in every form, and the others are used.
 TEST(Omm, EachBadRecordIsReportedAndTheOthersAreUsed)
 {
     const std::map<std::string, std::pair<std::string, std::string>> wrong{
@@ -253,7 +254,7 @@ TEST(Omm, BrokenFormsAreReportedWithTheirLine)
     EXPECT_EQ(first(readElements("")), "none");
 }
 
-// The reader of Qt keeps each open element. 60 MB of them took 3.5 GB, and the program with them.
+// Qt's reader keeps each open element. 60 MB of open elements took 3.5 GB, and the program crashed.
 // REQ-ORBIT-06
 TEST(Omm, XmlOfTooManyLevelsIsNotReadOn)
 {
@@ -269,7 +270,7 @@ TEST(Omm, XmlOfTooManyLevelsIsNotReadOn)
               "This is not valid XML: More than 32 elements stand inside one another.");
 }
 
-// A text of 1 MB of openings neither stalls nor overflows the stack.
+// 1 MB of opening brackets neither stalls the program nor overflows the stack.
 // REQ-ORBIT-06
 TEST(Omm, DeepNestingDoesNoHarm)
 {

@@ -30,8 +30,8 @@ std::vector<std::string> problemsOf(const ElementList& list)
 
 }  // namespace
 
-// REQ-ORBIT-07a: The satellite data of Gpredict are read: NUMBER.sat with one set, satellites.dat with many. The text
-// shows its form. A bad set is reported with its line and the reason, and the others are used.
+// REQ-ORBIT-07a: The satellite data of Gpredict are read: NUMBER.sat with one set, satellites.dat with many. The form
+// is detected from the text. A bad set is reported with its line and the reason, and the others are used.
 TEST(SatdataReader, ReadsTheFileOfASatellite)
 {
     const ElementList list = readElements("[Satellite]\n" + kHead + kTle1 + kTle2 + "STATUS=1\n");

@@ -16,7 +16,7 @@ namespace {
 const std::string kFirst = "1 25544U 98067A   24130.36689744  .00016024  00000+0  27777-3 0  9992";
 const std::string kSecond = "2 25544  51.6381 147.8590 0003466 150.4670 338.5502 15.51043222452521";
 
-// With the right checksum, whatever it had.
+// The line with the right checksum in place of its own.
 std::string summed(std::string line)
 {
     line.resize(kTleColumns, ' ');
@@ -24,7 +24,7 @@ std::string summed(std::string line)
     return line;
 }
 
-// Columns from 1 on.
+// Columns count from 1.
 std::string changed(std::string line, std::size_t column, const std::string& text)
 {
     return summed(line.replace(column - 1, text.size(), text));
@@ -38,7 +38,7 @@ struct BadTle
     std::string reason;
 };
 
-// REQ-ORBIT-01: Two-line and three-line sets are read in full, mixed, with line ends of both kinds.
+// REQ-ORBIT-01: Two-line and three-line sets are read completely, also mixed, with both kinds of line ends.
 TEST(TleReader, ReadsEachColumn)
 {
     const ElementList list = readTle("ISS (ZARYA)             \r\n" + kFirst + "\r\n" + kSecond + "  \r\n");

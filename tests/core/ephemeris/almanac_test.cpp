@@ -54,8 +54,8 @@ TEST(Almanac, MeetsTheTableOfSunAndMoon)
 }
 
 // The worked example of Reda and Andreas, "Solar Position Algorithm for Solar Radiation Applications",
-// NREL/TP-560-34302 (2008), table A5.1: it knows nothing of ERFA, and lies before two of the leap seconds.
-// REQ-EPHEMERIS-02: The Sun agrees with a published example that was computed in another way.
+// NREL/TP-560-34302 (2008), table A5.1. It does not use ERFA, and its date is before two of the leap seconds.
+// REQ-EPHEMERIS-02: The Sun agrees with a published example that was computed by another method.
 TEST(Almanac, MeetsThePublishedExampleOfTheSun)
 {
     Almanac golden({.latitude = 39.742476_deg, .longitude = -105.1786_deg, .heightMetres = 1830.14});
@@ -66,8 +66,8 @@ TEST(Almanac, MeetsThePublishedExampleOfTheSun)
     EXPECT_NEAR(apparent(sun.direction, Refraction::Light, air).elevation.degrees(), 90.0 - 50.11162, 0.001);
 }
 
-// From the distance of the day, 3 January and 6 July 2026: the Sun is widest and narrowest then (32.5′ and 31.5′).
-// REQ-EPHEMERIS-03: The almanac knows how wide the discs are.
+// From the distances on 3 January and 6 July 2026, when the Sun is widest (32.5′) and narrowest (31.5′).
+// REQ-EPHEMERIS-03: The almanac gives the diameters of the discs.
 TEST(Almanac, TellsHowWideTheDiscsAre)
 {
     Almanac lisbon(siteOf("Lisbon"));
@@ -80,8 +80,8 @@ TEST(Almanac, TellsHowWideTheDiscsAre)
     }
 }
 
-// What is remembered for a minute changes no answer, in whatever order the times come.
-// REQ-EPHEMERIS-04: What is remembered from call to call changes no answer.
+// Values that are kept for a minute change no result, whatever the order of the times.
+// REQ-EPHEMERIS-04: Values that are kept between calls change no result.
 TEST(Almanac, RemembersNothingThatShows)
 {
     Almanac used(siteOf("Sydney"));
@@ -94,7 +94,7 @@ TEST(Almanac, RemembersNothingThatShows)
     }
 }
 
-// And nothing leaps when one minute's axis takes over from another's: from second to second the way is the same.
+// Nothing jumps where the Earth axis of the next minute is used: the path is the same from second to second.
 // REQ-EPHEMERIS-04
 TEST(Almanac, MovesEvenlyFromMinuteToMinute)
 {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-// The rows of tests/data/moonsun_azel.csv; its first lines say how they were made and how exact they are.
+// The rows of tests/data/moonsun_azel.csv. Its first lines say how they were made and how accurate they are.
 namespace boresight::ephemeris {
 
 struct BodyRow

@@ -12,16 +12,16 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// The example 3-14 of Vallado, Fundamentals of Astrodynamics and Applications, in km: GCRF, and the same place in the
-// frame of the Earth before the motion of the pole. It has UT1 = UTC - 0.4399619 s. Here UT1 is UTC, so it is that much
-// earlier.
+// Example 3-14 of Vallado, Fundamentals of Astrodynamics and Applications, in km: a position in the GCRF, and the same
+// position in the frame of the Earth before polar motion. The example has UT1 = UTC - 0.4399619 s. Here UT1 equals UTC,
+// so the time is earlier by this amount.
 const UtcTime kVallado =
     std::chrono::sys_days(std::chrono::year(2004) / 4 / 6) + 7h + 51min + 27s + std::chrono::microseconds(946'047);
 constexpr EarthAxis::Vector kGcrf{5102.508958, 6123.011401, 6378.136928};
 constexpr EarthAxis::Vector kTurned{-1033.4750313, 7901.3055856, 6380.3445328};
 
-// REQ-EPHEMERIS-950: A place among the stars is turned into the frame of the Earth as a published example has it, to 2
-// m in 10,000 km.
+// REQ-EPHEMERIS-950: A position in the celestial frame is converted to the frame of the Earth as in a published
+// example, to 2 m in 10,000 km.
 TEST(EarthAxis, MeetsThePublishedExample)
 {
     EarthAxis axis;

@@ -24,7 +24,7 @@ double bennett(double degrees)
 }  // namespace
 
 // Sæmundsson's values at 1010 hPa and 10 °C.
-// REQ-EPHEMERIS-05: Refraction of light as published, of radio waves larger with moisture.
+// REQ-EPHEMERIS-05: The refraction of light is as published. That of radio waves is larger with moisture.
 TEST(Refraction, OfLightHasItsKnownValues)
 {
     EXPECT_NEAR(arcMinutes(0_deg), 29.0, 0.1);
@@ -52,7 +52,7 @@ TEST(Refraction, CanBeLeftOut)
     EXPECT_NEAR(airless(low, Refraction::None).elevation.degrees(), 0.5, 1e-12);
 }
 
-// 13.5′ at 5° for radio waves where it is hot and moist, 5 to 10 % more than light where it is not.
+// For radio waves 13.5′ at 5° where it is hot and moist, otherwise 5 to 10 % more than for light.
 // REQ-EPHEMERIS-05
 TEST(Refraction, OfRadioWavesGrowsWithMoisture)
 {
@@ -75,7 +75,8 @@ TEST(Refraction, AgreesWithBennettTheOtherWay)
     }
 }
 
-// REQ-EPHEMERIS-06: From true to apparent and back is exact to 1e-9° everywhere. Nothing leaps.
+// REQ-EPHEMERIS-06: The conversion from true to apparent elevation and back is exact to 1e-9° everywhere, without a
+// jump.
 TEST(Refraction, ThereAndBackIsExact)
 {
     const Air heavy{.pressureHectopascal = 1060.0, .temperatureCelsius = 35.0, .relativeHumidity = 1.0};
@@ -89,7 +90,7 @@ TEST(Refraction, ThereAndBackIsExact)
     }
 }
 
-// What is higher appears higher, and nothing leaps where it fades below the horizon.
+// A higher place appears higher. There is no jump where the refraction fades out below the horizon.
 // REQ-EPHEMERIS-06
 TEST(Refraction, NeverLeapsOrTurnsRound)
 {

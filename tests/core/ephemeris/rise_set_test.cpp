@@ -12,7 +12,7 @@ using namespace boresight::ephemeris;
 
 namespace {
 
-const UtcTime kDay = utcOf("2026-12-24T00:00:00Z");  // of which the table has every ten minutes in Lisbon
+const UtcTime kDay = utcOf("2026-12-24T00:00:00Z");  // the table has this day in Lisbon, every ten minutes
 
 // The two rows between which the body passes an elevation.
 std::optional<std::pair<UtcTime, UtcTime>> passage(Body body, Angle elevation, bool upwards)
@@ -34,8 +34,8 @@ std::optional<std::pair<UtcTime, UtcTime>> passage(Body body, Angle elevation, b
 
 }  // namespace
 
-// REQ-EPHEMERIS-07 (RiseSet.*): Rises and sets are found to the second, and days without any. Only a body that is up
-// or down for less than 10 min may be passed over.
+// REQ-EPHEMERIS-07 (RiseSet.*): Rises and sets are found to the second, and days without any are detected. Only a body
+// that is up or down for less than 10 min may be missed.
 TEST(RiseSet, LieWhereTheTablePassesTheElevation)
 {
     Almanac lisbon(siteOf("Lisbon"));
@@ -69,7 +69,7 @@ TEST(RiseSet, AreNotWhereThereAreNone)
     EXPECT_FALSE(nextSet(svalbard, Body::Sun, utcOf("2026-06-21T00:00:00Z"), 0_deg)) << "polar day";
 }
 
-// The search steps over the hours in which the body cannot come to the horizon; this looks every ten minutes.
+// The search skips the hours in which the body cannot reach the horizon. This test looks every ten minutes.
 TEST(RiseSet, AreNotSteppedOver)
 {
     Almanac tromso({.latitude = 69.65_deg, .longitude = 18.96_deg, .heightMetres = 0.0});

@@ -25,7 +25,7 @@ struct WorstOf
     double partOfDistance = 0.0;
 };
 
-// tests/data/planets_azel.csv; its first lines say how it was made.
+// Compares with tests/data/planets_azel.csv. Its first lines say how it was made.
 std::map<std::string, WorstOf> compareWithTheTableOfPlanets()
 {
     std::map<std::string, WorstOf> worst;
@@ -67,7 +67,7 @@ TEST(SkyObject, MeetsTheTableOfPlanetsAndRadioSources)
     }
 }
 
-// REQ-EPHEMERIS-941: A body is asked for by its name in small letters. Another name is none.
+// REQ-EPHEMERIS-941: A body is found by its name in small letters. Any other name is refused.
 TEST(SkyObject, IsFoundByItsName)
 {
     EXPECT_EQ(std::get<Body>(skyObject("moon").value()), Body::Moon);
@@ -79,7 +79,7 @@ TEST(SkyObject, IsFoundByItsName)
               "sun, moon, mercury, venus, mars, jupiter, saturn, uranus, neptune, cas-a, cyg-a, tau-a, vir-a, sgr-a");
 }
 
-// Story: what the almanac remembers for a minute must serve any order of questions.
+// Story: the values that the almanac keeps for a minute must serve any order of requests.
 TEST(SkyObject, RemembersOneMinuteForAll)
 {
     const UtcTime utc = utcOf("2026-05-10T12:00:59Z");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// With real sockets; the clock is turned by hand.
+// Real sockets. The clock is turned by hand.
 #include "core/followed_rotctld/followed_rotctld.h"
 
 #include "tests/fakes/manual_clock.h"
@@ -29,7 +29,7 @@ protected:
         QObject::connect(followed.get(), &FollowedRotctld::read,
                          [this](const RotatorReport& report) { reports.push_back(report); });
     }
-    // A tick for each look of the test.
+    // Ticks once for each check of the condition.
     bool comesTrue(const std::function<bool()>& condition, Seconds step = Seconds(0.02))
     {
         return fakes::waitUntil([&] {
@@ -43,7 +43,7 @@ protected:
         begin(rotctld.bus());
         return comesTrue([this] { return !reports.empty(); }, Seconds(0.0)) && reports.front().direction;
     }
-    // Why it was given up.
+    // The reason why it was given up.
     std::string problem(const BusName& bus, Seconds step = Seconds(0.02))
     {
         begin(bus);
@@ -57,7 +57,7 @@ protected:
     std::unique_ptr<FollowedRotctld> followed;
 };
 
-// REQ-ROTATORFOLLOW-10: Each position is reported as it was received. Nothing is sent but p.
+// REQ-ROTATORFOLLOW-10: Each position is reported as it was received. Only p is sent.
 TEST_F(FollowedRotctldTest, ReadsAgainAndAgain)
 {
     ASSERT_TRUE(isFound());
@@ -70,8 +70,8 @@ TEST_F(FollowedRotctldTest, ReadsAgainAndAgain)
     EXPECT_EQ(rotctld.heard, "");
 }
 
-// REQ-ROTATORFOLLOW-11: One that never has a position is given up with the reason: nobody listens, the rotator does not
-// answer, the server is none.
+// REQ-ROTATORFOLLOW-11: A rotctld that never reports a position is given up with the reason: nothing listens, the
+// rotator does not answer, or the server is no rotctld.
 TEST_F(FollowedRotctldTest, SaysWhyThereIsNoPosition)
 {
     EXPECT_THAT(problem({.kind = BusKind::Rotctld, .target = "127.0.0.1", .port = fakes::unusedPort()}, Seconds(0.0)),
@@ -84,8 +84,8 @@ TEST_F(FollowedRotctldTest, SaysWhyThereIsNoPosition)
     EXPECT_THAT(problem(rotctld.bus()), HasSubstr("is not that of a rotctld"));
 }
 
-// REQ-ROTATORFOLLOW-12: A connection that ends is made anew. After 5 s without a position the rotctld is given up for
-// good, with the reason.
+// REQ-ROTATORFOLLOW-12: A connection that ends is made again. After 5 s without a position the rotctld is finally given
+// up, with the reason.
 TEST_F(FollowedRotctldTest, ConnectsAgainAndThenGivesUp)
 {
     ASSERT_TRUE(isFound());

@@ -14,7 +14,7 @@ using std::chrono::seconds;
 class PositionPollTest : public testing::Test
 {
 protected:
-    // The answer to one question.
+    // The reply to one query.
     std::optional<Result<AxisPosition>> answerTo(std::string_view bytes)
     {
         EXPECT_EQ(poll.ask(now), "p\n");
@@ -32,7 +32,7 @@ protected:
     SteadyTime now{seconds(100)};
 };
 
-// REQ-ROTATORFOLLOW-01: The position is asked for with p, four times a second at most, one question at a time.
+// REQ-ROTATORFOLLOW-01: The position is queried with p, at most four times a second, one query at a time.
 TEST_F(PositionPollTest, OneQuestionAtATime)
 {
     EXPECT_EQ(poll.ask(now), "p\n");
@@ -51,8 +51,8 @@ TEST_F(PositionPollTest, OneQuestionAtATime)
     EXPECT_FALSE(poll.takeAnswer()) << "once";
 }
 
-// REQ-ROTATORFOLLOW-02: An error of Hamlib is told in words. What is no answer of a rotctld is refused with its text.
-// Half a position is none.
+// REQ-ROTATORFOLLOW-02: An error of Hamlib is reported in words. A reply that is not from a rotctld is refused with its
+// text. Half a position is refused.
 TEST_F(PositionPollTest, TellsWhatIsNoPosition)
 {
     EXPECT_EQ(problem("RPRT -5\n"), "the rotator did not answer rotctld in time (RPRT -5)");
@@ -70,7 +70,7 @@ TEST_F(PositionPollTest, TellsWhatIsNoPosition)
     EXPECT_EQ((*answer)->azimuth, 13_deg);
 }
 
-// REQ-ROTATORFOLLOW-03: A line without a question is no position.
+// REQ-ROTATORFOLLOW-03: A line without a query is no position.
 TEST_F(PositionPollTest, ALineThatNobodyAskedForIsNone)
 {
     poll.take("10\n20\n");

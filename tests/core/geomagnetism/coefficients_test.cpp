@@ -26,7 +26,7 @@ std::string goodText()
                            kHeader);
 }
 
-// The good text with one place of it changed.
+// The good text with one place changed.
 std::string spoiled(const std::string& from, const std::string& to)
 {
     std::string text = goodText();
@@ -43,8 +43,8 @@ std::string refusal(const std::string& text)
 
 }  // namespace
 
-// REQ-GEOMAGNETISM-01 (Coefficients.*): A file that is not exactly a model of degree 12 is refused with its line:
-// header, order of the terms, numbers, end lines, breaking off.
+// REQ-GEOMAGNETISM-01 (Coefficients.*): A file that is not exactly a model of degree 12 is refused with its line.
+// Checked are header, order of the terms, numbers, end lines and completeness.
 TEST(Coefficients, AreReadAsTheyStand)
 {
     const auto read = parseCoefficients(goodText());
@@ -97,7 +97,7 @@ TEST(Coefficients, WhatIsSpoiledIsRefusedWithItsLine)
     }
 }
 
-// Cut anywhere, the file is refused, unless only its end lines are shorter: a download that broke off.
+// A file that is cut anywhere, such as an incomplete download, is refused unless only its end lines are shorter.
 TEST(Coefficients, AFileThatBreaksOffIsRefused)
 {
     const std::string text = goodText();

@@ -15,9 +15,9 @@ Declination lisbon(DeclinationBy by)
 
 }  // namespace
 
-// 0.87° west in Lisbon; the sensor's firmware, made for Berlin, has added 5.07°.
-// REQ-GEOMAGNETISM-07: A declination is applied once: by the sensor, by Boresight or not at all. One that is not known
-// is never 0.
+// 0.87° west in Lisbon. The firmware of the sensor, made for Berlin, has added 5.07°.
+// REQ-GEOMAGNETISM-07: A declination is applied once: by the sensor, by Boresight or not at all. An unknown declination
+// is never treated as 0.
 TEST(Declination, IsAppliedOnce)
 {
     EXPECT_NEAR(declinationCorrection(lisbon(DeclinationBy::Boresight))->degrees(), -5.94, 1e-9);
@@ -41,7 +41,8 @@ TEST(Declination, OneThatIsNotKnownIsNeverZero)
     EXPECT_TRUE(declinationCorrection({.by = DeclinationBy::Sensor})) << "nothing is needed";
 }
 
-// REQ-GEOMAGNETISM-08: What is done is reported with its numbers. A sensor made for another place is doubted.
+// REQ-GEOMAGNETISM-08: The correction is reported with its numbers. A sensor made for another place is reported as
+// doubtful.
 TEST(Declination, IsSaidInWordsWithTheNumbers)
 {
     EXPECT_EQ(describe(lisbon(DeclinationBy::Sensor)).toStdString(),

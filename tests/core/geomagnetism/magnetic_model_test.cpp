@@ -42,7 +42,7 @@ FieldParts at(const MagneticModel& model, const Site& place, double year = 2025.
     return model.at(place, year).value().now;
 }
 
-// Some of everything, changing.
+// A model with several kinds of terms that change with time.
 MagneticModel mixed()
 {
     return modelOf({{{1, 0}, {{-29351.8, 0.0}, {12.0, 0.0}}},
@@ -54,9 +54,9 @@ MagneticModel mixed()
 
 }  // namespace
 
-// A dipole along the axis: north of the equator its needle points down, and it is twice as strong at the pole.
-// REQ-GEOMAGNETISM-03: Closed forms of single terms, on the ellipsoid, at the equator, between and exactly at the
-// poles.
+// A dipole along the axis. North of the equator its needle points down, and at the pole the field is twice as strong.
+// REQ-GEOMAGNETISM-03: Closed forms of single terms are met on the ellipsoid, at the equator, in between, and exactly
+// at the poles.
 TEST(MagneticModel, AnAxialDipoleHasItsClosedForm)
 {
     const MagneticModel dipole = fieldOf(1, 0, -30000.0, 0.0);
@@ -72,7 +72,8 @@ TEST(MagneticModel, AnAxialDipoleHasItsClosedForm)
     EXPECT_NEAR(at(dipole, site(-90.0, 0.0)).down, -60000.0 * shrunk(kPole, 3), 1e-6);
 }
 
-// In between: tan of the geocentric latitude is (b/a)² that of the geodetic one, and the strength follows from it.
+// In between, tan of the geocentric latitude is (b/a)² times that of the geodetic latitude. The field strength follows
+// from it.
 // REQ-GEOMAGNETISM-03
 TEST(MagneticModel, TheGroundIsThatOfTheEllipsoid)
 {
@@ -86,7 +87,7 @@ TEST(MagneticModel, TheGroundIsThatOfTheEllipsoid)
     EXPECT_NEAR(field.inclination.radians(), needle - turned, 1e-9);
 }
 
-// Across the axis a dipole is horizontal at the poles, where every direction is a meridian: nothing is lost or infinite
+// A dipole across the axis is horizontal at the poles, where every direction is a meridian. All values are finite
 // there, and the declination is the longitude.
 // REQ-GEOMAGNETISM-03
 TEST(MagneticModel, ThePolesAreExact)
@@ -128,8 +129,8 @@ TEST(MagneticModel, HigherTermsHaveTheirClosedForms)
                 1e-6);
 }
 
-// The changes told are those that the years bring.
-// REQ-GEOMAGNETISM-04: The yearly change is what the years bring.
+// The reported yearly change agrees with the values of the following years.
+// REQ-GEOMAGNETISM-04: The yearly change is the change from year to year.
 TEST(MagneticModel, TellsTheChangeThatTheYearsBring)
 {
     const MagneticModel model = mixed();
@@ -149,8 +150,8 @@ TEST(MagneticModel, TellsTheChangeThatTheYearsBring)
     }
 }
 
-// REQ-GEOMAGNETISM-05: A model is used for its five years and one more. The end is reported from the last half year
-// on. Outside it is refused with the reason.
+// REQ-GEOMAGNETISM-05: A model is used for its five years and one more. From the last half year on its end is reported.
+// Outside this time it is refused with the reason.
 TEST(MagneticModel, IsRefusedOutsideItsFiveYearsAndTheOneAfter)
 {
     const MagneticModel model = mixed();
@@ -179,8 +180,8 @@ TEST(MagneticModel, WarnsFromItsLastHalfYearOn)
               "present World Magnetic Model (.COF).");
 }
 
-// 2000 and 6000 nT, the limits of the World Magnetic Model's report.
-// REQ-GEOMAGNETISM-06: Below 6000 nT horizontally a compass is doubtful, below 2000 nT no evidence.
+// 2000 and 6000 nT are the limits in the report of the World Magnetic Model.
+// REQ-GEOMAGNETISM-06: Below a horizontal field of 6000 nT a compass is doubtful, below 2000 nT it is no evidence.
 TEST(MagneticModel, TellsWhereACompassIsNoEvidence)
 {
     const auto zone = [](double horizontal) { return compassZone({.horizontal = horizontal}); };
@@ -190,7 +191,7 @@ TEST(MagneticModel, TellsWhereACompassIsNoEvidence)
     EXPECT_EQ(zone(6000.0), CompassZone::Good);
 }
 
-// Nothing horizontal: the needle has no direction, and no number is made up that is none.
+// Without a horizontal field the needle has no direction, and no value is NaN or infinite.
 TEST(MagneticModel, WhereTheNeedleHasNoDirectionNothingIsInfinite)
 {
     const MagneticField none = modelOf({}).at(kZeroZero, 2026.0).value();

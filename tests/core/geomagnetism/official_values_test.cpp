@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The World Magnetic Model 2025 against its own published test values. Both files are NOAA's and not kept with the
-// source: they are looked for beside the checkout, or in the folder that BORESIGHT_REFERENCE_DATA names.
+// The World Magnetic Model 2025 compared with its own published test values. Both files belong to NOAA and are not in
+// the source. They are searched beside the checkout, or in the folder named by BORESIGHT_REFERENCE_DATA.
 #include "core/base/numbers.h"
 #include "core/geomagnetism/coefficient_file.h"
 #include "core/geomagnetism/magnetic_model.h"
@@ -66,7 +66,7 @@ protected:
 
 }  // namespace
 
-// The angles are published to 0.01°, the changes of angles to 0.000001° and all else to 0.000001 nT.
+// The angles are published to 0.01°, the changes of angles to 0.000001°, and all other values to 0.000001 nT.
 // REQ-GEOMAGNETISM-02: The 100 official test values of WMM2025 are met to 0.001 nT, the angles to their last digit.
 TEST_F(OfficialValues, AreMetInAllRows)
 {

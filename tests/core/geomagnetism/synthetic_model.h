@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-// Coefficient files made for the tests: all terms are zero but those that are given.
+// Coefficient files made for the tests: all terms are zero except the given ones.
 namespace boresight::geomagnetism {
 
 struct SyntheticTerm

@@ -40,9 +40,9 @@ void write(const QString& path, const char* text)
 
 }  // namespace
 
-// REQ-PROFILE-16 (GpredictQth.*): Gpredict's stations are found, and an incomplete place is refused. Its satellite
-// data are found with their number and the epoch of the newest elements, in its usual folder or the one that the
-// profile names.
+// REQ-PROFILE-16 (GpredictQth.*): Gpredict's stations are found, and an incomplete station is refused. Its satellite
+// data are found, with the number of satellites and the epoch of the newest elements. They are in the usual folder of
+// Gpredict or in the folder named by the profile.
 TEST(GpredictQth, IsReadAsGpredictWritesIt)
 {
     const auto station = parseQth(kHome, QStringLiteral("home"));

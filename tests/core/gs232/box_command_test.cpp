@@ -13,7 +13,8 @@ AxisPosition at(double azimuth, double elevation)
     return {.azimuth = Angle::fromDegrees(azimuth), .elevation = Angle::fromDegrees(elevation)};
 }
 
-// REQ-GS232-01: Commands are the bytes that Hamlib's GS-232A driver writes: whole degrees of three digits and one CR.
+// REQ-GS232-01: Commands are the bytes that Hamlib's GS-232A driver writes: whole degrees with three digits, and one
+// CR.
 TEST(BoxCommand, AreTheBytesOfTheRecordings)
 {
     EXPECT_EQ(goTo(at(123.4, 45.6)), "W123 046\r");
@@ -24,7 +25,7 @@ TEST(BoxCommand, AreTheBytesOfTheRecordings)
     EXPECT_EQ(kStopAll, "S\r");
 }
 
-// REQ-GS232-02: A place that the box cannot count is never sent, and never clipped.
+// REQ-GS232-02: A position outside the range of the control box is never sent, and never clipped.
 TEST(BoxCommand, APlaceOutsideIsNoCommand)
 {
     EXPECT_EQ(goTo(at(450.0, 180.0)), "W450 180\r");

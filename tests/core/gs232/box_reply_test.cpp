@@ -20,7 +20,7 @@ Reply at(Dialect dialect, std::optional<double> azimuth, std::optional<double> e
     return position;
 }
 
-// REQ-GS232-03: Both dialects are read, as the real boxes and their imitations write them.
+// REQ-GS232-03: Both dialects are read, as real control boxes and their imitations write them.
 TEST(BoxReply, BothDialectsAreRead)
 {
     const auto none = std::nullopt;
@@ -38,7 +38,7 @@ TEST(BoxReply, BothDialectsAreRead)
     EXPECT_EQ(parseReply(">AZ=100  EL=010"), at(Dialect::B, 100.0, 10.0)) << "behind a prompt";
 }
 
-// REQ-GS232-04: Half a line is never read as a number.
+// REQ-GS232-04: An incomplete line is never read as a number.
 TEST(BoxReply, AHalfLineIsUnknown)
 {
     const std::string a = "+0180+0095";
@@ -48,7 +48,7 @@ TEST(BoxReply, AHalfLineIsUnknown)
     const std::string b = "AZ=180  EL=095";
     for (std::size_t size = 1; size < b.size(); ++size) {
         const std::string half = b.substr(0, size);
-        // Its azimuth is whole. Who asked for both takes it for no answer.
+        // The azimuth is complete. A query of both angles does not accept this reply.
         const bool azimuthOnly = half == "AZ=180" || half == "AZ=180 " || half == "AZ=180  ";
         EXPECT_EQ(parseReply(half), azimuthOnly ? at(Dialect::B, 180.0, std::nullopt) : Reply(Unknown{})) << half;
     }

@@ -30,8 +30,8 @@ std::string said(Ask question, double azimuth, double elevation, Dialect dialect
     return answerTo(question, place, dialect).value_or("refused");
 }
 
-// REQ-GS232SERVER-01 (Gs232ClientWords.*): The commands of a GS-232 box are read as the box reads them: whole lines,
-// three digits, upper or lower case. Positions are answered as the GS-232A or the GS-232B does, in whole degrees.
+// REQ-GS232SERVER-01 (Gs232ClientWords.*): The commands for a GS-232 control box are read as the box reads them: whole
+// lines, three digits, upper or lower case. Positions are answered as by the GS-232A or the GS-232B, in whole degrees.
 TEST(Gs232ClientWords, AreReadAsTheBoxReadsThem)
 {
     EXPECT_EQ(parsed<Ask>("C"), Ask::Azimuth);
@@ -62,9 +62,9 @@ TEST(Gs232ClientWords, AreReadAsTheBoxReadsThem)
     }
 }
 
-// REQ-GS232SERVER-02 (Gs232ClientWords.Nothing*, EmulatedBoxThat.*): What is half, bad, too long or of another
-// protocol is answered `?>` and moves nothing. So are lists with times, calibration and what changes how the box
-// counts.
+// REQ-GS232SERVER-02 (Gs232ClientWords.Nothing*, EmulatedBoxThat.*): Text that is incomplete, invalid, too long or of
+// another protocol is answered with `?>` and moves nothing. So are lists with times, calibration, and commands that
+// change the counting of the box.
 TEST(Gs232ClientWords, NothingElseIsACommand)
 {
     for (const char* const line : {"W",         "W123",       "W123 ",
@@ -99,12 +99,12 @@ TEST(Gs232ClientWords, PositionsAreGoldenBytes)
     EXPECT_EQ(said(Ask::Elevation, 7.4, 5.6, Dialect::B), "EL=006\r\n");
     EXPECT_EQ(said(Ask::Both, 359.6, -0.4, Dialect::A), "+0360+0000\r\n");
     EXPECT_EQ(said(Ask::Both, 449.6, 180.0, Dialect::A), "+0450+0180\r\n");
-    // Below north, and past 450°: counted from the other side.
+    // Below 0° and above 450° the azimuth is given as the equal direction.
     EXPECT_EQ(said(Ask::Both, -90.0, 20.0, Dialect::B), "AZ=270  EL=020\r\n");
     EXPECT_EQ(said(Ask::Both, 460.0, 20.0, Dialect::B), "AZ=100  EL=020\r\n");
 }
 
-// A number that is not true is never said.
+// A wrong number is never answered.
 TEST(Gs232ClientWords, APlaceWithoutANumberIsNotClipped)
 {
     EXPECT_EQ(said(Ask::Both, 10.0, -3.0, Dialect::A), "refused");

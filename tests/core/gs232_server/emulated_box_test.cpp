@@ -20,7 +20,7 @@ using namespace std::chrono_literals;
 
 struct EmulatedBoxTest : ::testing::Test
 {
-    // All that is answered to these bytes.
+    // Everything that is answered to these bytes.
     std::string say(std::string_view bytes)
     {
         talk->receive(bytes);
@@ -44,7 +44,7 @@ struct EmulatedBoxTest : ::testing::Test
 using EmulatedBoxOnALine = EmulatedBoxTest;
 
 // REQ-GS232SERVER-03 (EmulatedBoxOnALine.*): A GS-232 client points, turns, stops and reads the mount by the same
-// requests as a rotctld client. Each accepted command is answered by CR, an empty one by nothing.
+// requests as a rotctld client. Each accepted command is answered with CR. An empty command is not answered.
 TEST_F(EmulatedBoxOnALine, PointsAndReads)
 {
     EXPECT_EQ(say("W060 030\r"), "\r");
@@ -68,7 +68,7 @@ TEST_F(EmulatedBoxOnALine, TheAzimuthAloneLeavesTheElevation)
     EXPECT_EQ(place(), "AZ=090  EL=030\r\n");
 }
 
-// Story: each M pointed to the measured elevation, so a mount that sags went down a little with each.
+// Story: each M pointed to the measured elevation, so a mount that sags moved down a little each time.
 TEST_F(EmulatedBoxOnALine, ManyAzimuthsDoNotLowerTheElevation)
 {
     static_cast<void>(say("W060 030\r"));
@@ -132,8 +132,8 @@ TEST_F(EmulatedBoxThat, RefusesMovesNothing)
     EXPECT_TRUE(talk->habits().lastInWords().contains(QStringLiteral("not supported")));
 }
 
-// REQ-GS232SERVER-04: A position that is unknown or old is answered `?>`, never as a number. A command that the station
-// refuses is answered `?>`, too.
+// REQ-GS232SERVER-04: A position that is unknown or old is answered with `?>`, never with a number. A command that the
+// station refuses is answered with `?>`, too.
 TEST_F(EmulatedBoxThat, HasNoPositionSaysSo)
 {
     static_cast<void>(say("W060 030\r"));
@@ -191,8 +191,8 @@ TEST_F(EmulatedBoxThat, IsInTheListOfClients)
     EXPECT_TRUE(talk->habits().lastInWords().contains(QStringLiteral("STOP is latched")));
 }
 
-// REQ-GS232SERVER-05: Behind a port a GS-232 client is served as a rotctld client is: the allow list, the end of its
-// turning when it vanishes, its number and protocol for the list.
+// REQ-GS232SERVER-05: At a port a GS-232 client is served like a rotctld client: the allow list, the end of its turning
+// when it vanishes, and its number and protocol in the list.
 TEST(Gs232Port, ServesAsTheRotctldPortDoes)
 {
     fakes::ManualClock clock;

@@ -49,7 +49,7 @@ public:
         const ssize_t count = ::read(m_line.number(), buffer.data(), buffer.size());
         return count > 0 ? std::string(buffer.data(), static_cast<std::size_t>(count)) : std::string();
     }
-    // Hung up on.
+    // Whether the server has closed the connection.
     [[nodiscard]] bool isCut() const
     {
         char one = 0;
@@ -78,8 +78,8 @@ struct Terminal : ::testing::Test
     fakes::DummyRotator rotator{clock};
 };
 
-// REQ-LISTENERS-02 (Terminal.*): A pseudo-terminal is served as a port is: a program opens the link like a serial port.
-// It is a client while it has it open. The link stays valid when programs come, go or are hung up on.
+// REQ-LISTENERS-02 (Terminal.*): A pseudo-terminal is served like a port. A program opens the link like a serial port,
+// and is a client while it has it open. The link stays valid when programs connect, leave or are disconnected.
 TEST_F(Terminal, IsASerialPortToAProgram)
 {
     const auto server = serve();
@@ -113,7 +113,7 @@ TEST_F(Terminal, AClientThatVanishesEndsItsTurning)
     EXPECT_EQ(rotator.mover, 0U);
 }
 
-// "printf 'S\r' > /tmp/rotator" in a shell.
+// As "printf 'S\r' > /tmp/rotator" in a shell.
 TEST_F(Terminal, WhatAProgramWroteBeforeItLeftCounts)
 {
     const auto server = serve();
@@ -142,7 +142,8 @@ TEST_F(Terminal, WhoIsHungUpOnLosesTheLineAndMayComeAgain)
     EXPECT_EQ(again.answer(8), "AZ=000\r\n");
 }
 
-// REQ-LISTENERS-03: A place that is taken is an error with its reason, and nothing of others is overwritten.
+// REQ-LISTENERS-03: If the place is already in use, this is an error with its reason, and nothing that belongs to
+// others is overwritten.
 TEST_F(Terminal, APlaceThatIsTakenIsAnError)
 {
     const auto first = serve();
@@ -179,7 +180,7 @@ TEST_F(Terminal, ALinkToSomethingElseIsLeftAlone)
     EXPECT_EQ(QFileInfo(QString::fromStdString(path)).symLinkTarget(), folder.path());
 }
 
-// Anybody may make one in /tmp, and whoever opens it to read waits for a writer.
+// Anybody may create a pipe in /tmp, and opening it for reading blocks until somebody writes.
 TEST_F(Terminal, APipeInPlaceOfTheLockHoldsUpNobody)
 {
     ASSERT_EQ(::mkfifo((path + ".lock").c_str(), 0666), 0);

@@ -10,9 +10,9 @@
 namespace boresight::local {
 namespace {
 
-// REQ-LOCALSOCKET-01: The commands are take, release, stop, reset-stop, satellites, status, transmit, antennas, those
-// of the schedule, and with a target track, with a name antenna, exactly. The answer is ok and the lines of the answer,
-// or one line: error with the reason.
+// REQ-LOCALSOCKET-01: The commands are exactly take, release, stop, reset-stop, satellites, status, transmit, antennas,
+// those of the schedule, track with a target, and antenna with a name. The answer is ok and the lines of the answer, or
+// one line with error and the reason.
 TEST(LocalCommandTest, EachHasItsWord)
 {
     for (const char* const word :
@@ -55,8 +55,8 @@ TEST(LocalCommandTest, TheAnswerIsOkOrTheReason)
     }
 }
 
-// REQ-LOCALSOCKET-940: A satellite is a line of its number, its epoch to the millisecond and its name. A list that is
-// not complete is refused.
+// REQ-LOCALSOCKET-940: A satellite is a line with its number, its epoch to the millisecond and its name. An incomplete
+// list is refused.
 TEST(LocalCommandTest, SatellitesAreLines)
 {
     const UtcTime epoch(std::chrono::milliseconds(1'764'000'000'123));
@@ -72,8 +72,8 @@ TEST(LocalCommandTest, SatellitesAreLines)
     }
 }
 
-// REQ-ANTENNA-940: An antenna is a line: whether it is in use, beam width and offsets in degrees, and its name. A
-// list that is not complete is refused.
+// REQ-ANTENNA-940: An antenna is a line: whether it is in use, beam width and offsets in degrees, and its name. An
+// incomplete list is refused.
 TEST(LocalCommandTest, AntennasAreLines)
 {
     const std::vector<KnownAntenna> known{
@@ -92,8 +92,8 @@ TEST(LocalCommandTest, AntennasAreLines)
     }
 }
 
-// REQ-LOCALSOCKET-930: A station of the own user is asked before the service of the system, whose socket is in the
-// folder that systemd makes for it.
+// REQ-LOCALSOCKET-930: A station of the same user is tried before the system service. The socket of the service is in
+// the folder that systemd creates for it.
 TEST(LocalCommandTest, TheServiceIsAskedWhereTheUserHasNoStation)
 {
     constexpr std::uint16_t kPort = 4533;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Real sockets in a folder of the test; the clock is turned by hand.
+// Real sockets in a folder of the test. The clock is turned by hand.
 #include "core/local_socket/local_server.h"
 
 #include "core/base/file_descriptor.h"
@@ -48,7 +48,7 @@ protected:
 
     [[nodiscard]] Result<> listen() { return server.listen(runtime.path(), kPort); }
 
-    // Connects, and the server has taken the connection.
+    // Connects, and waits until the server has taken the connection.
     [[nodiscard]] std::unique_ptr<QLocalSocket> client(int isNumber)
     {
         auto socket = std::make_unique<QLocalSocket>();
@@ -68,7 +68,7 @@ protected:
         socket.connectToServer(server.path());
         return answerTo(socket, sent);
     }
-    // What is left of a program that was killed.
+    // What a program that was killed leaves behind.
     void leaveASocket() const
     {
         ASSERT_TRUE(QDir(runtime.path()).mkpath(QStringLiteral("boresight")));
@@ -104,8 +104,8 @@ protected:
     fakes::HandTurnedTimers timers{server, clock};
 };
 
-// REQ-LOCALSOCKET-02: A connection brings one command and gets one line: ok, or error with the reason of the station.
-// What is no command, or is longer than 4352 bytes, never reaches the station.
+// REQ-LOCALSOCKET-02: A connection sends one command and receives one line: ok, or error with the reason of the
+// station. Text that is no command, or is longer than 4352 bytes, never reaches the station.
 TEST_F(LocalServerTest, OneLineInOneLineOut)
 {
     ASSERT_TRUE(listen());
@@ -137,7 +137,7 @@ TEST_F(LocalServerTest, ALineMayComeInPieces)
     EXPECT_THAT(asked, ElementsAre(LocalCommand::Take, LocalCommand::ResetStop));
 }
 
-// REQ-LOCALSOCKET-941: An answer of many lines arrives whole, also where it is more than the socket takes at once.
+// REQ-LOCALSOCKET-941: An answer of many lines arrives complete, even if it is more than the socket accepts at once.
 TEST_F(LocalServerTest, ALongAnswerArrivesWhole)
 {
     ASSERT_TRUE(listen());
@@ -169,8 +169,8 @@ TEST_F(LocalServerTest, AClientThatReadsSlowlyHasTime)
     EXPECT_EQ(received, kMany + 4);
 }
 
-// REQ-LOCALSOCKET-942: The station may answer later, however long it takes: the client waits, and other clients are
-// answered meanwhile. A client that has gone gets nothing.
+// REQ-LOCALSOCKET-942: The station may answer at any later time. The client waits, and other clients are answered
+// meanwhile. A client that has disconnected receives nothing.
 TEST_F(LocalServerTest, TheStationMayAnswerLater)
 {
     ASSERT_TRUE(listen());
@@ -213,7 +213,8 @@ TEST_F(LocalServerTest, TheNinthIsSentAwayUntilTheSilentOnesAreClosed)
     EXPECT_THAT(asked, ElementsAre(LocalCommand::Take));
 }
 
-// Story: the ninth was closed while its line was still on the way, so it saw a broken pipe in place of the reason.
+// Story: the ninth client was closed while its line was still on the way, so it saw a broken pipe instead of the
+// reason.
 // REQ-LOCALSOCKET-931: The answer reaches a client that is still sending.
 TEST_F(LocalServerTest, TheNinthReadsItsAnswerAlthoughItStillSends)
 {
@@ -249,8 +250,8 @@ TEST_F(LocalServerTest, WhoLeavesMakesRoom)
     EXPECT_THAT(asked, IsEmpty());
 }
 
-// REQ-LOCALSOCKET-04: Only the user of the station can open the folder and the socket, whatever rights the folder had
-// before. A folder that is a link is refused.
+// REQ-LOCALSOCKET-04: Only the user of the station can open the folder and the socket, whatever permissions the folder
+// had before. A folder that is a symbolic link is refused.
 TEST_F(LocalServerTest, OnlyItsUserComesIn)
 {
     const QString folder = runtime.filePath(QStringLiteral("boresight"));
@@ -269,8 +270,8 @@ TEST_F(LocalServerTest, OnlyItsUserComesIn)
     EXPECT_EQ(linked.error().code, ErrorCode::Denied);
 }
 
-// REQ-LOCALSOCKET-05: The socket of a program that was killed is removed. One that another program listens on is left
-// alone, and the refusal names it. Without XDG_RUNTIME_DIR there is no local socket.
+// REQ-LOCALSOCKET-05: The socket of a program that was killed is removed. If another program listens on the socket, it
+// is left alone, and the refusal names it. Without XDG_RUNTIME_DIR there is no local socket.
 TEST_F(LocalServerTest, WhatAKilledProgramLeftIsRemoved)
 {
     leaveASocket();
@@ -293,7 +294,7 @@ TEST_F(LocalServerTest, NeedsAFolderOfTheUser)
     EXPECT_TRUE(server.path().isEmpty());
 }
 
-// REQ-LOCALSOCKET-06: Who is connected while the station closes is told so.
+// REQ-LOCALSOCKET-06: A client that is connected while the station closes receives an answer about this.
 TEST_F(LocalServerTest, TheEndOfTheStationIsAnAnswer)
 {
     ASSERT_TRUE(listen());

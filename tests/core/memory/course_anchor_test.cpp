@@ -21,9 +21,9 @@ TurnQuestion question(std::optional<Angle> proposed)
         .period = 360_deg};
 }
 
-// REQ-MEMORY-09 (SensorCourse.*): A sensor on the antenna that ran without a gap since the wrap was known shows how
-// far it has turned: a sentence, and evidence against a proposal that is more than 30° away. It proposes and decides
-// nothing.
+// REQ-MEMORY-09 (SensorCourse.*): A sensor on the antenna that ran without a gap since the wrap was known shows how far
+// it has turned. This gives a sentence of evidence, and contradicts a proposal that is more than 30° away. It proposes
+// and decides nothing.
 TEST(SensorCourse, CountsWholeTurns)
 {
     EXPECT_EQ(placeBySensor(kAnchor, SensorCourse{.unbroken = 7, .azimuth = 83_deg}), 405_deg);

@@ -3,7 +3,7 @@
 
 #include "core/memory/mount_memory.h"
 
-// The memory of a mount as it may really be, for the tests of text and file.
+// A realistic stored memory of a mount, for the tests of text and file.
 namespace boresight::memory {
 
 inline const QString kAzimuthDrive = QStringLiteral("6f1c2a90-0b7d-4e11-8c55-0123456789ab");

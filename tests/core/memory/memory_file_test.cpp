@@ -31,7 +31,7 @@ int foldersSynced = 0;  // by any thread of this program
 
 }  // namespace
 
-// Takes the place of the C library's, and counts.
+// Replaces the fsync() of the C library, and counts the calls.
 extern "C" int fsync(int descriptor)
 {
     struct stat info = {};
@@ -90,8 +90,8 @@ TEST_F(MemoryFileTest, AMissingFileIsAnEmptyMemoryAndSaid)
     EXPECT_EQ(loaded.problem, QStringLiteral("The journal file %1 is missing").arg(path()));
 }
 
-// After a power cut a file whose folder was not written has its old name, or none.
-// REQ-MEMORY-04a: After a saving the folder is on the disk too, so that a power cut leaves the new names.
+// If the folder was not written before a power cut, a file in it has its old name, or none.
+// REQ-MEMORY-04a: Saving also writes the folder to the disk, so that the new names survive a power cut.
 TEST_F(MemoryFileTest, TheFolderIsOnTheDiskAfterTheRenamings)
 {
     MemoryFile file(m_dir.path(), QStringLiteral("mast"));
@@ -104,9 +104,9 @@ TEST_F(MemoryFileTest, TheFolderIsOnTheDiskAfterTheRenamings)
     EXPECT_EQ(foldersSynced, 2);
 }
 
-// Story: a start with a pipe or /dev/zero in the place of the journal never ended, or filled the memory. And two that
-// were kept aside within a millisecond had one name.
-// REQ-MEMORY-04b: A pipe, a device or an endless file in the place of the journal is refused at once, and kept aside.
+// Story: with a pipe or /dev/zero in place of the journal the program never started, or filled its memory. Two files
+// that were kept aside within a millisecond had the same name.
+// REQ-MEMORY-04b: A pipe, a device or an endless file in place of the journal is refused at once, and kept aside.
 TEST_F(MemoryFileTest, WhatIsNoRegularFileIsRefusedAtOnceAndKeptAside)
 {
     ASSERT_EQ(mkfifo(path().toLocal8Bit().constData(), 0600), 0);
@@ -124,9 +124,9 @@ TEST_F(MemoryFileTest, WhatIsNoRegularFileIsRefusedAtOnceAndKeptAside)
     EXPECT_EQ(QDir(m_dir.path()).entryList({QStringLiteral("*.corrupt-*")}, QDir::AllEntries | QDir::System).size(), 5);
 }
 
-// Story: two programs with one mount's name and one state folder overwrote each other's journal.
-// REQ-MEMORY-04c: One program at a time uses the journal of a mount. The second reports the name and the process of
-// the first.
+// Story: two programs with the same mount name and the same state folder overwrote each other's journal.
+// REQ-MEMORY-04c: Only one program at a time uses the journal of a mount. A second program reports the name and the
+// process of the first.
 TEST_F(MemoryFileTest, ASecondProgramIsKeptOutAndToldByWhom)
 {
     MemoryFile first(m_dir.path(), QStringLiteral("mast"));
@@ -155,7 +155,7 @@ TEST_F(MemoryFileTest, AKilledProgramKeepsNobodyOut)
     EXPECT_TRUE(next.claim());
 }
 
-// Story: whoever could not open another user's lock went on without one.
+// Story: a program that could not open the lock of another user went on without a lock.
 TEST_F(MemoryFileTest, ALockOfAnotherUserKeepsOthersOut)
 {
     ASSERT_EQ(chmod(m_dir.path().toLocal8Bit().constData(), 0777), 0);
@@ -163,7 +163,7 @@ TEST_F(MemoryFileTest, ALockOfAnotherUserKeepsOthersOut)
     ASSERT_TRUE(first->claim());
     const auto claimOfNobody = [this](mode_t mode) {
         constexpr uid_t kNobody = 65534;
-        const bool root = geteuid() == 0;  // who may open anything
+        const bool root = geteuid() == 0;  // root may open everything
         EXPECT_EQ(chmod((path() + QStringLiteral(".lock")).toLocal8Bit().constData(), mode), 0);
         EXPECT_TRUE(!root || seteuid(kNobody) == 0);
         const Result<> claimed = MemoryFile(m_dir.path(), QStringLiteral("mast")).claim();
@@ -179,17 +179,17 @@ TEST_F(MemoryFileTest, ALockOfAnotherUserKeepsOthersOut)
     EXPECT_EQ(claimOfNobody(0444).second, "") << "nobody holds it any more";
 }
 
-// Without a place for a journal there is nothing to be kept apart; saving tells it.
+// Without a folder for the journal no lock is needed. Saving reports the missing folder.
 // REQ-MEMORY-04c
 TEST_F(MemoryFileTest, AFolderThatIsNotThereNeedsNoLock)
 {
     EXPECT_TRUE(MemoryFile(m_dir.filePath(QStringLiteral("none")), QStringLiteral("mast")).claim());
 }
 
-// Story: what could not be opened was "left there", and the second save after that overwrote it.
+// Story: a file that could not be opened was reported as "left there", and the second save overwrote it.
 TEST_F(MemoryFileTest, WhatCannotBeOpenedIsKeptAsideToo)
 {
-    ASSERT_TRUE(QDir().mkdir(path()));  // nobody can read it as a file, not even root
+    ASSERT_TRUE(QDir().mkdir(path()));  // a folder: nobody can read it as a file, not even root
     EXPECT_TRUE(load().problem.contains(QStringLiteral("Boresight keeps it as")));
     EXPECT_FALSE(QFileInfo::exists(path()));
     EXPECT_EQ(QDir(m_dir.path()).entryList({QStringLiteral("*.corrupt-*")}).size(), 1);
@@ -206,8 +206,8 @@ TEST_F(MemoryFileTest, WhatWasSavedIsLoaded)
     EXPECT_EQ(loaded.problem, QString());
 }
 
-// REQ-MEMORY-03: Saving never blocks. The newest value wins. A failure is reported. The last value is on the disk when
-// the program ends.
+// REQ-MEMORY-03: Saving never blocks. The newest value wins. A failure is reported. When the program ends the last
+// value is on the disk.
 TEST_F(MemoryFileTest, TheNewestValueWinsAndNoQueueGrows)
 {
     MemoryFile file(m_dir.path(), QStringLiteral("mast"));
@@ -247,8 +247,8 @@ TEST_F(MemoryFileTest, TheDestructorFlushes)
     EXPECT_EQ(load().memory, at(2.0));
 }
 
-// REQ-MEMORY-04: At every moment a whole file is on the disk. A missing one, a corrupt one and the use of the one
-// before are reported. A corrupt one is kept.
+// REQ-MEMORY-04: At every moment there is a complete file on the disk. A missing file, a corrupt file and the use of
+// the previous file are reported. A corrupt file is kept.
 TEST_F(MemoryFileTest, ACorruptFileIsKeptAsideAndThePreviousOneTaken)
 {
     put(path(), QByteArrayLiteral("{ \"boresight_mem"));
@@ -256,7 +256,7 @@ TEST_F(MemoryFileTest, ACorruptFileIsKeptAsideAndThePreviousOneTaken)
     const LoadedMemory loaded = load();
     MountMemory expected = at(20.0);
     for (auto& turn : expected.turns) {
-        turn->host = {};  // and the lost one may have been written because a doubt arose: no proof
+        turn->host = {};  // the lost file may have been written because of a doubt, so this is no proof
     }
     EXPECT_EQ(loaded.memory, expected);
     ASSERT_EQ(corruptFiles().size(), 1);
@@ -279,7 +279,7 @@ TEST_F(MemoryFileTest, BothCorruptIsAnEmptyMemoryAndBothAreKept)
     EXPECT_THAT(loaded.problem.toStdString(), HasSubstr("it is empty"));
 }
 
-// Killed between the two renamings: the previous generation is all there is, and beside it the unfinished new one.
+// Killed between the two renamings: there is only the previous generation, and beside it the unfinished new one.
 // REQ-MEMORY-04
 TEST_F(MemoryFileTest, KilledBetweenTheRenamingsThePreviousOneIsTaken)
 {
@@ -291,7 +291,7 @@ TEST_F(MemoryFileTest, KilledBetweenTheRenamingsThePreviousOneIsTaken)
     EXPECT_THAT(loaded.problem.toStdString(), HasSubstr("is missing. Boresight uses the version before it: "));
 }
 
-// The program is killed at any moment of its writing: there is always a whole file, at most one save behind.
+// The program is killed at any moment of its writing. There is always a complete file, at most one save behind.
 // REQ-MEMORY-04
 // REQ-MEMORY-04c
 TEST_F(MemoryFileTest, AKilledProgramLeavesAWholeFile)
@@ -322,7 +322,7 @@ TEST_F(MemoryFileTest, AKilledProgramLeavesAWholeFile)
         const LoadedMemory loaded = load();
         ASSERT_TRUE(loaded.memory.turns[0]) << loaded.problem.toStdString();
         const double found = std::round(loaded.memory.turns[0]->angle.degrees());
-        EXPECT_GE(found, last);  // the last one that was said to be on the disk, or the one being written
+        EXPECT_GE(found, last);  // the last value reported as saved, or the one being written
         EXPECT_LE(found, last + 1);
         EXPECT_EQ(corruptFiles().size(), 0);
     }
@@ -370,7 +370,8 @@ TEST_F(MemoryFileTest, LivesInAnotherThreadThanTheOneThatMadeIt)
     QThread station;
     MemoryFile file(m_dir.path(), QStringLiteral("mast"));
     file.moveToThread(&station);
-    QObject::connect(&file, &MemoryFile::saved, &file, [&station] { station.quit(); });  // said in the station's thread
+    // reported in the station's thread
+    QObject::connect(&file, &MemoryFile::saved, &file, [&station] { station.quit(); });
     station.start();
     QMetaObject::invokeMethod(&file, [&file] { file.save(at(7.0)); });
     ASSERT_TRUE(station.wait(60'000));

@@ -30,8 +30,8 @@ std::string problemOf(const QByteArray& text)
     return parsed ? "accepted" : textOf(parsed.error());
 }
 
-// REQ-MEMORY-01: What is written reads back the same: doubles to the last bit, times to the millisecond. Nothing is
-// written that could not be read.
+// REQ-MEMORY-01: A written journal reads back the same: doubles to the last bit, times to the millisecond. A value that
+// could not be read back is not written.
 TEST(MemoryText, SurvivesTheRoundTripExactly)
 {
     for (const MountMemory& memory : {MountMemory(), exampleMemory()}) {
@@ -43,8 +43,8 @@ TEST(MemoryText, SurvivesTheRoundTripExactly)
     }
 }
 
-// The file of another day must stay readable, though without an origin it proves nothing: this one was written by
-// version 1 its checksum by another SHA-256 over the sorted compact JSON.
+// An older file must stay readable, although it proves nothing without an origin. Version 1 wrote this file. Another
+// SHA-256 program computed its checksum over the sorted compact JSON.
 TEST(MemoryText, ReadsAFileOfVersionOne)
 {
     const QByteArray text = R"({
@@ -99,7 +99,7 @@ TEST(MemoryText, ReadsAFileOfVersionOne)
     EXPECT_FALSE(parsed->crashStops[1]);
 }
 
-// A file of another day, to the last byte.
+// An older file is written back the same, to the last byte.
 TEST(MemoryText, KeepsTheFormOfItsFile)
 {
     std::ifstream file(BORESIGHT_TEST_DATA "/memory.json");
@@ -139,8 +139,8 @@ TEST(MemoryText, TimesAreUtcToTheMillisecond)
     EXPECT_EQ(parseMemory(*text)->turns[0]->when, kWhen);
 }
 
-// REQ-MEMORY-02: A file that is empty, torn, edited, of another version or out of range is recognised, with the
-// reason. It is never taken for something else.
+// REQ-MEMORY-02: A file that is empty, incomplete, edited, of another version or out of range is detected, with the
+// reason. It is never taken for a valid one.
 TEST(MemoryText, TellsWhyAFileIsOfNoUse)
 {
     const QByteArray good = *toText(exampleMemory());
@@ -177,7 +177,7 @@ struct Broken
 class MemoryTextRefuses : public testing::TestWithParam<Broken>
 {};
 
-// Refused when written, so that the good file stays; what was written can always be read.
+// Refused at the time of writing, so that the good file stays. A written file can always be read.
 // REQ-MEMORY-01 (MemoryTextRefuses.*)
 TEST_P(MemoryTextRefuses, WhatNoAxisCanBe)
 {
@@ -239,24 +239,24 @@ protected:
     {
         const auto place = [&] { return static_cast<qsizetype>(below(static_cast<std::size_t>(text.size()))); };
         switch (below(7)) {
-            case 0:  // one bit
+            case 0:  // a character from another place, with one bit changed
                 text[place()] = static_cast<char>(text.at(place()) ^ (1 << below(8)));
                 return text;
-            case 1: {  // one bit in its own place
+            case 1: {  // one bit changed
                 const qsizetype i = place();
                 text[i] = static_cast<char>(text.at(i) ^ (1 << below(8)));
                 return text;
             }
-            case 2:  // torn
+            case 2:  // cut off
                 return text.left(place());
             case 3: {  // the end is zeros, as after a power cut
                 const qsizetype end = place();
                 return text.left(end) + QByteArray(text.size() - end, '\0');
             }
-            case 4:  // one digit for another
+            case 4:  // one digit replaced by another
                 text[place()] = static_cast<char>('0' + below(10));
                 return text;
-            case 5: {  // a piece of it twice
+            case 5: {  // a part of it twice
                 const qsizetype from = place();
                 return text.insert(place(), text.mid(from, static_cast<qsizetype>(below(40))));
             }
@@ -286,10 +286,10 @@ TEST_F(MemoryTextRubbish, IsNeverAcceptedAsSomethingElse)
         ASSERT_TRUE(!parsed || *parsed == memory) << text.toStdString();
         ASSERT_TRUE(parsed || !textOf(parsed.error()).empty());
     }
-    EXPECT_GT(refused, 14000);  // the rest hit a space, or put the same character there
+    EXPECT_GT(refused, 14000);  // the other cases changed a space, or put the same character there
 }
 
-// Whoever also mends the checksum gets past it: then the fields are checked one by one.
+// An editor who also corrects the checksum passes that check. Then the fields are checked one by one.
 TEST_F(MemoryTextRubbish, WithTheRightChecksumIsStillChecked)
 {
     const QByteArray good = *toText(exampleMemory());

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Certain must be the truth. A mount, its drive and a computer live through random misfortunes after a record was made:
-// hands, power cuts, restarts, sleep, clocks that step, a position set by other tools, other encoder settings,
-// another drive, another profile. What the drive and the clocks then say is judged, and compared with where the axis
-// really is.
+// A position that is called certain must be true. After a record was made, a mount, its drive and a computer go through
+// random events: motion by hand, power cuts, restarts, suspends, clock steps, a position set by other tools, other
+// encoder settings, another drive, another profile. Then the reports of the drive and the clocks are judged, and
+// compared with the true position of the axis.
 #include "core/memory/reconcile.h"
 #include "tests/core/memory/example_memory.h"
 
@@ -32,7 +32,7 @@ public:
         m_axis.travel.max = m_axis.travel.min + Angle::fromDegrees(uniform(30.0, 800.0));
         m_outputEncoder = chance(0.4);
         double ratio = m_outputEncoder || chance(0.2) ? 1.0 : chance(0.5) ? 0.2 : 0.01;
-        if (!m_outputEncoder && chance(0.3)) {  // the gear is reckoned with here, the drive counts its rotor
+        if (!m_outputEncoder && chance(0.3)) {  // the host applies the gear ratio, and the drive counts its rotor
             m_axis.gearIn = GearIn::Host;
             m_axis.gearRatio = 1.0 / ratio;
             ratio = 1.0;
@@ -132,7 +132,7 @@ public:
     }
 
 private:
-    // From 10 ms to 60 days, each magnitude as likely.
+    // From 10 ms to 60 days, each order of magnitude equally likely.
     [[nodiscard]] double anyTime() { return 0.01 * std::pow(60.0 * kDay / 0.01, uniform(0.0, 1.0)); }
 
     void pass(double seconds) { m_now += seconds; }
@@ -143,7 +143,7 @@ private:
         m_slept += seconds;
     }
 
-    // Stops keep the axis near its travel; some moves are whole turns of what the drive can see.
+    // The mechanical stops keep the axis near its travel. Some moves are multiples of what the drive can distinguish.
     void moveByHand()
     {
         const Angle margin = Angle::fromDegrees(14.9);
@@ -199,21 +199,21 @@ private:
         m_exact = true;
     }
 
-    // Other tools do it too, at any time, and say nothing.
+    // Other tools do this too, at any time and without a report.
     void setNearest()
     {
         m_shift += std::round(uniform(-5.0, 5.0)) * m_placeTurns;
         m_home = HomeState::Output;
     }
 
-    // By less it is the same place.
+    // A smaller difference counts as the same position.
     void setExact()
     {
         m_shift += chance(0.5) ? m_placeTurns : (chance(0.5) ? 1.0 : -1.0) * uniform(0.00011, 1.0);
         m_home = HomeState::Output;
     }
 
-    // The drive reports the same place as before.
+    // Moves the axis and sets the count, so that the drive reports the same position as before.
     void moveAndSetBack()
     {
         const double reported = m_motor + m_shift;
@@ -223,7 +223,8 @@ private:
         m_home = HomeState::Output;
     }
 
-    // It counts from zero again; then somebody may even set what it reported before, wherever the axis is.
+    // The drive counts from zero again. Then another tool may even set the position that was reported before, wherever
+    // the axis is.
     void changeEncoderSettings()
     {
         const double offset = m_shift + m_countedFrom;
@@ -244,7 +245,7 @@ private:
         bootDrive();
     }
 
-    // The axis does not move, but its angles have other names from now on.
+    // The axis does not move, but from now on the profile gives its positions other angles.
     void changeZeroOfProfile()
     {
         const Angle by = chance(0.5) ? m_period : Angle::fromDegrees(uniform(-20.0, 20.0));
@@ -263,11 +264,11 @@ private:
     AxisGeometry m_axis;
     Angle m_period;
     bool m_outputEncoder = false;
-    double m_placeTurns = 1.0;  // of the drive, between two places that look the same to it
-    double m_motor = 0.0;       // where the axis really is, in the drive's turns
+    double m_placeTurns = 1.0;  // turns of the drive between two positions that look the same to the drive
+    double m_motor = 0.0;       // the true position of the axis, in turns of the drive
     double m_encoderZero = 0.0;
-    double m_shift = 0.0;        // from there to what the drive reports
-    double m_countedFrom = 0.0;  // where it stood when the drive began to count
+    double m_shift = 0.0;        // from there to the reported position
+    double m_countedFrom = 0.0;  // the position where the drive began to count
     std::uint32_t m_beginning = 1;
     HomeState m_home = HomeState::Rotor;
     QString m_drive = kAzimuthDrive;
@@ -283,7 +284,7 @@ private:
     double m_utcOffset = 0.0;
 };
 
-// REQ-MEMORY-10: What is certain is true, whatever happened to drive, computer, clocks and profile.
+// REQ-MEMORY-10: A position that is called certain is true, whatever happened to drive, computer, clocks and profile.
 TEST(ReconcileProperty, WhatIsCertainIsTrue)
 {
     constexpr int kCases = 100000;

@@ -6,7 +6,7 @@
 
 #include <ostream>
 
-// What the operator is asked when the turn of an axis is not certain: the candidates, the proposal and its evidence.
+// The question to the operator when the wrap of an axis is not certain: the candidates, the proposal and its evidence.
 namespace boresight::memory {
 namespace {
 
@@ -18,8 +18,8 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
 
-// REQ-MEMORY-08 (ReconcileQuestion.*): Else the operator is asked: all places, one of them proposed only where the
-// journal agrees, with the evidence in words.
+// REQ-MEMORY-08 (ReconcileQuestion.*): If the wrap is not certain, the operator is asked. The question lists all
+// possible positions, and the evidence in words. It proposes one of them only if the journal agrees.
 TEST(ReconcileQuestion, SaysWhatScenario10Says)
 {
     Scene scene;
@@ -44,7 +44,8 @@ TEST(ReconcileQuestion, MovedByHandHasNoDefault)
     EXPECT_THAT(scene.sentences(), Contains("There is no sensor to compare with"));
 }
 
-// Nobody can tell a whole turn from none: so it is a question, even when clean and proposed.
+// Nothing distinguishes a motion of a full turn from no motion. So Boresight asks, even after a clean end and with a
+// proposal.
 TEST(ReconcileQuestion, MovedByAFullTurnLooksUnmovedAndIsThereforeAsked)
 {
     EXPECT_THAT(Scene().powerCycledAt(45.0).question().proposed, proposes(405.0));
@@ -151,7 +152,7 @@ TEST(ReconcileQuestion, ManyCandidatesAreAllKept)
     Scene scene(Kind::HundredToOne);
     scene.frame.period = ambiguity(scene.axis, 0.001, false);
     scene.powerCycledAt(0.0);
-    EXPECT_EQ(scene.question().candidates.size(), 2333U);  // 840° of 0.36°
+    EXPECT_EQ(scene.question().candidates.size(), 2333U);  // 840° in steps of 0.36°
 }
 
 TEST(ReconcileQuestion, AgesAreTold)
@@ -183,10 +184,10 @@ struct OnlyCase
 class ReconcileOnlyPlace : public testing::TestWithParam<OnlyCase>
 {};
 
-// An elevation of 0…90° that stands at 30° when its power comes back. Another tool may have set its position since: one
-// look of the operator, one press.
-// REQ-MEMORY-07 (ReconcileOnlyPlace.*): The only wrap within the travel is proposed, where the encoder is on the
-// output and no journal contradicts it.
+// An elevation axis with a travel of 0…90° stands at 30° when its power comes back. Another tool may have set its
+// position meanwhile, so the operator looks once and confirms once.
+// REQ-MEMORY-07 (ReconcileOnlyPlace.*): If only one wrap lies within the travel, it is proposed where the encoder is on
+// the output and no journal contradicts it.
 TEST_P(ReconcileOnlyPlace, IsProposedUnlessTheJournalSpeaksAgainstIt)
 {
     const OnlyCase& test = GetParam();
@@ -226,8 +227,8 @@ TEST(ReconcileOnlyPlace, ARotorEncoderIsNotEnough)
     EXPECT_EQ(scene.sentences().front(), "The position that the drive reports is possible only at 30.0°");
 }
 
-// Scenario S10 with a mount of one turn: two places near the end, one elsewhere. Coasted or pushed, an axis stands
-// beyond its travel, in its stops.
+// Scenario S10 with a mount whose travel is one turn: two possible positions near the end, one elsewhere. An axis that
+// coasted or was pushed can stand beyond its travel, at its mechanical stops.
 TEST(ReconcileOnlyPlace, TheEndsOfTheTravelCountFifteenDegreesMore)
 {
     Scene scene;
@@ -240,7 +241,8 @@ TEST(ReconcileOnlyPlace, TheEndsOfTheTravelCountFifteenDegreesMore)
     EXPECT_THAT(scene.powerCycledAt(10.0).certain(), isAt(10.0)) << "the profile knows better";
 }
 
-// Story: an azimuth had coasted to 455.2°, its journal was gone, and 95.2° was certain: a full turn of cable.
+// Story: an azimuth had coasted to 455.2° and its journal was lost. 95.2° was called certain: wrong by a full turn of
+// the cable.
 TEST(ReconcileOnlyPlace, CoastedBeyondTheTravelItIsNotSureOfAnotherTurn)
 {
     Scene scene;

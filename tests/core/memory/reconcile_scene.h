@@ -11,10 +11,10 @@
 #include <string>
 #include <vector>
 
-// One axis with its journal, put together for the tests of reconcile(), and what reconcile() says of it.
+// One axis with its journal for the tests of reconcile(), and the result of reconcile().
 namespace boresight::memory {
 
-// The mount of scenario S10, with three kinds of drive. What the drive counts is the axis, from -0.5 to 0.5 of its
+// The mount of scenario S10, with three kinds of drive. The drive counts in turns of the axis, from -0.5 to 0.5 of its
 // ambiguity at power-up.
 enum class Kind
 {
@@ -28,7 +28,7 @@ inline double ratioOf(Kind kind)
     return kind == Kind::OutputEncoder ? 1.0 : kind == Kind::FiveToOne ? 0.2 : 0.01;
 }
 
-// Until its position is set.
+// The home state until the position is set.
 inline moteus::HomeState homeStateOf(Kind kind)
 {
     return kind == Kind::OutputEncoder ? moteus::HomeState::Output : moteus::HomeState::Rotor;
@@ -44,7 +44,8 @@ inline MotorTurns turnsAt(double degrees)
     return MotorTurns::fromTurns(degrees / 360.0);
 }
 
-// A journal of 12 minutes ago and a drive that has been on for an hour and counted all that time: unmoved at 405°.
+// A journal of 12 minutes ago, and a drive that has been on for an hour and counted all that time. The axis has not
+// moved from 405°.
 struct Scene
 {
     explicit Scene(Kind kind = Kind::OutputEncoder)
@@ -69,7 +70,8 @@ struct Scene
                    .host = {.boot = kBoot, .sinceBoot = std::chrono::hours(20)}}
     {}
 
-    // Power came back 34 s ago and the axis stands at `degrees`: the drive counts within half its ambiguity of zero.
+    // Power came back 34 s ago, and the axis stands at `degrees`. The count of the drive is within half its ambiguity
+    // of zero.
     Scene& powerCycledAt(double degrees)
     {
         const double places = std::round(degrees / frame.period.degrees());
@@ -78,7 +80,7 @@ struct Scene
         return *this;
     }
 
-    // Another tool has set its position, to `degrees` of the axis, while the axis stayed where it was.
+    // Another tool has set the position value to `degrees` of the axis. The axis did not move.
     Scene& setTo(double degrees)
     {
         frame.origin->offset = frame.origin->offset + (turnsAt(degrees) - frame.reported);
@@ -122,7 +124,7 @@ struct Scene
         return *asked;
     }
 
-    // In degrees; nothing if it is a question.
+    // In degrees, or nothing if the operator must be asked.
     [[nodiscard]] std::optional<double> certain() const
     {
         const Judgement judgement = judged();

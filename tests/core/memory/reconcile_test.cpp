@@ -8,8 +8,8 @@
 #include <cmath>
 #include <ostream>
 
-// When the turn of an axis is certain, and when it is not. What the operator is asked then:
-// reconcile_question_test.cpp.
+// When the wrap of an axis is certain, and when it is not. reconcile_question_test.cpp has the question to the operator
+// in that case.
 namespace boresight::memory {
 namespace {
 
@@ -45,7 +45,7 @@ TEST(Reconcile, ATrustedPositionIsTaken)
     scene.powerCycledAt(1.2).evidence.record.reset();
     scene.evidence.trusted = true;
     EXPECT_THAT(scene.certain(), isAt(1.2));
-    scene.frame.homeState = HomeState::Relative;  // it has not even looked at its encoder
+    scene.frame.homeState = HomeState::Relative;  // the drive has not read its encoder yet
     EXPECT_EQ(scene.certain(), std::nullopt);
 }
 
@@ -68,9 +68,10 @@ INSTANTIATE_TEST_SUITE_P(All, ReconcileKinds,
                                          KindCase{"HundredToOne", Kind::HundredToOne}),
                          [](const testing::TestParamInfo<KindCase>& test) { return test.param.name; });
 
-// The program was killed or ended, or the bus was cut: a powered drive counts on, clean or not, moved by hand or not.
-// REQ-MEMORY-05 (ReconcileKinds.*): A drive that kept its power, and whose position nobody set, counts on: also with
-// an axis that was moving, also when moved by hand.
+// The program was killed or ended, or the bus was cut. A drive with power counts on, after a clean end or not, moved by
+// hand or not.
+// REQ-MEMORY-05 (ReconcileKinds.*): A drive that kept its power, and whose position nobody set, counts on. This also
+// holds for an axis that was moving, and for one that was moved by hand.
 TEST_P(ReconcileKinds, APoweredDriveCountsOn)
 {
     for (const bool moving : {false, true}) {
@@ -83,7 +84,7 @@ TEST_P(ReconcileKinds, APoweredDriveCountsOn)
     }
 }
 
-// The turn may be kept on our side only: 405° is counted as 45°.
+// The wrap may be stored in the journal only: at 405° the drive counts 45°.
 TEST_P(ReconcileKinds, CountsOnFromTheJournalNotFromZero)
 {
     Scene scene(GetParam().kind);
@@ -129,7 +130,7 @@ TEST_P(ReconcileKinds, ADoubtMustBeAskedAboutAndNothingIsProposed)
     EXPECT_EQ(question.proposed, std::nullopt);
 }
 
-// `d nearest` and `d exact` shift the count without moving the axis: a record from before would be a turn or more off.
+// `d nearest` and `d exact` shift the count without moving the axis. An older record would be wrong by a turn or more.
 TEST_P(ReconcileKinds, APositionSetSinceTheJournalIsNotCountedOver)
 {
     for (const double place : {45.0, 405.0 - 3.6, 405.0 + 7.0, 100.0}) {
@@ -141,7 +142,8 @@ TEST_P(ReconcileKinds, APositionSetSinceTheJournalIsNotCountedOver)
     }
 }
 
-// Story: turned by hand by 216° and set back to the old number, the mount was certain, and wrong.
+// Story: the axis was turned by 216° by hand and its old position value was set again. Its position was called certain,
+// and was wrong.
 TEST_P(ReconcileKinds, MovedAndSetBackIsNotTakenForUnmoved)
 {
     Scene scene(GetParam().kind);
@@ -151,7 +153,7 @@ TEST_P(ReconcileKinds, MovedAndSetBackIsNotTakenForUnmoved)
     EXPECT_EQ(scene.question().proposed, std::nullopt);
 }
 
-// `d nearest` keeps what the encoder tells, `d exact` does not: then the operator can say any angle.
+// `d nearest` keeps the phase of the encoder, `d exact` does not. After `d exact` the operator may enter any angle.
 TEST(Reconcile, APhaseThatWasThrownAwayContradictsNobody)
 {
     EXPECT_FALSE(Scene(Kind::FiveToOne).setTo(333.0).question().candidates.empty());
@@ -160,7 +162,7 @@ TEST(Reconcile, APhaseThatWasThrownAwayContradictsNobody)
                 Contains("The drive does not know the position of the axis. Enter the angle"));
 }
 
-// A computer restarted without a time server knows nothing of the time, but a position that was set it still sees.
+// A computer that restarted without a time server does not know the time, but it still detects a position that was set.
 TEST_P(ReconcileKinds, APositionSetIsSeenWhateverTheClocksSay)
 {
     Scene scene(GetParam().kind);
@@ -171,7 +173,7 @@ TEST_P(ReconcileKinds, APositionSetIsSeenWhateverTheClocksSay)
     EXPECT_EQ(scene.question().proposed, std::nullopt);
 }
 
-// An encoder on the output that fell out and came back: the rotor's own was latched meanwhile.
+// The encoder on the output failed and came back. Meanwhile the drive used the encoder of the rotor.
 TEST(Reconcile, AZeroThatWasLostIsNotCountedOver)
 {
     Scene scene(Kind::HundredToOne);
@@ -179,7 +181,7 @@ TEST(Reconcile, AZeroThatWasLostIsNotCountedOver)
     EXPECT_THAT(scene.sentences(), Contains("The zero of the drive was set or lost after the journal was written"));
 }
 
-// With other settings of its encoders the drive counts from zero again, and any origin may come out.
+// With other encoder settings the drive counts from zero again, and its origin can have any value.
 TEST_P(ReconcileKinds, EncodersSetAnewAreNotCountedOver)
 {
     Scene scene(GetParam().kind);
@@ -202,7 +204,7 @@ TEST_P(ReconcileKinds, ADriveThatDoesNotTellItsOriginMustBeAskedAbout)
 TEST_P(ReconcileKinds, AChangedProfileIsNotCountedOver)
 {
     Scene scene(GetParam().kind);
-    scene.axis.offset = scene.frame.period;  // would look the same to a comparison within one place
+    scene.axis.offset = scene.frame.period;  // a comparison within one period would see no difference
     EXPECT_THAT(scene.sentences(),
                 Contains("Zero, direction or gear of the axis were changed after the journal was written"));
 }
@@ -213,7 +215,7 @@ TEST_P(ReconcileKinds, AnotherDriveIsNotCountedOver)
     scene.frame.drive = kElevationDrive;
     EXPECT_THAT(scene.sentences(), Contains(HasSubstr("The journal is of another drive (6f1c2a90-")));
     EXPECT_EQ(scene.question().proposed, std::nullopt);
-    scene.frame.drive.clear();  // who it is was not found out: two unknown drives are not the same
+    scene.frame.drive.clear();  // the identity of the drive is unknown, and two unknown drives are not the same
     scene.evidence.record->drive.clear();
     EXPECT_EQ(scene.question().proposed, std::nullopt);
 }
@@ -237,9 +239,9 @@ TEST(Reconcile, AnOutputEncoderThatWasNotFoundYetTellsNoDirection)
 
 // ---- clocks ------------------------------------------------------------------------------------------------------
 
-// The drive lost its power 10 min ago and the axis was turned by 360° meanwhile, so 405° would be wrong. The clock of
-// the computer says whatever it likes.
-// REQ-MEMORY-06 (ReconcileClock.*): No step or restart of a clock makes a restarted drive certain.
+// The drive lost its power 10 min ago, and meanwhile the axis was turned by 360°, so 405° would be wrong. The clock of
+// the computer may show any time.
+// REQ-MEMORY-06 (ReconcileClock.*): No step or restart of a clock makes the position of a restarted drive certain.
 TEST(ReconcileClock, NoStepOfTheClockMakesARestartedDriveCertain)
 {
     for (int step = -100000; step <= 100000; step += 7) {
@@ -250,8 +252,8 @@ TEST(ReconcileClock, NoStepOfTheClockMakesARestartedDriveCertain)
     }
 }
 
-// Worst of all: a computer without a battery clock and a drive on one switch. Both start together, the clock always at
-// the same time, so that by UTC the drive of today began just when the one of the record did.
+// The worst case: a computer without a clock battery and a drive share one switch. They start together, and the clock
+// always starts at the same time. So by UTC today's drive started just when the drive of the record did.
 TEST(ReconcileClock, AComputerThatStartsAtTheSameTimeEachDayIsNoWitness)
 {
     Scene scene(Kind::HundredToOne);
@@ -284,7 +286,7 @@ TEST(ReconcileClock, ARecordOfTheFutureIsNotCountedOn)
     EXPECT_THAT(scene.sentences(), Contains("The journal has 405.0°, written at standstill"));
 }
 
-// A step forward by less than the drive has been on does no harm: the steady clock says what time went by.
+// A step forward that is shorter than the drive has been on does no harm: the steady clock shows the elapsed time.
 TEST(ReconcileClock, ASmallStepDoesNoHarmWhileTheComputerRuns)
 {
     EXPECT_THAT(Scene().clockStepped(minutes(40)).certain(), isAt(405.0));
@@ -292,8 +294,8 @@ TEST(ReconcileClock, ASmallStepDoesNoHarmWhileTheComputerRuns)
     EXPECT_EQ(Scene().clockStepped(hours(2)).certain(), std::nullopt);
 }
 
-// The steady clock may stand still while the computer sleeps. 3 h of sleep; the drive was restarted an
-// hour ago, which by the steady clock would fit it having been on all the time.
+// The steady clock may stop while the computer is suspended, here for 3 h. The drive restarted an hour ago. By the
+// steady clock it could have been on all the time.
 TEST(ReconcileClock, ASleepOfTheComputerIsSeenByUtc)
 {
     Scene scene(Kind::HundredToOne);
@@ -314,7 +316,7 @@ TEST(ReconcileClock, TheDrivesOscillatorMayBeOffByTwoPercent)
     EXPECT_THAT(scene.sentences(), Contains(HasSubstr("The clocks of the drive and of this computer disagree")));
 }
 
-// 12 min × 1.02 + 5 s = 739.4 s: a drive on for just longer was on before the record.
+// 12 min × 1.02 + 5 s = 739.4 s: a drive that has been on just longer was on before the record.
 TEST(ReconcileClock, TheDriveMustHaveStartedClearlyBeforeTheRecord)
 {
     const auto uptimes = [](double now) {
@@ -336,7 +338,7 @@ TEST(ReconcileClock, AnUptimeThatStartedAgainIsNotTakenForARestartNorForProof)
     EXPECT_THAT(scene.sentences(), Contains(HasSubstr("The clock of the drive restarts every 49.7 days")));
     EXPECT_THAT(scene.sentences(), Not(Contains(HasSubstr("restarted"))));
     EXPECT_THAT(scene.question().proposed, proposes(405.0));
-    // Both on the same side of it: nothing special.
+    // Both times are on the same side of the overflow: nothing special.
     scene.evidence.record->uptime = period - Seconds(hours(1));
     scene.frame.uptime = period - Seconds(minutes(48));
     EXPECT_THAT(scene.certain(), isAt(405.0));
@@ -352,9 +354,8 @@ TEST(ReconcileClock, RubbishInTheNumbersIsNeverCertain)
     scene.frame.reported = MotorTurns::fromTurns(nan);
     EXPECT_TRUE(scene.question().candidates.empty());
     scene = Scene(Kind::HundredToOne);
-    scene.evidence.record->host.sinceBoot =
-        hours(20) + minutes(1);  // later than now on a clock that only goes forward,
-    scene.frame.uptime = scene.evidence.record->uptime - minutes(1);  // and the drive seems to agree
+    scene.evidence.record->host.sinceBoot = hours(20) + minutes(1);  // later than now on a clock that only goes forward
+    scene.frame.uptime = scene.evidence.record->uptime - minutes(1);  // and the uptime of the drive seems to agree
     EXPECT_EQ(scene.certain(), std::nullopt);
     for (const double period : {0.0, nan, -3.6, 1e-9}) {
         scene = Scene(Kind::HundredToOne);

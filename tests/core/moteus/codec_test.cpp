@@ -14,7 +14,7 @@ namespace {
 
 using golden::toHex;
 
-// What the station sends each cycle: everything a drive needs to be safe, and the full report back.
+// The request of the station in each cycle: everything that a drive needs to be safe, and a query of the full report.
 Request trackingRequest()
 {
     PositionCommand command;
@@ -41,7 +41,7 @@ TEST(MoteusCodec, TrackingCommandAndFullReportFitOneFrame)
               "11001f01160415071e38114014060a");  // the report
 }
 
-// In the same frame and before the command counts: the drive collects the command until the frame ends.
+// In the same frame and before the command takes effect: the drive collects the command until the end of the frame.
 TEST(MoteusCodec, APositionCommandCanRestartTheControlWhereTheAxisIs)
 {
     const auto writes = registerWrites(PositionCommand{.position = kKeepControlPosition, .recapture = true});
@@ -97,7 +97,7 @@ TEST(MoteusCodec, BenchModesWriteTheirRegisters)
     EXPECT_EQ(payload(VoltageDqCommand{.d = {}, .q = volts}), "010008011b18");
 }
 
-// REQ-MOTEUS-08: UUID masks come first, broadcast reaches every drive, a mismatch discards the frame.
+// REQ-MOTEUS-08: UUID masks come first, a broadcast reaches every drive, and a mismatch discards the frame.
 TEST(MoteusCodec, UuidMaskComesBeforeTheCommand)
 {
     const auto frame = encode({.destination = kBroadcastId,
@@ -119,9 +119,9 @@ TEST(MoteusCodec, HighUuidWordsKeepTheirBits)
     EXPECT_EQ(toHex(frame->payload()), "09d40298badcfe");
 }
 
-// REQ-MOTEUS-06: Refused with a reason: a request over 64 bytes, an unanswerable query (over 64 bytes, or a block that
-// would begin after byte 41, which the drive drops without a word), a register that cannot be read, an impossible id.
-// What is not refused is answered in full.
+// REQ-MOTEUS-06: These are refused with a reason: a request over 64 bytes, a query that cannot be answered, a register
+// that cannot be read, and an impossible id. A reply over 64 bytes cannot be sent. The drive drops a block that would
+// begin after byte 41 without an error. Everything else is answered completely.
 TEST(MoteusCodec, RefusesWhatDoesNotFitTheRequest)
 {
     Request request = trackingRequest();
@@ -140,7 +140,7 @@ TEST(MoteusCodec, RefusesWhatDoesNotFitTheRequest)
 // REQ-MOTEUS-06
 TEST(MoteusCodec, RefusesAQueryWhoseTailWouldBeMissing)
 {
-    Query query = rotatorQuery();  // 55 bytes: one more block would start too late
+    Query query = rotatorQuery();  // 55 bytes: one more block would begin too late
     EXPECT_TRUE(checkAnswerable(query));
     query.push_back({Register::PositionError, Resolution::Float});
     const auto frame = encode({.query = query});
@@ -201,7 +201,7 @@ TEST(MoteusCodec, NonsenseInAReplyIsNoValue)
     EXPECT_EQ(reply->uuid(), std::nullopt);
 }
 
-// Found by the fuzzer: an infinite position went up to the station as if it were measured.
+// Found by the fuzzer: an infinite position reached the station as a measured value.
 TEST(MoteusCodec, AnInfiniteNumberIsNoValue)
 {
     CanFrame frame{.id = 0x100};

@@ -11,8 +11,8 @@
 namespace boresight::moteus {
 namespace {
 
-// The end of the record "motor_position" as fw/motor_position.h of April 2026 serialises it: 0.625 turns reported,
-// -0.25 counted since power-up.
+// The end of the record "motor_position" as serialised by fw/motor_position.h of April 2026: 0.625 turns reported,
+// -0.25 turns counted since power-up.
 const std::vector<std::uint8_t> kRecord{3, 1, 1,                                // epoch, valid, ever valid
                                         0, 0, 0,    0,    0, 0xc0, 0xff, 0xff,  // -0.25 * 2^48
                                         0, 0, 0x80, 0xbe,                       // -0.25f
@@ -28,8 +28,8 @@ std::string telemetry(const std::vector<std::uint8_t>& end, std::size_t before =
     return '\0' + std::string(before, '\x5a') + std::string(end.begin(), end.end());
 }
 
-// REQ-MOTEUS-11 (CountOrigin.*): What a drive's position counts from is read from the end of its telemetry record,
-// whatever comes before, and from nothing that is no such record. Telemetry comes as lines or as a block of bytes.
+// REQ-MOTEUS-11 (CountOrigin.*): The origin of a drive's position is read from the end of its telemetry record,
+// whatever comes before. Other records are refused. Telemetry arrives as lines or as a block of bytes.
 TEST(CountOrigin, IsReadFromTheEndWhateverTheEncodersTake)
 {
     for (const std::size_t before : {std::size_t{0}, std::size_t{1}, std::size_t{178}, std::size_t{500}}) {
@@ -43,7 +43,7 @@ TEST(CountOrigin, IsReadFromTheEndWhateverTheEncodersTake)
 TEST(CountOrigin, DoesNotChangeWhenTheCountersRunOver)
 {
     auto record = kRecord;
-    // +32767.75 and, 0.875 turns on, -32767.375: 65536 turns less.
+    // +32767.75, and after 0.875 turns more -32767.375: the count wraps by 65536 turns.
     const std::vector<std::uint8_t> relative{0, 0, 0, 0, 0, 0xc0, 0xff, 0x7f, 0x80, 0xff, 0xff, 0x46};
     const std::vector<std::uint8_t> position{0, 0, 0, 0, 0, 0xa0, 0x00, 0x80, 0xc0, 0xfe, 0xff, 0xc6};
     std::ranges::copy(relative, record.begin() + 3);
@@ -53,7 +53,7 @@ TEST(CountOrigin, DoesNotChangeWhenTheCountersRunOver)
     EXPECT_EQ(origin->offset.turns(), 0.875);
 }
 
-// A record that is laid out otherwise would give any number.
+// A record with another layout would give an arbitrary number.
 TEST(CountOrigin, IsNotReadFromWhatIsNoSuchRecord)
 {
     EXPECT_FALSE(countOrigin(""));

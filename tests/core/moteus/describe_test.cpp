@@ -54,7 +54,7 @@ TEST(MoteusDescribe, ShowsIdentityAsBitsAndTextAsText)
               "padding 2\n");
 }
 
-// Found by the fuzzer: identity registers exist as i32 only, but a damaged frame may claim anything.
+// Found by the fuzzer: identity registers exist as i32 only, but a damaged frame may contain any type.
 TEST(MoteusDescribe, IdentityAsAnythingElseIsAPlainNumber)
 {
     EXPECT_EQ(words(0x100, "2dd00200003b7c"), "reply of drive 1 to 0\nreply 0x150 UUID 1 3.88383805e+36 (f32)\n");

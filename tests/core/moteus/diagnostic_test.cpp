@@ -14,7 +14,7 @@ namespace {
 
 using Lines = DiagnosticClient::Lines;
 
-// A client and a drive's console with a bus between them that the test disturbs.
+// A client and the console of a drive, with a bus in between that the test disturbs.
 class MoteusDiagnostic : public testing::Test
 {
 protected:
@@ -74,15 +74,15 @@ protected:
     FrameServer server;
     DiagnosticClient client{{.destination = 1, .maxEmptyAnswers = 20}};
     bool oldFirmware = false;
-    bool repeatsReplies = false;  // the one before comes once more, late
+    bool repeatsReplies = false;  // the previous reply arrives once more, late
     std::optional<Reply> previous;
     std::function<bool(int)> isLost = [](int) { return false; };
     int frames = 0;
     std::string received;
 };
 
-// REQ-MOTEUS-09 (MoteusDiagnostic.*): Console answers arrive whole through lost replies. Old firmware without flow
-// control works, and a lost reply there is an error, not a shortened answer. Every wait ends.
+// REQ-MOTEUS-09 (MoteusDiagnostic.*): Console answers arrive complete in spite of lost replies. Old firmware without
+// flow control works. There a lost reply is an error, not a shortened answer. Every wait ends.
 // REQ-MOTEUS-11
 TEST_F(MoteusDiagnostic, TelemetryIsABlockOfBytesOrLines)
 {

@@ -22,7 +22,7 @@ void require(bool holds, const char* promise, const CanFrame& frame)
     }
 }
 
-// Only the shortest form of a number is ever written; a frame with an overlong one reads well but differs.
+// Only the shortest form of a number is ever written. A frame with a longer form can be read, but differs.
 void exerciseSubframes(const CanFrame& frame)
 {
     SubframeReader reader(frame.payload());

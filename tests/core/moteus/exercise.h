@@ -8,12 +8,12 @@
 
 namespace boresight::moteus {
 
-// Gives one frame, however damaged, to everything that reads frames, and aborts if a promise is broken: what is read
-// completely writes back byte for byte, a served reply has a legal length, words come out for every frame. Shared by
-// the seeded mutation test and tests/fuzz.
+// Gives one frame, possibly damaged, to everything that reads frames, and aborts if a promise is broken. A frame that
+// was read completely is written back byte for byte. A reply has a legal length. Every frame can be described in words.
+// Used by the seeded mutation test and by tests/fuzz.
 void exercise(const CanFrame& frame);
 
-// Four bytes of identifier, then at most 64 of payload.
+// Four bytes of identifier, then at most 64 bytes of payload.
 [[nodiscard]] CanFrame frameFromBytes(std::span<const std::uint8_t> bytes);
 
 }  // namespace boresight::moteus

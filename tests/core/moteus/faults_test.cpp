@@ -45,7 +45,7 @@ TEST(MoteusFaults, EveryDefinedCodeTellsNameMeaningCauseAndRemedy)
     EXPECT_EQ(names.size(), 37U);  // 0..7, 32..50, 96..105
 }
 
-// What asks for the re-arm in any language goes by this flag, not by the words.
+// This flag, not the words, marks a remedy that asks for a re-arm, so it works in every language.
 TEST(MoteusFaults, ARemedyThatSaysWhenToReArmIsMarked)
 {
     for (const int code : definedCodes()) {

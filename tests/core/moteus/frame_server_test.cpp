@@ -38,7 +38,7 @@ TEST_F(MoteusFrameServer, RepliesInTheMannerOfTheRequest)
     EXPECT_FALSE(server.serve(request, {}, device)->bitRateSwitch);
     request.flexibleData = false;
     EXPECT_FALSE(server.serve(request, {}, device)->flexibleData);
-    request.setPayload(std::vector<std::uint8_t>{0x1f, 0x01});  // 14 bytes of answer: classic CAN cannot carry them
+    request.setPayload(std::vector<std::uint8_t>{0x1f, 0x01});  // the reply has 14 bytes, too many for classic CAN
     EXPECT_TRUE(server.serve(request, {}, device)->flexibleData);
 }
 
@@ -119,11 +119,11 @@ TEST_F(MoteusFrameServer, TextStaysWithinTheRoomOfItsReply)
     device.text = std::string(100, 'x');
     EXPECT_EQ(decodeReply(*ask("42013d"))->texts[0].text.size(), 39U);
     EXPECT_EQ(decodeReply(*ask("4401003d"))->texts[0].text.size(), 38U);
-    // Behind 33 bytes of registers only a little is left, but the poll is answered.
+    // After 33 bytes of registers only a little room is left, but the poll is answered.
     EXPECT_EQ(decodeReply(*ask("1c080042013d"))->texts[0].text.size(), 4U);
 }
 
-// 8 x f32 (35 bytes) and one i32 (6): the next block starts at byte 41, the last place where one may.
+// 8 x f32 (35 bytes) and one i32 (6): the next block starts at byte 41, the last permitted place.
 // REQ-MOTEUS-06
 TEST_F(MoteusFrameServer, TheLastBlockMayStartAtByte41ButNotLater)
 {
@@ -146,7 +146,7 @@ TEST_F(MoteusFrameServer, TheLastBlockMayStartAtByte41ButNotLater)
     EXPECT_EQ(decodeReply(*reply)->values.size(), query.size() - 1);
 }
 
-// A query the client thinks answerable is answered in full, with the predicted size.
+// A query that the client considers answerable is answered completely, with the predicted size.
 // REQ-MOTEUS-06
 TEST_F(MoteusFrameServer, EveryAnswerableQueryIsAnsweredInFull)
 {

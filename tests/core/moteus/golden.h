@@ -12,11 +12,11 @@
 #include <string>
 #include <vector>
 
-// The recorded exchanges of tests/data/moteus_golden.json, or of the file named by MOTEUS_GOLDEN (same schema; its
-// "about" key explains it).
+// The recorded exchanges of tests/data/moteus_golden.json, or of the file named by MOTEUS_GOLDEN. It has the same
+// schema, and its "about" key explains it.
 namespace boresight::moteus::golden {
 
-// One list of the file ("commands", "replies", …); an unreadable or empty one fails the running test.
+// One list of the file ("commands", "replies", …). If it is unreadable or empty, the running test fails.
 [[nodiscard]] QJsonArray vectors(const char* list);
 
 [[nodiscard]] std::string text(const QJsonObject& object, const char* key);
@@ -31,7 +31,7 @@ namespace boresight::moteus::golden {
 // The payload in a frame, not padded.
 [[nodiscard]] CanFrame frame(std::uint32_t id, const std::vector<std::uint8_t>& payload);
 
-// Every payload in the file, requests and replies alike.
+// Every payload in the file, both requests and replies.
 [[nodiscard]] std::vector<CanFrame> allFrames();
 
 }  // namespace boresight::moteus::golden

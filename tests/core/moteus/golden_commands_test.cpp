@@ -14,7 +14,7 @@ namespace {
 
 using golden::toHex;
 
-// The recorded fields of one command, with the resolutions they travel in.
+// The recorded fields of one command, with the resolutions in which they are sent.
 class Fields
 {
 public:
@@ -97,7 +97,7 @@ const QHash<QString, MakeCommand>& commandsByName()
     return commands;
 }
 
-// JSON objects are sorted by key, which for the recorded names is not the order of the registers.
+// JSON objects are sorted by key. For the recorded names this is not the order of the registers.
 Query queryOf(const QJsonObject& formats)
 {
     Query query;
@@ -147,13 +147,15 @@ void forEachRegisterCommand(Check check)
     }
 }
 
-// REQ-MOTEUS-01 (GoldenCommands.*): Commands become exactly the recorded bytes, identifier and padding, and read back.
+// REQ-MOTEUS-01 (GoldenCommands.*): Commands are encoded to exactly the recorded bytes, identifier and padding, and can
+// be read back.
 TEST(GoldenCommands, EncodeToTheRecordedFrames)
 {
     forEachRegisterCommand([](const QJsonObject& vector, const Request& request) {
         const auto frame = encode(request);
         if (const auto answerable = checkAnswerable(request.query); !answerable) {
-            // The recorded client sends queries whose tail the drive leaves out; ours refuses and says so.
+            // The recorded client sends queries whose last part the drive leaves out. Ours refuses them and gives the
+            // reason.
             ASSERT_FALSE(frame);
             EXPECT_EQ(frame.error(), answerable.error());
             return;
@@ -180,7 +182,7 @@ TEST(GoldenCommands, BuildTheRecordedPayloadAndReplySize)
     });
 }
 
-// What travelled is the commanded value, short of it by less than one step, or saturated, or unset.
+// The value that arrives is the commanded value, or less by under one step, or saturated, or unset.
 void expectArrived(const RegisterValue& sent, const RegisterValue& arrived)
 {
     EXPECT_EQ(sent.reg, arrived.reg);

@@ -9,10 +9,10 @@
 namespace boresight::moteus {
 namespace {
 
-// exercise() aborts on a broken promise, and the sanitizers on a bad access.
-// REQ-MOTEUS-10 (GoldenMutation.*): Nothing received can crash: every truncation of every recorded frame, 20,000
-// seeded mutations, and random inputs. The latter found an identity register sent as f32 whose value did not fit an
-// integer, and an infinite position that counted as measured.
+// exercise() aborts on a broken promise, and the sanitizers abort on a bad access.
+// REQ-MOTEUS-10 (GoldenMutation.*): No received frame can crash the program: every truncation of every recorded frame,
+// 20,000 seeded mutations, and random inputs. The random inputs found an identity register sent as f32 whose value did
+// not fit an integer, and an infinite position that counted as measured.
 TEST(GoldenMutation, EveryTruncationIsSurvived)
 {
     int tried = 0;
@@ -53,7 +53,7 @@ private:
             case 1:  // any byte
                 frame.data[place] = static_cast<std::uint8_t>(below(256));
                 break;
-            case 2:  // any length, with whatever stands behind
+            case 2:  // any length, with the bytes that are there
                 frame.size = static_cast<std::uint8_t>(below(kMaxCanPayload + 1));
                 break;
             case 3:  // the tail of another frame
@@ -69,7 +69,7 @@ private:
         }
     }
 
-    std::mt19937 m_random{20261121};  // seeded: a failure can be repeated
+    std::mt19937 m_random{20261121};  // seeded, so that a failure can be repeated
     std::vector<CanFrame> m_frames;
 };
 

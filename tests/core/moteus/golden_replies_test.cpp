@@ -31,8 +31,8 @@ void expectSame(double expected, double actual)
     }
 }
 
-// REQ-MOTEUS-02 (GoldenReplies.*): Recorded replies decode to their values and encode back. Every recorded frame,
-// taken apart into subframes, writes back byte for byte.
+// REQ-MOTEUS-02 (GoldenReplies.*): Recorded replies are decoded to their values and encoded back. Every recorded frame,
+// split into subframes, is written back byte for byte.
 TEST(GoldenReplies, DecodeToTheRecordedValues)
 {
     for (const QJsonValue& value : golden::vectors("replies")) {
@@ -52,8 +52,8 @@ TEST(GoldenReplies, DecodeToTheRecordedValues)
     }
 }
 
-// The recorded values, encoded as a drive would, give the recorded payload: same blocks, each integer at most one
-// step away (truncation meets values that are not exact in binary).
+// The recorded values, encoded as by a drive, give the recorded payload: the same blocks, with each integer at most one
+// step away. (Truncation affects values that are not exact in binary.)
 TEST(GoldenReplies, EncodeBackToTheRecordedBlocks)
 {
     int checked = 0;

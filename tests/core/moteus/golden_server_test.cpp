@@ -23,8 +23,8 @@ RecordingDevice deviceOf(const QJsonObject& vector)
     return device;
 }
 
-// The console text waiting in the recorded drive: the recording does not say, but the response does. A packet with
-// flow control stays until the next one is asked for; a full chunk left some text behind.
+// The console text that waits in the recorded drive. It is not recorded, but follows from the response. A packet with
+// flow control stays until the next one is requested. A full chunk means that more text was waiting.
 class RecordedConsole
 {
 public:
@@ -84,9 +84,9 @@ bool isTunnel(const QJsonObject& vector)
     return golden::bytes(vector, "request").front() >> 4 == 4;
 }
 
-// The tunnel cases at the end are one conversation, so one server plays them all.
-// REQ-MOTEUS-03: A drive answers the recorded requests with the recorded replies, accepts the recorded writes, and
-// keeps silent where the recording does.
+// The tunnel cases at the end are one conversation, so one server plays all cases.
+// REQ-MOTEUS-03: A drive answers the recorded requests with the recorded replies, accepts the recorded writes, and is
+// silent where the recording is silent.
 TEST(GoldenServer, AnswersAsRecorded)
 {
     FrameServer server;

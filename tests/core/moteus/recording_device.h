@@ -9,7 +9,8 @@
 #include <utility>
 #include <vector>
 
-// A served device that holds what the test puts in and remembers what it was told. Registers without a value read 0.
+// A served device that holds the values that the test sets and keeps what was written. Registers without a value read
+// 0.
 namespace boresight::moteus {
 
 class RecordingDevice final : public ServedDevice

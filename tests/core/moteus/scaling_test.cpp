@@ -25,8 +25,8 @@ std::int32_t asInt32(double value, Kind kind, Side side = Side::Client)
     return static_cast<std::int32_t>(toWire(value, kind, Resolution::Int32, side));
 }
 
-// REQ-MOTEUS-04 (MoteusScaling.*): Both sides truncate towards zero. Finite values saturate, the others become the
-// most negative integer. Whole-number registers have no such sentinel.
+// REQ-MOTEUS-04 (MoteusScaling.*): Both sides truncate towards zero. Finite values saturate. Other values become the
+// most negative integer, except in whole-number registers.
 TEST(MoteusScaling, TruncatesTowardsZeroOnBothSides)
 {
     EXPECT_EQ(asInt8(0.29, Kind::Position), 28);  // 0.29 / 0.01 is just under 29 in double
@@ -63,7 +63,7 @@ TEST(MoteusScaling, IntegersHaveNoSentinelAndWrapInTheDrive)
     EXPECT_EQ(fromWire(0x80, Kind::Integer, Resolution::Int8), -128);
     EXPECT_EQ(asInt8(2044, Kind::Integer, Side::Device), static_cast<std::int8_t>(2044));
     EXPECT_EQ(asInt8(2044, Kind::Integer), 127);
-    EXPECT_EQ(asInt32(2147483649.0, Kind::Counter), -2147483647);  // the counter overflows on purpose
+    EXPECT_EQ(asInt32(2147483649.0, Kind::Counter), -2147483647);  // the counter overflows by design
     EXPECT_EQ(asInt32(-12345, Kind::Identity), -12345);
 }
 
@@ -83,7 +83,8 @@ TEST(MoteusScaling, EveryValueComesBackWithinOneStep)
     }
 }
 
-// REQ-MOTEUS-05 (MoteusRegisters.*): The map is complete. Faults, limits and modes have words. Limits are no faults.
+// REQ-MOTEUS-05 (MoteusRegisters.*): The register map is complete. Faults, limits and modes have words. Limits are no
+// faults.
 TEST(MoteusRegisters, EveryRegisterHasItsOwnNameAndTheMapsAccess)
 {
     std::set<std::string> names;
@@ -102,7 +103,7 @@ TEST(MoteusRegisters, EveryRegisterHasItsOwnNameAndTheMapsAccess)
         readable += isReadable(reg) ? 1 : 0;
         writable += isWritable(reg) ? 1 : 0;
     }
-    // Counted by hand in the register map: all but the id (0), four triggers and four mask words can be read.
+    // Counted by hand in the register map: all can be read except the id (0), four triggers and four mask words.
     EXPECT_EQ(names.size(), 120U);
     EXPECT_EQ(readable, 111);
     EXPECT_EQ(writable, 58);

@@ -146,7 +146,7 @@ TEST(MoteusArbitration, IdentifiersAbove0x7ffAreExtended)
     EXPECT_FALSE(extended({.source = 0, .destination = 1}));
     EXPECT_TRUE(extended({.replyWanted = true, .source = 0, .destination = 1}));
     EXPECT_FALSE(extended({.source = 7, .destination = 0x7f}));  // a reply of drive 7
-    EXPECT_TRUE(extended({.source = 8, .destination = 0}));      // of drive 8
+    EXPECT_TRUE(extended({.source = 8, .destination = 0}));      // a reply of drive 8
 }
 
 TEST(MoteusArbitration, ADriveTakesItsIdAndTheBroadcastUnderItsPrefix)

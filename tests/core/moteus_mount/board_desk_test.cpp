@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Boards from the factory get their id and their gear.
+// Boards from the factory receive their id and their gear ratio.
 #include "tests/core/moteus_mount/care_rig.h"
 
 #include <gmock/gmock.h>
@@ -20,9 +20,9 @@ void connectAlone(CareRig& rig, Axis axis)
     rig.run(Seconds(5.0));
 }
 
-// REQ-SURVEY-955: Two boards from the factory get their ids one after the other by requests of the operator, who
-// confirms the board by its UUID. The station permits it only while one board is connected, no drive is on and nothing
-// moves. Meanwhile nothing else is done to the drives.
+// REQ-SURVEY-955: Two boards from the factory receive their ids one after the other. The operator requests this and
+// confirms each board by its UUID. The station permits it only while one board is connected, no drive is on and nothing
+// moves. Meanwhile no other command goes to the drives.
 TEST(BoardDesk, TwoBoardsFromTheFactoryGetTheirIds)
 {
     CareRig rig(sim::factoryPair());
@@ -65,8 +65,8 @@ TEST(BoardDesk, AnotherBoardThanTheConfirmedOneIsRefused)
     EXPECT_THAT(rig.refusal(assign), HasSubstr("is not the board that you confirmed"));
 }
 
-// REQ-SURVEY-956: A gear ratio that differs from the profile is written on the request of the operator, with what else
-// depends on it said before. Never while a drive is on.
+// REQ-SURVEY-956: A gear ratio that differs from the profile is written on request of the operator, after a text about
+// the other settings that depend on it. It is never written while a drive is on.
 TEST(BoardDesk, TheGearOfAFactoryBoardIsWrittenAndRead)
 {
     sim::PairSettings settings = sim::factoryPair();

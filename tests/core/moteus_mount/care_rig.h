@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-// The drive check and the control of motion together, on drives with consoles of their own.
+// The drive check and the control of motion together, on drives with their own consoles.
 namespace boresight {
 
 inline constexpr Seconds kDriveCareTick{0.02};
@@ -57,7 +57,7 @@ struct CareRig
         return drives().survey == state;
     }
 
-    // And the station has heard what came of it.
+    // Runs until the check is done and the station has received its result.
     [[nodiscard]] bool endsItsSurvey()
     {
         const bool ended = reaches(SurveyState::Done);
@@ -79,14 +79,14 @@ struct CareRig
         return may.reason(action).toStdString();
     }
 
-    // Before the control is asked.
+    // The refusal of the drive check, before the control is asked.
     [[nodiscard]] std::string refusal(const Request& request) const
     {
         const Result<> may = care.admits(request);
         return may ? std::string() : textOf(may.error());
     }
 
-    // As the station does it; empty when accepted.
+    // Handles a request as the station does. Empty when accepted, else the reason.
     std::string ask(const Request& request)
     {
         const Result<> answer =
@@ -94,7 +94,7 @@ struct CareRig
         return answer ? std::string() : textOf(answer.error());
     }
 
-    // As the station does it.
+    // Applies a profile as the station does.
     void setProfile(const profile::Profile& wanted)
     {
         const auto before = inForce.shared();

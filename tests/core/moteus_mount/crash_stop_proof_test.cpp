@@ -16,7 +16,7 @@ constexpr TravelRange kAzimuthTravel{-90_deg, 450_deg};
 constexpr TravelRange kElevationTravel{0_deg, 90_deg};
 constexpr Seconds kCrashStopProofTick{0.02};
 
-// Both axes run when told, and, starved, go on for `watchdog` and then brake at `deceleration`.
+// Both axes run when commanded. Without commands they run on for `watchdog` and then brake at `deceleration`.
 class Mount
 {
 public:
@@ -24,7 +24,7 @@ public:
         : m_watchdog(watchdog), m_deceleration(deceleration)
     {}
 
-    // The stops measured until the proof is over, at most a minute.
+    // The stops measured until the test is over, for at most a minute.
     std::vector<CrashStopProof::Stop> run(CrashStopProof proof)
     {
         std::vector<CrashStopProof::Stop> stops;
@@ -86,7 +86,8 @@ CrashStopProof proofAt(AngularRate rate)
     return *proof;
 }
 
-// REQ-AXES-20 (CrashStopProof.*): A crash stop can be proven: the drive really receives no commands.
+// REQ-AXES-20 (CrashStopProof.*): The crash-stop test measures how each axis stops when its drive really receives no
+// commands.
 TEST(CrashStopProof, MeasuresWhereAndWhenBothAxesStand)
 {
     Mount mount;
@@ -95,7 +96,7 @@ TEST(CrashStopProof, MeasuresWhereAndWhenBothAxesStand)
     EXPECT_TRUE(mount.failure.isEmpty()) << mount.failure.toStdString();
     ASSERT_EQ(stops.size(), 2U);
     for (const CrashStopProof::Stop& stop : stops) {
-        // 0.1 s at 2°/s, then 2²/(2·20) = 0.1° in 0.1 s; both to within a tick.
+        // 0.1 s at 2°/s, then 2²/(2·20) = 0.1° in 0.1 s, both within one tick.
         EXPECT_NEAR(stop.angle.degrees(), 0.3, 0.06);
         EXPECT_NEAR(static_cast<double>(stop.time.count()), 200.0, 40.0);
         EXPECT_EQ(stop.rate, 2_deg_s);

@@ -22,9 +22,10 @@ sim::PairSettings dampingElevation()
     return pair;
 }
 
-// REQ-CONTROL-18 (DriveCare.*): Nothing moves before the drives were checked and their safety settings are right, nor
-// any longer than they are.
-// REQ-CONTROL-21 (DriveCare.*): The bus can be left to other tools. On return the drives are read again.
+// REQ-CONTROL-18 (DriveCare.*): Nothing moves before the drive check has found the safety settings right. If they
+// become wrong, motion ends.
+// REQ-CONTROL-21 (DriveCare.*): The bus can be released to other tools. When it is taken back the drives are read
+// again.
 TEST(DriveCare, NothingMovesBeforeTheDrivesWereSurveyed)
 {
     CareRig rig;
@@ -86,8 +87,8 @@ TEST(DriveCare, FixingMakesTheDrivesFitAndEndsTheAlarm)
     EXPECT_EQ(rig.ask(kGo), "");
 }
 
-// Story: with a new speed in force, the drives' limits were judged, shown and written by Fix for the speed of the
-// start.
+// Story: a new speed was in effect, but the limits of the drives were checked, shown and written by Fix for the speed
+// at the start.
 TEST(DriveCare, TheProtectionsAreThoseOfTheProfileInForce)
 {
     CareRig rig;
@@ -121,7 +122,7 @@ TEST(DriveCare, WhatIsReadOrRightIsNotOfferedAgain)
     EXPECT_EQ(rig.ask(request::ReadDrives{}), "");
 }
 
-// A drive that is written while it is active lets its axis go (fault 41).
+// A drive that is written while it is active loses its torque (fault 41).
 TEST(DriveCare, NothingIsWrittenWhileADriveIsSwitchedOn)
 {
     CareRig rig;
@@ -164,8 +165,8 @@ TEST(DriveCare, ADriveThatLostItsPowerIsSurveyedAndItsTurnJudgedAnew)
     EXPECT_TRUE(rig.alarm("cable wrap of the azimuth drive is unknown"));
 }
 
-// Story: each time that a silent drive came back its turn was an alarm, until the survey had found that it was the
-// same.
+// Story: each time a silent drive came back, its wrap raised an alarm until the drive check had found that it was
+// unchanged.
 TEST(DriveCare, ATurnIsNoAlarmBeforeTheSurveyCouldTellIt)
 {
     CareRig rig;
@@ -202,8 +203,8 @@ TEST(DriveCare, OnAReleasedBusNothingIsSaidAndChangesAreToldAfterwards)
     EXPECT_THAT(rig.ask(kGo), HasSubstr("servo.timeout_mode is 12"));
 }
 
-// Story: the screen said "no reply" for ever: each of two boards with the id 1 destroyed the other's answers, and the
-// survey that knows the one question both can answer waited for a drive to answer.
+// Story: the screen showed "no reply" for ever. Each of two boards with the id 1 destroyed the replies of the other.
+// The drive check knows the one query that both can answer, but it waited for a drive to reply first.
 // REQ-ALARMS-29
 TEST(DriveCare, TwoBoardsWithOneIdAreRecognisedByThemselves)
 {

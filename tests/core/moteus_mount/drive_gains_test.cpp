@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The gains of a drive, read and changed beside its control.
+// The gains of a drive are read and changed independently of its motion control.
 #include "tests/core/moteus_mount/care_rig.h"
 
 #include <gmock/gmock.h>
@@ -10,7 +10,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-// Holds at the end of kGo, with the gains of the azimuth read.
+// A mount that holds at the end of kGo, with the azimuth gains read.
 struct GainsAtRest : CareRig
 {
     explicit GainsAtRest(const sim::PairSettings& settings = sim::commissionedPair()) : CareRig(settings)
@@ -38,8 +38,8 @@ struct GainsAtRest : CareRig
     }
 };
 
-// REQ-AXES-960 (DriveCare.Gains*): Gains are changed while the axis stands, also while its drive holds it. What begins
-// the count of the encoder anew, and storing, needs the drives off.
+// REQ-AXES-960 (DriveCare.Gains*): Gains are changed while the axis stands still, also while its drive holds it. The
+// drives must be off for storing, and for a setting that restarts the count of the encoder.
 TEST(DriveCare, GainsAreChangedUnderADriveThatHolds)
 {
     GainsAtRest rig;
@@ -79,7 +79,7 @@ TEST(DriveCare, GainsAreStoredWhileTheDrivesAreOff)
     EXPECT_TRUE(rig.logSays("are stored in its drive"));
 }
 
-// The count of the encoder begins anew, so nobody knows on which wrap the axis is until it is judged.
+// The encoder count restarts, so the wrap of the axis is unknown until it is determined again.
 TEST(DriveCare, GainsOfTheFilterMakeTheWrapUnknown)
 {
     GainsAtRest rig;
@@ -96,9 +96,8 @@ TEST(DriveCare, GainsOfTheFilterMakeTheWrapUnknown)
     EXPECT_TRUE(rig.logSays("counts from a new zero"));
 }
 
-// Story: drives were off when the encoder filter was sent, and a go-to of the next tick switched them on under it:
-// fault
-// 41. A drive that writes its flash follows nobody either.
+// Story: the drives were off when the encoder filter was sent. A go-to in the next tick switched them on during the
+// write: fault 41. A drive that is writing its flash follows no commands either.
 // REQ-AXES-962: No motion begins while settings of a drive are written or stored.
 TEST(DriveCare, GainsThatAreWrittenKeepTheMountWhereItStands)
 {
@@ -116,8 +115,8 @@ TEST(DriveCare, GainsThatAreWrittenKeepTheMountWhereItStands)
     EXPECT_EQ(rig.obstacle(Action::StoreAzimuthGains), "No gains are on trial. The drive has stored what it uses.");
 }
 
-// Story: Fix stores all that is in force, so gains that were only being tried would have stayed for ever.
-// REQ-AXES-961: Fix, a new id and a new gear are refused while gains are on trial.
+// Story: Fix stores all settings in effect, so gains that were only tried out became permanent.
+// REQ-AXES-961: Fix, a new id and a new gear ratio are refused while gains are on trial.
 TEST(DriveCare, GainsOnTrialAreNotStoredByFix)
 {
     GainsAtRest rig(dampingElevation());

@@ -10,7 +10,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr double kLastDigit = 0.1001;  // A, V, °C: what 16 bits carry, cut off towards zero
+constexpr double kLastDigit = 0.1001;  // A, V, °C: the resolution of 16 bits, rounded towards zero
 
 struct Readings : ::testing::Test
 {
@@ -20,8 +20,8 @@ struct Readings : ::testing::Test
     StationRig rig;
 };
 
-// REQ-MOTEUS_MOUNT-900: Every quantity that a drive reports is shown in its unit and under its axis, as the drive's
-// last reply has it. What the reply does not contain is empty.
+// REQ-MOTEUS_MOUNT-900: Every quantity that a drive reports is shown in its unit and under its axis, with the value of
+// the last reply. A quantity that is missing in the reply is empty.
 TEST_F(Readings, EachQuantityIsTheOneThatTheReplyHas)
 {
     rig.azimuth.position = 0.375;
@@ -52,8 +52,8 @@ TEST_F(Readings, EachQuantityIsTheOneThatTheReplyHas)
     EXPECT_EQ(azimuth().mode, QStringLiteral("stopped (0)"));
 }
 
-// REQ-MOTEUS_MOUNT-901: Mode and fault of a drive are shown in words with their numbers. A limit that is active is not
-// called a fault.
+// REQ-MOTEUS_MOUNT-901: Mode and fault of a drive are shown in words with their numbers. An active limit is not shown
+// as a fault.
 TEST_F(Readings, ModeAndFaultAreWordsWithTheirNumbers)
 {
     rig.tick();
@@ -71,8 +71,8 @@ TEST_F(Readings, ModeAndFaultAreWordsWithTheirNumbers)
     EXPECT_EQ(elevation().fault, QStringLiteral("over temperature (38)"));
 }
 
-// REQ-MOTEUS_MOUNT-902: Readings are never older than they look: the age of a silent drive's last reply grows, also
-// while the bus is released. A drive that never replied has no readings.
+// REQ-MOTEUS_MOUNT-902: Readings always show their age. The age of the last reply of a silent drive grows, also while
+// the bus is released. A drive that never replied has no readings.
 TEST_F(Readings, TheAgeOfASilentDriveGrows)
 {
     rig.azimuth.mute = true;
@@ -90,8 +90,8 @@ TEST_F(Readings, TheAgeOfASilentDriveGrows)
     EXPECT_GE(elevation().age.value(), 4980ms);
 }
 
-// REQ-MOTEUS_MOUNT-903: Frames to a drive and its replies are counted from when the line was opened. A frame that is
-// still under way is not counted as lost.
+// REQ-MOTEUS_MOUNT-903: Frames to a drive and its replies are counted from the opening of the line. A frame that is
+// still under way does not count as lost.
 TEST_F(Readings, FramesAndRepliesAreCounted)
 {
     rig.tick();

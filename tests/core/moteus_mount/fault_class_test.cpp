@@ -11,8 +11,8 @@ namespace {
 
 using supervision::LossClass;
 
-// REQ-SUPERVISION-21: Every fault code has a class. 33 and 44 are driver faults, because the code alone does not tell
-// a sagging supply from a burnt bridge. An unknown code is never retried.
+// REQ-SUPERVISION-21: Every fault code has a class. 33 and 44 are driver faults, because the code alone does not
+// distinguish a low supply voltage from a burnt bridge. An unknown code is never retried.
 TEST(ClassOfFault, FollowsTheTable)
 {
     const std::map<LossClass, std::set<int>> table{

@@ -49,7 +49,7 @@ TEST(LinkMaker, TheSimulatedDrivesAreProtectedForTheProfile)
     }
 }
 
-// Story: with --simulate=moteus over a profile of a simple rotator the drives began without protections.
+// Story: with --simulate=moteus and the profile of a simple rotator the drives started without their safety settings.
 TEST(LinkMaker, TheSimulatedDrivesOfASimpleProfileAreProtectedToo)
 {
     profile::Profile profile;
@@ -58,13 +58,13 @@ TEST(LinkMaker, TheSimulatedDrivesOfASimpleProfileAreProtectedToo)
     EXPECT_NEAR(protectedPair(profile).azimuth.config.positionMax, 303.0 / 360.0, 1e-6);
 }
 
-// Else there would be nothing to calibrate in --simulate.
+// Otherwise there would be nothing to calibrate with --simulate.
 TEST(LinkMaker, TheSimulatedMountHidesAnotherNorthAndADeviation)
 {
     fakes::ManualClock clock;
     auto link = LinkMaker(profile::Profile{}, clock).make("simulated");
     sim::SimulatedSensor& sensor = simulated(link).sensor();
-    constexpr int kUntilSettled = 50;  // readings: what it says is late and averaged
+    constexpr int kUntilSettled = 50;  // readings: they are late and averaged
     std::vector<Angle> errors;
     for (int heading = 0; heading < 360; heading += 30) {
         const AxisPosition axes{.azimuth = Angle::fromDegrees(heading), .elevation = 30_deg};
@@ -85,7 +85,8 @@ TEST(LinkMaker, TheSimulatedMountHidesAnotherNorthAndADeviation)
     EXPECT_LT(most, 51_deg);
 }
 
-// Motors that the profile has the wrong way round stay so: the guide is there to find that.
+// If the motors are swapped in the profile, the simulated motors are not swapped along: the guide must be able to find
+// the mistake.
 TEST(LinkMaker, ASwappedProfileDoesNotSwapTheSimulatedMotors)
 {
     profile::Profile profile;
@@ -96,7 +97,7 @@ TEST(LinkMaker, ASwappedProfileDoesNotSwapTheSimulatedMotors)
     EXPECT_NEAR(pair.elevation.config.positionMax, 453.0 / 360.0, 1e-6) << "as the azimuth it is taken for";
 }
 
-// REQ-CAN-22: A name that means no bus still makes a link, which reports it when it is opened.
+// REQ-CAN-22: A name that means no bus still gives a link. The link reports the error when it is opened.
 TEST(LinkMaker, ARealBusIsMadeByItsNameAndNonsenseSaysSoWhenItIsOpened)
 {
     fakes::ManualClock clock;

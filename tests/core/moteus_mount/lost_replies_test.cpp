@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What goes out to the drives while their replies are missing, before that is a fault.
+// The commands to the drives while their replies are missing, before this is a fault.
 #include "tests/core/control/station_rig.h"
 
 #include <gtest/gtest.h>
@@ -23,11 +23,12 @@ struct LostReplies : ::testing::Test
     StationRig rig;
 };
 
-// Story: set-points went out blind for a quarter of a second, at full speed, to a drive that may have been blocked.
-// REQ-AXES-24 (LostReplies.*): An axis that does not answer is stopped. After three frames in a row without a reply
-// its drive is ordered to brake as hard as by its own watchdog, and the other axis decelerates. Both go on if replies
-// return before the silence is a fault and show a drive that was on all the time. One or two lost in a row, and a late
-// tick of this computer, change nothing.
+// Story: for a quarter of a second set-points went out at full speed, without replies, to a drive that may have been
+// blocked.
+// REQ-AXES-24 (LostReplies.*): An axis that does not reply is stopped. After three frames in a row without a reply its
+// drive is commanded to brake as hard as by its own watchdog, and the other axis decelerates. Both continue if replies
+// return before the silence is a fault and show that the drive was on all the time. One or two lost replies in a row,
+// and a late tick of this computer, change nothing.
 TEST_F(LostReplies, AnAxisThatNobodySeesIsBroughtToRestByCommand)
 {
     const double cruise = rate();
@@ -51,7 +52,8 @@ TEST_F(LostReplies, AnAxisThatNobodySeesIsBroughtToRestByCommand)
     EXPECT_EQ(rig.azimuth.seen.size(), commands + 6) << "commanded on until the silence is certain";
 }
 
-// Story: a drive whose power had blinked was enabled again by the orders that went out blind, and counted as healthy.
+// Story: the power of a drive failed for a moment. The commands that were sent without replies enabled it again, and it
+// counted as healthy.
 TEST_F(LostReplies, ADriveThatComesBackSwitchedOffIsLost)
 {
     rig.azimuth.mute = true;

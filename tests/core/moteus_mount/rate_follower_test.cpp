@@ -26,7 +26,7 @@ protected:
         now += std::chrono::duration_cast<SteadyTime::duration>(step);
         follower.begin(now);
     }
-    // The drive is there and moves so.
+    // The drive reports this position and rate.
     void standing(double place, double rate = 0.0)
     {
         tick();
@@ -44,7 +44,8 @@ protected:
     SteadyTime now{std::chrono::hours(1)};
 };
 
-// REQ-AXES-300: While set-points move a drive gets a velocity, and the acceleration that reaches it within one tick.
+// REQ-AXES-300: While the set-points move, a drive receives a velocity, and the acceleration that reaches it within one
+// tick.
 TEST_F(RateFollowerTest, TheVelocityOfTheNextSetPointIsReachedInOneTick)
 {
     standing(0.1, 0.01);
@@ -63,7 +64,8 @@ TEST_F(RateFollowerTest, WhatTheDriveIsBehindIsMadeGoodInASecond)
     EXPECT_NEAR(follow(0.1002 + 1e-4, 0.01).rate.turns(), 0.01 + 1e-4, 1e-9);
 }
 
-// REQ-AXES-301: A set-point at rest, and a drive whose control position is not known, get a place for the planner.
+// REQ-AXES-301: For a set-point that stands still, and while the control position of the drive is not known, the drive
+// receives a position for its own planner.
 TEST_F(RateFollowerTest, ASetPointAtRestIsLeftToThePlanner)
 {
     standing(0.1);
@@ -84,8 +86,8 @@ TEST_F(RateFollowerTest, ADriveThatSaysNothingOfItsControlIsLeftToThePlanner)
     EXPECT_EQ(order.acceleration, kFollowerLimits.acceleration);
 }
 
-// REQ-AXES-940: A drive that ignores its own position bounds gets a place and no velocity: nothing but its watchdog
-// would end that.
+// REQ-AXES-940: A drive that ignores its own position bounds receives a position and no velocity, because only its
+// watchdog would end a velocity.
 TEST_F(RateFollowerTest, ADriveWithoutBoundsIsLeftToThePlanner)
 {
     standing(0.1, 0.01);
@@ -116,7 +118,7 @@ TEST_F(RateFollowerTest, FartherOffThanLostFramesExplainIsLeftToThePlanner)
     EXPECT_TRUE(follow(0.101, 0.01).place);
 }
 
-// REQ-AXES-302: No velocity that is ordered exceeds the speed limit of the axis.
+// REQ-AXES-302: No commanded velocity exceeds the speed limit of the axis.
 TEST_F(RateFollowerTest, NoCorrectionExceedsTheSpeedOfTheAxis)
 {
     standing(0.1, 0.03);
@@ -127,9 +129,9 @@ TEST_F(RateFollowerTest, NoCorrectionExceedsTheSpeedOfTheAxis)
     EXPECT_EQ(follow(0.0992, -0.03).rate, -kFollowerLimits.speed);
 }
 
-// Story: a reply that came a tick late was taken for that of the next frame, so that the drive led by a tick.
-// REQ-AXES-951: What a late reply says counts for the tick of its frame: the orders since then are put on top. One to
-// a frame that was sent before the drive was led says nothing.
+// Story: a reply that came a tick late was taken for the reply to the next frame, so the drive ran ahead by one tick.
+// REQ-AXES-951: The content of a late reply counts for the tick of its frame, and the commands since then are added to
+// it. A reply to a frame from before the velocity commands began does not count.
 TEST_F(RateFollowerTest, ALateReplyIsComparedWithItsOwnTick)
 {
     standing(0.1, 0.01);
@@ -143,7 +145,7 @@ TEST_F(RateFollowerTest, ALateReplyIsComparedWithItsOwnTick)
     EXPECT_TRUE(follow(0.1, 0.01).place);
 }
 
-// A whole drive: what goes over the wire.
+// A whole drive, with its frames on the wire.
 class FollowingDrive : public testing::Test
 {
 protected:
@@ -193,7 +195,7 @@ protected:
     std::size_t late = 0;  // ticks
 };
 
-// REQ-AXES-303: Each velocity order carries the watchdog time, the torque limit and both limits of motion.
+// REQ-AXES-303: Each velocity command carries the watchdog time, the torque limit and both limits of motion.
 TEST_F(FollowingDrive, TheFrameIsAVelocityWithAllItsLimits)
 {
     moving = true;
@@ -226,8 +228,8 @@ TEST_F(FollowingDrive, ItsWayBackInsideItsBoundsIsAPlace)
     EXPECT_FALSE(ideal.seen.back().fields.find(moteus::Register::CommandIgnorePositionBounds));
 }
 
-// REQ-AXES-304: A tick without a set-point orders the last place, never a velocity: that would run on for as long as it
-// is repeated.
+// REQ-AXES-304: A tick without a set-point commands the last position and never a velocity. A velocity would run on as
+// long as it is repeated.
 TEST_F(FollowingDrive, WithoutASetPointNoVelocityIsRepeated)
 {
     moving = true;
@@ -241,13 +243,13 @@ TEST_F(FollowingDrive, WithoutASetPointNoVelocityIsRepeated)
     EXPECT_EQ(ideal.seen.back().fields.at(moteus::Register::CommandVelocity), 0.0);
 }
 
-// Story: as above, on the wire.
+// Story: late replies made the drive run ahead, here tested on the wire.
 // REQ-AXES-950
 TEST_F(FollowingDrive, RepliesThatAreTicksLateDoNotMakeItLead)
 {
     late = 2;
     moving = true;
-    rate = MotorRate::fromTurns(0.005);  // a lead of one tick would change it by 1e-4
+    rate = MotorRate::fromTurns(0.005);  // running ahead by one tick would change it by 1e-4
     for (int i = 0; i < 400; ++i) {
         tick();
         if (i > 300) {

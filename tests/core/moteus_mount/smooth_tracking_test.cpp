@@ -14,8 +14,8 @@
 #include <utility>
 #include <vector>
 
-// What the axis feels of our set-points: a drive of ours on the simulated azimuth, with ticks that are up to half a
-// millisecond early or late and, if asked, frames that get lost. Seeded, so that each run is the same.
+// The effect of the set-points on the axis: a drive of Boresight on the simulated azimuth. Its ticks are up to half a
+// millisecond early or late, and if asked for, frames are lost. Seeded, so that each run is the same.
 namespace boresight {
 namespace {
 
@@ -90,7 +90,7 @@ public:
         }
         return std::sqrt(squares / static_cast<double>(m_torques.size()));
     }
-    // Between two means of 10 ms that follow each other.
+    // The largest difference between two consecutive means of 10 ms.
     [[nodiscard]] double largestTorqueJump() const
     {
         double largest = 0.0;
@@ -108,7 +108,7 @@ public:
     [[nodiscard]] double worstError() const { return m_worst; }
     [[nodiscard]] double fastest() const { return m_fastest; }
     [[nodiscard]] double farthest() const { return *std::ranges::max_element(m_places); }
-    // Mean of 0.1 s.
+    // The largest acceleration, as a mean over 0.1 s.
     [[nodiscard]] double hardest() const
     {
         constexpr std::size_t kTenth = 200;
@@ -135,10 +135,10 @@ public:
          .emergencyBraking = MotorAcceleration::fromTurns(125.0 / 360.0),
          .places = {.allowance = MotorTurns::fromTurns(1.0 / 360.0), .speed = MotorRate::fromTurns(10.0 / 360)}},
         "azimuth drive"};
-    double lose = 0.0;       // probability of a frame
-    int inARow = 1;          // frames that are lost together; as many get through after them
-    double frameLate = 0.0;  // seconds from us to the drive
-    double replyLate = 0.0;  // and back
+    double lose = 0.0;       // probability that a frame is lost
+    int inARow = 1;          // number of frames lost together; the same number gets through after them
+    double frameLate = 0.0;  // seconds from Boresight to the drive
+    double replyLate = 0.0;  // seconds back
 
 private:
     [[nodiscard]] SteadyTime steady() const
@@ -257,10 +257,10 @@ Ride lateGoTo(double frames, double replies)
     return ride;
 }
 
-// With a place and a rate for the planner in each tick: 1.17 Nm, jumps of 9.5 Nm, 3.1 °/s², 0.0055°.
-// REQ-AXES-305: At a constant rate, also with one frame of 50 lost or two in a row, the torque of a drive deviates by
-// at most 0.9 Nm (0.6 Nm are the noise of its encoder) and jumps by at most 1.5 Nm in 10 ms. The set-points are
-// followed to 0.002° rms.
+// With a position and a rate for the planner in each tick: 1.17 Nm, jumps of 9.5 Nm, 3.1°/s², 0.0055°.
+// REQ-AXES-305: At a constant rate the torque of a drive deviates by at most 0.9 Nm (0.6 Nm are the noise of its
+// encoder) and jumps by at most 1.5 Nm in 10 ms, also with one frame of 50 lost or two in a row. The axis follows the
+// set-points to 0.002° rms.
 TEST(SmoothTracking, AConstantRateMakesNoChatter)
 {
     for (const int lostInARow : {0, 1, 2}) {
@@ -281,9 +281,9 @@ TEST(SmoothTracking, AConstantRateMakesNoChatter)
     }
 }
 
-// With a place and a rate: 10.16 °/s and 11.3 °/s².
-// REQ-AXES-306: In go-tos the axis itself stays within its limits of speed and acceleration, within 1 %. Its set-points
-// go over to rest without a jump of torque, and it stands within two steps of the drive.
+// With a position and a rate for the planner in each tick: 10.16°/s and 11.3°/s².
+// REQ-AXES-306: In go-tos the axis itself stays within its limits of speed and acceleration, to 1 %. At the end it
+// comes to a standstill without a jump of torque, within two steps of the drive.
 TEST(SmoothTracking, AGoToStaysWithinTheLimits)
 {
     Ride ride(false);
@@ -298,12 +298,12 @@ TEST(SmoothTracking, AGoToStaysWithinTheLimits)
     EXPECT_NEAR(ride.place(), 97.0, 2.0 * 360.0 / 65536.0);
 }
 
-// Story: a reply that came a tick late was taken for that of the next frame, so that the drive led by what it travels
-// in a tick. With more than two ticks the axis reached 11.4 °/s and 15.2 °/s² with limits of 10.
-// REQ-AXES-950: Each frame says its number and each reply repeats it, so that a reply is compared with its own frame.
-// Where frames and replies come late, by up to three ticks in all, a go-to stays within the speed and the acceleration
-// of the axis by 1 %. The axis is off by at most what it travels in that time and in a tick, passes its goal by at most
-// 0.1° and comes to it.
+// Story: a reply that came a tick late was taken for the reply to the next frame, so the drive ran ahead by what it
+// travels in a tick. With more than two ticks the axis reached 11.4°/s and 15.2°/s², with limits of 10.
+// REQ-AXES-950: Each frame carries a number and each reply repeats it, so a reply is compared with its own frame. If
+// frames and replies are late by up to three ticks in all, a go-to stays within the speed and the acceleration of the
+// axis, to 1 %. The error of the axis is at most what it travels in that time plus one tick. The axis overshoots its
+// target by at most 0.1° and reaches it.
 TEST(SmoothTracking, LateFramesAndRepliesKeepTheAxisWithinItsLimits)
 {
     for (const auto& [frames, replies] :
@@ -316,7 +316,8 @@ TEST(SmoothTracking, LateFramesAndRepliesKeepTheAxisWithinItsLimits)
     }
 }
 
-// REQ-AXES-307: A drive that hears nothing any more runs on for 0.1 s and brakes: 1.4° from 10 °/s, 0.06° from 0.5 °/s.
+// REQ-AXES-307: A drive that receives nothing any more runs on for 0.1 s and brakes: 1.4° from 10°/s, 0.06° from
+// 0.5°/s.
 TEST(SmoothTracking, WithoutFramesTheDriveStops)
 {
     for (const auto& [rate, farthest] : {std::pair(10.0, 1.45), std::pair(0.5, 0.06)}) {
@@ -331,7 +332,7 @@ TEST(SmoothTracking, WithoutFramesTheDriveStops)
     }
 }
 
-// REQ-AXES-308: A drive that hears nothing any more on its way to a limit comes to rest at most 0.1° beyond it.
+// REQ-AXES-308: A drive that receives nothing any more on its way to a limit stops at most 0.1° beyond it.
 TEST(SmoothTracking, FramesThatAreLostBeforeALimitDoNotLeadFarBeyondIt)
 {
     for (int ticks = 90; ticks < 130; ticks += 3) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A place that the command line names for the axes.
+// A position of the axes from the command line.
 #include "tests/core/control/station_rig.h"
 
 #include <gtest/gtest.h>
@@ -11,14 +11,14 @@ namespace {
 
 using moteus::HomeState;
 
-// At the beginning of a test.
+// The time at the beginning of a test.
 UtcTime startOfTest()
 {
     return fakes::ManualClock().utc();
 }
 
-// Story: an adapter was pulled in mid-motion; when it came back, the place that the command line had told at the start
-// of the program answered the new question, and the mount was wrong by many turns of the rotor.
+// Story: an adapter was unplugged during a motion. When it came back, the position from the command line at the start
+// of the program answered the new question about the wrap. The mount was wrong by many turns of the rotor.
 TEST(StationTurns, TheCommandLineAnswersOnlyTheFirstQuestion)
 {
     StationRig rig(profile::Profile{}, {.problem = QStringLiteral("The journal file is missing."),
@@ -43,7 +43,7 @@ TEST(StationTurns, TheCommandLineAnswersOnlyTheFirstQuestion)
     }
 }
 
-// Story: "--standing-at 0,0" was left in the unit file, and after a power cut it was believed anew.
+// Story: "--standing-at 0,0" was left in the unit file, and after a power cut it was believed again.
 // REQ-AXES-15a
 TEST(StationTurns, APlaceOfTheCommandLineIsForgottenAfterTenMinutes)
 {
@@ -74,7 +74,7 @@ TEST(StationTurns, APlaceOfTheCommandLineCountsAtOneStartOnly)
     ASSERT_TRUE(first.control.status().azimuth.turnKnown);
     ASSERT_TRUE(first.control.status().elevation.turnKnown);
     memory::MountMemory kept;
-    kept.placeUsed = first.mount.memory().placeUsed;  // also where the journal was lost since
+    kept.placeUsed = first.mount.memory().placeUsed;  // the stored time, as if the journal itself was lost
     for (const Seconds later : {Seconds(0.0), Seconds(60.0)}) {
         TurnKeeper::Start again = told;
         again.memory = kept;
@@ -86,7 +86,7 @@ TEST(StationTurns, APlaceOfTheCommandLineCountsAtOneStartOnly)
     }
 }
 
-// The mount moved since, and only then lost its power.
+// The mount has moved since, and only then lost its power.
 // REQ-AXES-15a
 TEST(StationTurns, APlaceThatWasNotNeededIsUsedUpToo)
 {

@@ -30,9 +30,10 @@ TEST(StationTurns, MotionIsJournalledAsMotionAndRestAsRest)
     EXPECT_FALSE(rig.mount.takeMemoryChange()) << "a mount that stands writes nothing";
 }
 
-// Story: on a small flash a pass wrote the journal once a second, also where the axis had hardly moved.
-// REQ-MEMORY-950: An axis in motion is journalled by the angle that it went, and at most once a second. At each moment
-// the journal is within half of what a place may differ from it and be proposed, or within a second of motion.
+// Story: on a small flash a pass wrote the journal once a second, even where the axis had hardly moved.
+// REQ-MEMORY-950: For an axis in motion the journal is written by the angle travelled, at most once a second. A
+// position may differ from the journal by a certain angle and still be proposed. The journal is always within half of
+// this angle, or within a second of motion.
 TEST(StationTurns, MotionIsJournalledByTheAngle)
 {
     for (const auto& [rate, most] : {std::pair(0.1, 6), std::pair(0.5, 22), std::pair(2.0, 82)}) {
@@ -52,8 +53,8 @@ TEST(StationTurns, MotionIsJournalledByTheAngle)
     }
 }
 
-// REQ-MEMORY-951: Half of what may differ: 2.5°, less where the places are near each other, and 2.5° where after a
-// motion none is proposed anyway.
+// REQ-MEMORY-951: The angle between two entries is half of the allowed difference: 2.5°. It is less if the possible
+// positions are near each other, and 2.5° if no position can be proposed after a motion anyway.
 TEST(StationTurns, TheStepOfTheJournalIsHalfOfWhatMayDiffer)
 {
     EXPECT_NEAR(memory::journalStep(360_deg).degrees(), 2.5, 1e-9);

@@ -18,7 +18,7 @@ profile::Profile azimuthOnly()
     return profile;
 }
 
-// The board of the elevation, of which the mount knows nothing.
+// The board of the elevation axis. The mount does not use it.
 struct WatchedBoardsTest : ::testing::Test
 {
     WatchedBoardsTest() { name({"2 polarisation"}); }
@@ -67,7 +67,7 @@ struct WatchedBoardsTest : ::testing::Test
     std::vector<CanFrame> sent;
 };
 
-// REQ-MOTEUS_MOUNT-930: A board that the profile names is asked five times a second what it reports, and shown with its
+// REQ-MOTEUS_MOUNT-930: A board that the profile names for watching is queried five times a second, and shown with its
 // name, id and readings. It is never commanded.
 TEST_F(WatchedBoardsTest, AreReadAndNeverCommanded)
 {
@@ -88,8 +88,8 @@ TEST_F(WatchedBoardsTest, AreReadAndNeverCommanded)
     EXPECT_EQ(pair.truth(Axis::Elevation).mode, moteus::Mode::Stopped);
 }
 
-// REQ-MOTEUS_MOUNT-931: A watched board that is in fault, or silent for 2 s, is a warning with its name. It is over
-// when the board is well again, or is no longer named.
+// REQ-MOTEUS_MOUNT-931: A watched board that is in fault, or silent for 2 s, raises a warning with its name. The
+// warning ends when the board is healthy again or is removed from the profile.
 TEST_F(WatchedBoardsTest, AFaultAndASilenceAreWarnings)
 {
     run(Seconds(1.0));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is foretold of a way, against the way itself.
+// The predicted course of a motion compared with the motion itself.
 #include "core/motion/course.h"
 
 #include <gtest/gtest.h>
@@ -55,7 +55,7 @@ public:
         }
     }
 
-    // Until both axes rest at the place: when each of them came to rest for good.
+    // Runs until both axes stand still at the place. Returns when each of them stopped for good.
     std::array<Seconds, 2> arrive(const AxisPosition& place)
     {
         const SteadyTime began = now;
@@ -79,7 +79,7 @@ public:
     SteadyTime now{};
 };
 
-// From here on what was foretold comes true: when, and where at each moment.
+// From here on the predicted time and positions must come true.
 void expectForetold(CourseRide& drive, const AxisPosition& place)
 {
     const auto course = Course::of(drive.motion, drive.now);
@@ -100,8 +100,8 @@ void expectForetold(CourseRide& drive, const AxisPosition& place)
     EXPECT_NEAR(course->duration().count(), time.count(), std::max(0.1, 0.02 * time.count()));
 }
 
-// REQ-AXES-400 (CourseTest.*): How long a slew takes and where the axes are meanwhile is found from the plan itself:
-// route, speed, acceleration, jerk and limits. It is true within 2 % or 0.1 s, and within 0.6°.
+// REQ-AXES-400 (CourseTest.*): The duration of a slew and the positions of the axes during it are computed from the
+// plan itself: route, speed, acceleration, jerk and limits. They are right within 2 % or 0.1 s, and within 0.6°.
 TEST(CourseTest, ADirectWay)
 {
     for (const AxisPosition& place : {courseAt(113, 10), courseAt(0.5, 80), courseAt(-90, 0), courseAt(450, 90)}) {
@@ -124,7 +124,7 @@ TEST(CourseTest, AWayAroundAKeepOut)
     expectForetold(drive, courseAt(340, 5));
 }
 
-// Story: straight ahead it is 4°, and the way is 170°.
+// Story: the direct distance is 4°, and the route is 170°.
 TEST(CourseTest, AWayThatIsMuchLongerThanItsEndIsFar)
 {
     CourseRide drive(courseMount(behindAMast(85_deg)), courseAt(299, 2));
@@ -171,7 +171,7 @@ TEST(CourseTest, NobodyKnowsWhenAMotionEndsThatGoesNowhere)
     EXPECT_FALSE(Course::of(walled.motion, walled.now)) << "There is no way";
 }
 
-// A target that moves is met, at least as well as it goes on straight.
+// A moving target is reached, if it continues straight.
 TEST(CourseTest, AStreamIsMet)
 {
     CourseRide drive(courseMount(), courseAt(300, 30));
@@ -197,8 +197,8 @@ TEST(CourseTest, AStreamIsMet)
     EXPECT_NEAR(course->duration().count(), Seconds(drive.now - began).count(), 0.5);
 }
 
-// REQ-AXES-401 (ArrivalTest.*): By choice the faster axis is slowed in a slew, so that both axes rest at the same time.
-// The slew takes no longer for it. Around a keep-out this holds for the last leg.
+// REQ-AXES-401 (ArrivalTest.*): If chosen, the faster axis is slowed in a slew so that both axes arrive at the same
+// time. The slew does not take longer. Around a keep-out this applies to the last leg.
 profile::Profile together(const pointing::Region& limits = {})
 {
     profile::Profile profile = courseMount(limits);

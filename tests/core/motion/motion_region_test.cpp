@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The permitted region, enforced below every source of motion: random regions, targets, streams, jogs, edits.
+// The permitted region, enforced below every source of motion, with random regions, targets, streams, jogs and edits.
 #include "core/moteus_mount/drive_pair.h"
 #include "core/motion/motion.h"
 #include "core/pointing/nearest_permitted.h"
@@ -41,7 +41,7 @@ profile::Profile mount(const pointing::Region& limits, TravelRange azimuth = {-2
     return profile;
 }
 
-// Turns the clock, and after every tick sees to it that the set-points obey.
+// Turns the clock, and checks the set-points after every tick.
 class Ride
 {
 public:
@@ -80,7 +80,7 @@ public:
         }
     }
 
-    // True when it came to rest, and not only at a bend of its way.
+    // True when the motion has ended, and not only paused at a corner of its route.
     bool untilRest(int most = 20000)
     {
         const auto rests = [this] { return motion.atRest() && motion.route().empty(); };
@@ -105,7 +105,7 @@ public:
 private:
     std::array<tracking::MotionLimits, 2> m_limits;
     bool m_wasPermitted = true;
-    bool m_edited = false;  // and not yet at rest: it may slide into what was drawn before it
+    bool m_edited = false;  // after an edit and before standstill: the axis may slide into the region drawn before it
 };
 
 void expectAt(const Motion& motion, double azimuth, double elevation, double tolerance = 1e-6)
@@ -116,9 +116,9 @@ void expectAt(const Motion& motion, double azimuth, double elevation, double tol
 
 }  // namespace
 
-// REQ-AXES-25 (MotionRegion.*): Limits, horizon and keep-outs hold for every motion, whoever asks. Set-points never
-// enter them. A jog stops at the edge or slides along it. A moved edge is braked for. From inside only the way out is
-// open.
+// REQ-AXES-25 (MotionRegion.*): Limits, horizon and keep-outs apply to every motion from every source. Set-points never
+// enter a forbidden area. A jog stops at the edge or slides along it. The mount brakes for an edge that is moved. From
+// inside only the way out is open.
 TEST(MotionRegion, GoesAroundAKeepOutAndArrives)
 {
     Ride run(mount({.keepOuts = {mast()}}), at(290, 10));
@@ -166,8 +166,8 @@ TEST(MotionRegion, AJogIntoASlopeOfTheHorizonStopsOnIt)
     EXPECT_EQ(run.motion.obstacle().toStdString(), "the horizon");
 }
 
-// REQ-AXES-27: The set-points of a rotator that runs by itself wait where the way to them from where it is seen would
-// not be free in whatever order its axes go. One that stands near its set-point has arrived.
+// REQ-AXES-27: The set-points of a rotator that moves by itself wait while the way from its measured position to them
+// is not free for every order of its axes. A rotator near its set-point has arrived.
 TEST(MotionRegion, WaitsForARotatorThatLagsBehind)
 {
     Capabilities can;
@@ -201,7 +201,7 @@ TEST(MotionRegion, WaitsForARotatorThatLagsBehind)
     EXPECT_EQ(motion.place(), at(340, 20)) << "it missed its place by 2°, and stands";
 }
 
-// REQ-AXES-28: A rotator that was pushed into a keep-out is taken over there, so that it can be led out.
+// REQ-AXES-28: A rotator that was pushed into a keep-out is taken over at its position, so that it can be moved out.
 TEST(MotionRegion, ARotatorThatWasPushedIsTakenOverThere)
 {
     Capabilities can;
@@ -320,7 +320,8 @@ TEST(MotionRegion, LowerLimitsOfMotionDoNotCarryItOverTheEdge)
     run.motion.setLimits(Axis::Azimuth, gentle.azimuth.limits);
     for (int i = 0; i < 1000; ++i) {
         run.now += kMotionRegionTick;
-        run.motion.advance(run.now, kMotionRegionTick);  // it may brake harder than the new limit: the region wins
+        // it may brake harder than the new limit: the region has priority
+        run.motion.advance(run.now, kMotionRegionTick);
         ASSERT_TRUE(run.motion.region().permits(run.motion.place()));
     }
 }
@@ -451,7 +452,7 @@ TEST(MotionRegion, HoldsWhateverIsAskedAndDrawn)
     EXPECT_GT(bent, 1000);
 }
 
-// Whoever is sent to a permitted place that has a way arrives there.
+// A motion to a permitted place that has a route arrives there.
 TEST(MotionRegion, ArrivesWhereThereIsAWay)
 {
     std::mt19937 random(17);
@@ -481,7 +482,8 @@ TEST(MotionRegion, ArrivesWhereThereIsAWay)
     EXPECT_GT(arrived, 50);
 }
 
-// Story: pushed beyond its travel and jogged back and forth, the axis crept out again: its set-point lags its motion.
+// Story: an axis that was pushed beyond its travel and jogged back and forth crept out again, because its set-point
+// lags behind its motion.
 TEST(MotionRegion, OutsideTheTravelItOnlyMovesBackInside)
 {
     for (const double azimuth : {451.7, -90.0002}) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A rotator that turns slower than its profile says, beside a keep-out: its axes run by themselves, each at its own
-// pace.
+// A rotator that turns more slowly than its profile says, near a keep-out. Its axes run independently, each at its own
+// speed.
 #include "tests/core/gs232_mount/gs232_bench.h"
 #include "tests/core/mount/mount_bench.h"
 #include "tests/core/rotctld_mount/rotctld_bench.h"
@@ -26,9 +26,9 @@ struct LaggingKind
 const pointing::KeepOut kMast{
     .name = "mast", .azimuthFrom = 100_deg, .azimuthTo = 120_deg, .elevationMin = 0_deg, .elevationMax = 30_deg};
 
-// REQ-MOUNT-16 (LaggingAxis.*): A rotator whose axes are slower than the profile says, even one of them alone, enters
-// no keep-out: its set-points wait where the way to them from where it is would not be free. It reaches its targets all
-// the same. Where an edge is moved into its way it stops.
+// REQ-MOUNT-16 (LaggingAxis.*): A rotator with one or both axes slower than the profile says enters no keep-out. Its
+// set-points wait while the way to them from its real position is not free. It still reaches its targets. If the edge
+// of a keep-out is moved into its way it stops.
 class LaggingAxis : public testing::TestWithParam<LaggingKind>
 {
 protected:
@@ -39,7 +39,7 @@ protected:
         bench = GetParam().make(m_profile);
         bench->run(Seconds(2.0));
     }
-    // Not deeper inside than such a rotator may miss a place.
+    // Not deeper inside a keep-out than the position error of such a rotator.
     void runOutside(Seconds time)
     {
         constexpr Angle kMiss = Angle::fromDegrees(1.5);
@@ -96,7 +96,7 @@ TEST_P(LaggingAxis, GoesAroundAKeepOut)
     }
 }
 
-// The set-points are long there, and the rotator is far behind them.
+// The set-points have long arrived, and the rotator is far behind them.
 TEST_P(LaggingAxis, StopsForAKeepOutThatIsDrawnIntoItsWay)
 {
     begin({});
@@ -114,7 +114,7 @@ TEST_P(LaggingAxis, StopsForAKeepOutThatIsDrawnIntoItsWay)
 }
 
 // REQ-MOUNT-17 (LaggingAxis.Hold*, LaggingAxis.TheEndOfAJog*): Hold and the end of a jog stop such a rotator where it
-// is. It does not run on to where its set-points have been for long.
+// is. It does not run on to its set-points, which are far ahead.
 TEST_P(LaggingAxis, HoldStopsItWhereItIs)
 {
     begin({});
@@ -154,7 +154,7 @@ TEST_P(LaggingAxis, TheEndOfAJogStopsItWhereItIs)
     EXPECT_FALSE(bench->control().faultLatched());
 }
 
-// A rotator that was stopped inside a keep-out comes out of it.
+// A rotator that was stopped inside a keep-out can leave it.
 TEST_P(LaggingAxis, LeavesAKeepOut)
 {
     begin({});

@@ -13,12 +13,12 @@
 #include <algorithm>
 #include <array>
 
-// Rotators of each kind below a control, with a clock that is turned by hand. A new driver costs one bench here.
+// Rotators of each kind below a control, with a clock that is turned by hand. A new driver needs one bench here.
 namespace boresight {
 
 inline constexpr Seconds kOneTick{0.02};
 
-// Slow enough for every rotator here.
+// Slow enough for every rotator in this file.
 inline profile::Profile slowProfile(profile::AxisDriver azimuth = profile::AxisDriver::Moteus,
                                     profile::AxisDriver elevation = profile::AxisDriver::Moteus)
 {
@@ -53,24 +53,26 @@ public:
 
     virtual StationControl& control() = 0;
     virtual void tick() = 0;
-    [[nodiscard]] virtual AxisPosition truth() = 0;  // where the axes really are
-    [[nodiscard]] virtual bool ordered() = 0;        // anything but questions was heard so far
+    [[nodiscard]] virtual AxisPosition truth() = 0;  // the true position of the axes
+    [[nodiscard]] virtual bool ordered() = 0;        // whether the hardware has received anything but queries so far
     virtual void setLine(bool connected) = 0;
-    // It turns slower than its profile says: each axis by this part of its speed.
+    // The rotator turns more slowly than its profile says: each axis at this part of its speed.
     virtual void setPace(const std::array<double, 2>& /*pace*/) {}
-    // Another profile comes into force.
+    // Another profile is applied.
     virtual void edit(const profile::Profile& /*profile*/) {}
-    // The driver finds its hardware unfit to be moved, or fit again; false: such a rotator is always fit.
+    // The driver finds its hardware unfit or fit for motion. Returns false if such a rotator is always fit.
     [[nodiscard]] virtual bool setFit(bool /*fit*/) { return false; }
-    // While the line is off, another device takes the place of its own; false: such a rotator does not say who it is.
+    // While the line is off, another device replaces its own. Returns false if such a rotator does not report its
+    // identity.
     [[nodiscard]] virtual bool exchangeDevice() { return false; }
 
     [[nodiscard]] Capabilities can() { return control().mount().capabilities(); }
     [[nodiscard]] bool has(Axis axis) { return can().has(axis); }
-    // The last that there is.
+    // The last axis that exists.
     [[nodiscard]] Axis someAxis() { return has(Axis::Elevation) ? Axis::Elevation : Axis::Azimuth; }
-    [[nodiscard]] Seconds silence() { return can().axes[index(someAxis())]->silence; }  // within this it is reported
-    // Of the coarsest axis; of the simulation, at least.
+    // time within which a silence is reported
+    [[nodiscard]] Seconds silence() { return can().axes[index(someAxis())]->silence; }
+    // The resolution of the coarsest axis, at least that of the simulation.
     [[nodiscard]] Angle resolution()
     {
         Angle resolution = Angle::fromDegrees(0.01);
@@ -79,7 +81,7 @@ public:
         }
         return resolution;
     }
-    // A missing axis has not moved at all.
+    // A missing axis must not have moved at all.
     void expectAt(const AxisPosition& place, const AxisPosition& before, Angle tolerance)
     {
         for (const Axis axis : kAxes) {
@@ -104,7 +106,7 @@ public:
     {
         return ask(request::PointAxes{{Angle::fromDegrees(azimuth), Angle::fromDegrees(elevation)}});
     }
-    // Whether the axes stand where they did `time` ago.
+    // Whether the axes stand still during `time`.
     [[nodiscard]] bool stands(Seconds time)
     {
         const AxisPosition before = truth();
@@ -174,7 +176,7 @@ private:
     StationControl m_control{m_profile, m_clock, m_log, m_alarms, m_mount, motionSources};
 };
 
-// Two rotators, each with a box, a line and an axis of its own.
+// Two rotators, each with its own control box, line and axis.
 class PairBench final : public Bench
 {
 public:
@@ -197,7 +199,7 @@ public:
         m_elevationBox.setPower(connected, m_clock.now());
     }
     void setElevationLine(bool connected) { m_elevationBox.setPower(connected, m_clock.now()); }
-    // What one of them has turned of the axis that is the other's.
+    // Whether one of them has turned the axis of the other.
     [[nodiscard]] bool turnedForeignAxes() const
     {
         return m_azimuthBox.truth().elevation != kBetweenDegrees.elevation ||
@@ -217,7 +219,7 @@ private:
     StationControl m_control{m_profile, m_clock, m_log, m_alarms, m_mount, motionSources};
 };
 
-// A moteus and a simple rotator, an axis each.
+// A moteus and a simple rotator, one axis each.
 class MixedBench final : public Bench
 {
 public:
@@ -270,7 +272,7 @@ public:
     [[nodiscard]] QString lastLog() const { return m_log.since(0, 1).back().text; }
     void setBoxLine(bool connected) { m_box.setPower(connected, m_clock.now()); }
     void setMoteusLine(bool connected) { drive().silent = !connected; }
-    // What one of them has turned, or was ordered to, of the axis that is the other's.
+    // Whether one of them has turned, or was commanded to turn, the axis of the other.
     [[nodiscard]] bool turnedForeignAxes() const
     {
         const AxisPosition box = m_box.truth();
@@ -281,7 +283,7 @@ public:
 
 private:
     [[nodiscard]] fakes::IdealDrive& drive() { return m_onBus[index(m_axis)]; }
-    // As the survey tells it.
+    // Sets the facts as the drive check reports them.
     void learn()
     {
         m_moteus.learn(m_axis, survey::DriveFacts{
@@ -294,7 +296,7 @@ private:
                                               .asked = m_clock.now()}});
     }
 
-    const Axis m_axis;  // of the moteus
+    const Axis m_axis;  // the axis of the moteus
     QString m_uuid = QStringLiteral("a0000000-0000-0000-0000-000000000001");
     const profile::InForce m_profile{
         slowProfile(m_axis == Axis::Azimuth ? profile::AxisDriver::Moteus : profile::AxisDriver::Simple,

@@ -10,7 +10,7 @@
 namespace boresight {
 namespace {
 
-// REQ-MOUNT-07: Two axes on two drivers are one mount. A trouble of one driver stops both axes, and neither driver
+// REQ-MOUNT-07: Two axes with two drivers are one mount. A fault of one driver stops both axes, and neither driver
 // turns the axis of the other.
 TEST(MountPort, ATroubleOfOneOfTwoDriversStopsBothAxes)
 {
@@ -77,7 +77,8 @@ TEST(MountPort, ATroubleOfTheMoteusStopsTheOtherKindOfDriverToo)
     }
 }
 
-// REQ-MOUNT-09: What one of two drivers offers besides moving can be had, for its axis. What two offer can not.
+// REQ-MOUNT-09: A function beyond motion that only one of two drivers has is available for its axis. A function that
+// both have is not available.
 TEST(MountPort, APairOffersWhatOneOfItsDriversOffers)
 {
     MixedBench bench(Axis::Elevation);
@@ -110,8 +111,8 @@ TEST(MountPort, SetPointsAreNoFasterThanTheRotator)
     }
 }
 
-// Story: a rotator of whole degrees rounded its set-point to the degree beyond a limit of 60.7°.
-// REQ-MOUNT-08: A rotator that goes in steps stays inside a travel and inside limits that end between two of them.
+// Story: a rotator with steps of whole degrees rounded its set-point to the degree beyond a limit of 60.7°.
+// REQ-MOUNT-08: A rotator that moves in steps stays inside a travel and inside limits that end between two steps.
 TEST(MountPort, ARotatorOfStepsStaysInsideLimitsBetweenTwoSteps)
 {
     profile::Profile profile = slowProfile();
@@ -133,9 +134,9 @@ TEST(MountPort, ARotatorOfStepsStaysInsideLimitsBetweenTwoSteps)
     }
 }
 
-// Story: Park was refused for ever on a rotator of whole degrees whose limit was the park place, 60.7°.
-// REQ-MOUNT-500: A rotator that goes in steps parks at its last step before a limit where the park place is beyond that
-// step. A park place outside the limits of the profile is refused.
+// Story: Park was always refused on a rotator with whole degrees whose limit was the park position, 60.7°.
+// REQ-MOUNT-500: A rotator that moves in steps parks at its last step before a limit if the park position is beyond
+// that step. A park position outside the limits of the profile is refused.
 TEST(MountPort, ARotatorOfStepsParksAtItsLastStepBeforeALimit)
 {
     profile::Profile profile = slowProfile();
@@ -156,8 +157,8 @@ TEST(MountPort, ARotatorOfStepsParksAtItsLastStepBeforeALimit)
     EXPECT_FALSE(outside.ask(request::Park{}));
 }
 
-// Story: of a pair with another rotator "nothing holds the mount" was logged, and the other axis held.
-// REQ-MOUNT-501: The log names the drive that was switched off where the other axis belongs to another rotator.
+// Story: on a mount with two different rotators "nothing holds the mount" was logged, although the other axis held.
+// REQ-MOUNT-501: If the axes belong to different rotators, the log names the drive that was switched off.
 TEST(MountPort, SwitchingOffNamesTheDriveOfAPair)
 {
     MixedBench pair(Axis::Elevation);
@@ -170,7 +171,7 @@ TEST(MountPort, SwitchingOffNamesTheDriveOfAPair)
     EXPECT_EQ(both.rig().lastLog(), "switches the drives off, so nothing holds the mount");
 }
 
-// Story: a jog was offered at the last step before the end of the travel, and moved nothing.
+// Story: a jog was offered at the last step before the end of the travel, and it moved nothing.
 TEST(MountPort, AJogBeyondTheLastStepOfTheTravelIsNotOffered)
 {
     profile::Profile profile = slowProfile();

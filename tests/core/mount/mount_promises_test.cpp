@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What every rotator promises behind the port of the mount, tried with the control above it.
+// The promises of every rotator behind the port of the mount, tested with the control above it.
 #include "tests/core/gs232_mount/gs232_bench.h"
 #include "tests/core/mount/mount_bench.h"
 #include "tests/core/rotctld_mount/rotctld_bench.h"
@@ -22,10 +22,11 @@ struct Kind
     std::function<std::unique_ptr<Bench>()> make;
 };
 
-// REQ-MOUNT-01 (MountPromises.*): Every driver behind the port of the mount keeps the same promises. Opening it
-// moves nothing. The first command holds what was measured. Limits hold. STOP works and latches. Silence is reported in
-// the time that its capabilities state. Nothing moves after a fault without a re-arm. A place counts as reached as
-// nearly as the rotator can reach it. A rotator without a watchdog is shown once, and that can be acknowledged.
+// REQ-MOUNT-01 (MountPromises.*): Every driver behind the port of the mount keeps the same promises. Opening the driver
+// moves nothing. The first command holds the measured position. Limits hold. STOP works and latches. Silence is
+// reported within the time that the driver states in its capabilities. Nothing moves after a fault without a re-arm. A
+// target counts as reached within the accuracy of the rotator. A rotator without a watchdog is reported once, and the
+// operator can acknowledge that.
 class MountPromises : public testing::TestWithParam<Kind>
 {
 protected:
@@ -41,7 +42,7 @@ TEST_P(MountPromises, OpeningMovesNothing)
     EXPECT_EQ(bench->control().state(), StationState::Standby);
 }
 
-// What can be read and set of its drives is reported by a mount that has a service for it, and by no other.
+// Only a mount with a service for its drives reports what can be read and set in them.
 TEST_P(MountPromises, OnlyAMountWithAServiceReportsItsDrives)
 {
     bench->run(Seconds(1.0));
@@ -70,7 +71,7 @@ TEST_P(MountPromises, GoesWhereItIsSent)
     bench->expectAt({60_deg, 45_deg}, before, bench->resolution());
 }
 
-// Story: a rotator of whole degrees was slewing for ever to a place between two of them.
+// Story: a rotator with whole degrees kept slewing for ever to a target between two degrees.
 TEST_P(MountPromises, APlaceBetweenItsStepsCountsAsReached)
 {
     bench->run(Seconds(1.0));
@@ -144,8 +145,8 @@ TEST_P(MountPromises, NothingMovesAfterAFaultWithoutARearm)
     EXPECT_TRUE(bench->stands(Seconds(3.0))) << "a re-arm moves nothing either";
 }
 
-// REQ-MOUNT-600: A mount that its driver finds unfit is not ordered to move. The refusal states
-// the reason. A motion under way ends, and does not go on by itself when the mount is fit again.
+// REQ-MOUNT-600: A mount that its driver reports as unfit receives no motion command. The refusal gives the reason. A
+// motion under way ends, and does not resume by itself when the mount is fit again.
 TEST_P(MountPromises, AnUnfitMountIsNeverOrderedAndSaysWhy)
 {
     bench->run(Seconds(1.0));
@@ -189,8 +190,8 @@ TEST_P(MountPromises, AMountThatBecomesUnfitEndsItsMotion)
     EXPECT_TRUE(bench->goTo(90.0, 60.0));
 }
 
-// REQ-MOUNT-601: A device that was exchanged for another one is sent nowhere before the operator has entered where it
-// stands. A device that does not say who it is has no identity in the report.
+// REQ-MOUNT-601: A device that replaced another one is sent nowhere before the operator has entered its position. A
+// device that does not report its identity has none in the report.
 TEST_P(MountPromises, AnotherDeviceIsNeverOrdered)
 {
     bench->run(Seconds(1.0));

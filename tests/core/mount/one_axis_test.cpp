@@ -13,8 +13,8 @@ namespace {
 
 using profile::AxisDriver;
 
-// REQ-MOUNT-03: A mount with one axis needs no answer, no wrap and no arming of the other one. That one is shown as
-// missing, and can not be jogged. What is asked of it is ignored, and 0 is reported for it.
+// REQ-MOUNT-03: A mount with one axis needs no reply, no wrap and no arming of the other axis. The other axis is shown
+// as missing and cannot be jogged. Targets for it are ignored, and 0 is reported for it.
 TEST(OneAxis, WhatIsAskedOfTheMissingAxisIsIgnored)
 {
     for (const Axis missing : kAxes) {
@@ -32,8 +32,8 @@ TEST(OneAxis, WhatIsAskedOfTheMissingAxisIsIgnored)
     }
 }
 
-// REQ-MOUNT-10: Of an axis that no moteus turns nothing is asked, commanded, kept or believed, whoever answers under
-// its id. The crash-stop proof is of the other one.
+// REQ-MOUNT-10: For an axis without a moteus no query or command is sent, and no value is stored or believed, even if a
+// drive replies under its id. The crash-stop test uses the other axis.
 TEST(OneAxis, NothingOfADriveUnderTheIdOfTheMissingAxisCounts)
 {
     StationRig foreign;  // has drives for both axes
@@ -100,8 +100,8 @@ TEST(OneAxis, TheMissingAxisIsShownAsMissingAndCanNotBeJogged)
     EXPECT_TRUE(status.permissions.allows(Action::JogLeft)) << status.permissions.reason(Action::JogLeft).toStdString();
 }
 
-// REQ-MOUNT-04: Nobody knows where the beam of a mount with one axis is in the other angle: a keep-out holds for all of
-// it, and no horizon holds an azimuth back.
+// REQ-MOUNT-04: The other angle of the beam of a mount with one axis is unknown. So a keep-out applies to all values of
+// the missing angle, and no horizon limits an azimuth.
 TEST(OneAxis, AKeepOutHoldsForTheWholeOfTheMissingAngle)
 {
     profile::Profile profile = slowProfile();
@@ -167,10 +167,10 @@ bool warnsNow(Bench& bench, const char* alarm)
                                [alarm](const Alarm& one) { return one.active && one.name == QLatin1String(alarm); });
 }
 
-// Story: a mount with an azimuth only stood towards the Sun all noon, and no alarm was raised because its elevation
+// Story: a mount with an azimuth only pointed towards the Sun all noon. No alarm was raised, because its elevation
 // counted as 0°.
-// REQ-MOUNT-11: The Sun may be in the beam of a mount with one axis as soon as the one angle that is known is near to
-// it, as the keep-out says. An advisory names that as a possibility, because nobody knows the other angle.
+// REQ-MOUNT-11: The Sun may be in the beam of a mount with one axis as soon as the known angle is within the keep-out
+// of the Sun. An advisory reports this as a possibility, because the other angle is unknown.
 TEST(OneAxis, TheSunMayBeInTheBeamWhereTheAngleThatIsKnownIsNear)
 {
     const Site lisbon{.latitude = 38.757_deg, .longitude = -9.117_deg, .heightMetres = 80.0};
@@ -212,8 +212,8 @@ TEST(OneAxis, WithoutAClockTheSunMayBeAtAnyOfTheMissingAngle)
         << textOf(asked.error());
 }
 
-// REQ-MOUNT-12: Of the pointing model of a mount with one axis counts only what needs nothing of the missing angle:
-// its zero point, and the sag of an elevation.
+// REQ-MOUNT-12: For a mount with one axis only those terms of the pointing model count that need no missing angle: its
+// zero, and the sag of an elevation.
 TEST(OneAxis, WhatOneAngleChangesByTheOtherDoesNotCount)
 {
     profile::Profile profile = slowProfile();
@@ -236,7 +236,7 @@ TEST(OneAxis, WhatOneAngleChangesByTheOtherDoesNotCount)
     }
 }
 
-// REQ-MOUNT-13: The texts of a mount are true of one with one axis and of one without a time-out mode.
+// REQ-MOUNT-13: The texts of a mount are right for a mount with one axis and for a mount without a time-out mode.
 TEST(OneAxis, ARotatorWithoutTimeOutModeIsNotSaidToHaveOne)
 {
     SimpleBench bench;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The client with a real broker that lets it in, sooner or later.
+// The client with a real broker that accepts it, at once or later.
 #include "core/mqtt/broker_client.h"
 
 #include "tests/core/mqtt/mqtt_rig.h"
@@ -22,7 +22,7 @@ const QString kTopic = QStringLiteral("antenna/orientation");
 
 using MqttClient = fakes::MqttTest;
 
-// REQ-MQTT-01: Messages arrive whole and in order. A subscription survives reconnects.
+// REQ-MQTT-01: Messages arrive complete and in order. A subscription survives reconnects.
 TEST_F(MqttClient, BringsWhatOthersPublish)
 {
     ASSERT_TRUE(startBroker());
@@ -45,7 +45,7 @@ TEST_F(MqttClient, BringsWhatOthersPublish)
     EXPECT_THAT(reader.problems, IsEmpty());
 }
 
-// Twice the rate that the sensor would have if it sent each reading.
+// Twice the rate of a sensor that sends every reading.
 // REQ-MQTT-01
 TEST_F(MqttClient, LosesNothingOfABurst)
 {
@@ -63,7 +63,8 @@ TEST_F(MqttClient, LosesNothingOfABurst)
     }
 }
 
-// Story: it was kept in memory, up to 256 MB. A broker that keeps such a message sends it at each connection.
+// Story: such a message was kept in memory, up to 256 MB. A broker with a retained message of this size sends it at
+// each connection.
 // REQ-MQTT-09e
 TEST_F(MqttClient, AMessageThatIsTooLargeIsDroppedAndTheConnectionGoesOn)
 {
@@ -110,7 +111,7 @@ TEST_F(MqttClient, IsLetInByItsPassword)
     EXPECT_THAT(rig.problems, IsEmpty());
 }
 
-// REQ-MQTT-03: Each trouble is reported in one line with what to do, once, however often it is tried.
+// REQ-MQTT-03: Each trouble is reported once, in one line with what to do, however often the connection is tried.
 TEST_F(MqttClient, AWrongPasswordIsToldOnceHoweverOftenItIsTried)
 {
     ASSERT_TRUE(startBroker(Door::Password));
@@ -166,7 +167,7 @@ protected:
 
 // REQ-MQTT-02
 // REQ-MQTT-06 (MqttTls.*): With TLS only a broker is accepted whose certificate is signed by the right authority, for
-// the right name or address. A corrected file of authorities is read again.
+// the right name or address. A corrected CA file is read again.
 TEST_F(MqttTls, TrustsTheAuthorityOfTheFileByNameAndByAddress)
 {
     ASSERT_TRUE(startBroker(Door::Tls));
@@ -176,7 +177,7 @@ TEST_F(MqttTls, TrustsTheAuthorityOfTheFileByNameAndByAddress)
             rig.client.subscribe(kTopic);
             rig.client.open(to(*broker, host, broker->caFile()));
             ASSERT_TRUE(rig.connected()) << host;
-            // More than one TLS record, so that some of it waits in OpenSSL's buffer.
+            // Longer than one TLS record, so a part of it waits in OpenSSL's buffer.
             const QByteArray large(40'000, 'x');
             EXPECT_TRUE(rig.client.publish({.topic = kTopic, .payload = large}));
             EXPECT_TRUE(rig.client.publish({.topic = kTopic, .payload = "small"}));
@@ -204,7 +205,7 @@ TEST_F(MqttTls, RefusesACertificateOfAnotherName)
     EXPECT_THAT(refused(to(*broker, "127.0.0.1", broker->caFile())), HasSubstr("not for \"127.0.0.1\""));
 }
 
-// A file that is mended while the program runs is read again.
+// A CA file that is corrected while the program runs is read again.
 TEST_F(MqttTls, TakesAMendedCaFile)
 {
     ASSERT_TRUE(startBroker(Door::Tls));
@@ -283,7 +284,8 @@ TEST_F(MqttClient, ComesBackAfterTheBrokerDiedInTheMiddleOfAStream)
     EXPECT_EQ(reader.connections, 2);
 }
 
-// A connection that was good makes the next attempt come soon; of one that ends at once nobody knows why.
+// After a good connection the next attempt comes soon. A connection that ends at once has an unknown cause, so the
+// delay stays.
 // REQ-MQTT-04
 TEST_F(MqttClient, TheDelayBeginsAnewOnlyAfterAGoodConnection)
 {
@@ -322,7 +324,8 @@ TEST_F(MqttClient, OfTwoOfOneNameTheFirstIsThrownOut)
     EXPECT_TRUE(second.client.isConnected());
 }
 
-// REQ-MQTT-07: Availability is retained: "online", "offline" at the end of the program and, by the will, at its death.
+// REQ-MQTT-07: Availability is a retained message: "online" while connected, "offline" at the end of the program and,
+// by the will, when the program dies.
 TEST_F(MqttClient, TheWillIsToldWhenTheProgramDiesAndNotWhenItSaysGoodbye)
 {
     ASSERT_TRUE(startBroker());
@@ -349,14 +352,14 @@ TEST_F(MqttClient, TheWillIsToldWhenTheProgramDiesAndNotWhenItSaysGoodbye)
     EXPECT_THAT(other.messages,
                 ElementsAre(Message{.topic = topic, .payload = "offline"}, Message{.topic = topic, .payload = "online"},
                             Message{.topic = topic, .payload = "mark"}));
-    Rig late;  // the broker has kept it
+    Rig late;  // the broker has retained it
     late.client.subscribe(topic);
     late.client.open(onLoopback(broker->port()));
     ASSERT_TRUE(late.received(1));
     EXPECT_EQ(late.messages.front().payload, "offline");
 }
 
-// REQ-MQTT-09: A connection may be closed in the middle of anything.
+// REQ-MQTT-09: The connection may be closed at any moment.
 TEST_F(MqttClient, MayBeClosedByWhoReceivesAMessage)
 {
     ASSERT_TRUE(startBroker());

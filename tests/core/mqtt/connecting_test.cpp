@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The client where no broker lets it in, with stand-ins for what may be there instead. The event loop goes on all the
-// time: the same loop feeds the drives, whose watchdog waits for 100 ms.
+// The client when no broker accepts it. Other servers, played by the test, listen at its address. The event loop must
+// not stop, because it also serves the drives with their watchdog of 100 ms.
 #include "core/base/file_descriptor.h"
 #include "tests/core/mqtt/mqtt_rig.h"
 
@@ -20,8 +20,8 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-// Listens and never answers: its queue is full, so that the system drops what knocks. What an address without a host
-// looks like.
+// A port that listens and never accepts. Its queue is full, so the system drops new connections, as for an address
+// without a host.
 class DeafPort
 {
 public:
@@ -54,7 +54,7 @@ private:
     std::uint16_t m_port = 0;
 };
 
-// Somebody who takes connections; what he does with what he reads is the test's choice.
+// A server that accepts connections. The test decides what it does with what it reads.
 class StandIn
 {
 public:
@@ -116,7 +116,7 @@ TEST(MqttConnecting, AClosedPortIsToldWithAndWithoutTls)
     }
 }
 
-// "localhost" is ::1 first on most machines.
+// On most computers "localhost" is ::1 first.
 // REQ-MQTT-05: Every address of a name is tried.
 TEST(MqttConnecting, EveryAddressOfANameIsTried)
 {
@@ -179,7 +179,7 @@ TEST(MqttConnecting, SomebodyWhoSaysNothingIsGivenUp)
     }
 }
 
-// In the middle of a TLS handshake libmosquitto does not notice.
+// During a TLS handshake libmosquitto does not detect this.
 TEST(MqttConnecting, SomebodyWhoHangsUpIsTold)
 {
     const auto hangUp = [](QTcpSocket& peer) { peer.disconnectFromHost(); };
@@ -198,7 +198,7 @@ TEST(MqttConnecting, SomebodyWhoHangsUpIsTold)
     }
 }
 
-// A broker behind a proxy is found by the name in the TLS greeting, and libmosquitto only knows the address.
+// A broker behind a proxy is found by the name in the TLS greeting, but libmosquitto only knows the address.
 TEST(MqttConnecting, TheTlsGreetingSaysTheName)
 {
     QByteArray greeting;

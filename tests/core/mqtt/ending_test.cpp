@@ -17,7 +17,7 @@ constexpr EndKind kAll[] = {
 const Broker kBroker{
     .host = QStringLiteral("shack"), .user = QStringLiteral("mount"), .clientId = QStringLiteral("b1")};
 
-// One line each, which names the broker, is told apart from all others and never shows the password.
+// Each end has one line, which names the broker, differs from all others and never shows the password.
 // REQ-MQTT-03 (MqttEnding.*)
 TEST(MqttEnding, EachHasALineOfItsOwn)
 {

@@ -62,7 +62,7 @@ protected:
         m_broker = FileDescriptor(accept4(listener.number(), nullptr, nullptr, SOCK_CLOEXEC));
         ASSERT_TRUE(m_broker.isOpen());
     }
-    // Returns when all of it has arrived. For little: a TCP window holds some 60 kB.
+    // Returns when everything has arrived. For small messages only: a TCP window holds about 60 kB.
     void send(const std::string& bytes) const
     {
         const std::size_t expected = left() + bytes.size();
@@ -81,7 +81,7 @@ protected:
         EXPECT_EQ(ioctl(m_broker.number(), SIOCOUTQ, &bytes), 0);
         return bytes == 0;
     }
-    // Until nothing but `rest` is left.
+    // Runs until only `rest` is left.
     void dropUntil(std::size_t rest)
     {
         while (!allArrived() || left() > rest) {
@@ -91,14 +91,14 @@ protected:
             }
         }
     }
-    // What poll says now: that is what the event loop goes by.
+    // The present result of poll, which the event loop uses.
     [[nodiscard]] bool wakes() const
     {
         pollfd request{.fd = m_reader.number(), .events = POLLIN, .revents = 0};
         return poll(&request, 1, 0) == 1;
     }
     [[nodiscard]] bool mayRead() { return m_inlet.mayRead(m_reader.number()); }
-    // As libmosquitto does.
+    // Reads as libmosquitto does.
     void read(std::size_t bytes) const
     {
         std::string text(bytes, '\0');
@@ -127,8 +127,8 @@ std::string publication(std::size_t payload)
     return header + std::string("\0\1t", 3) + std::string(payload, 'x');
 }
 
-// REQ-MQTT-09e (InletTest.*): A message of more than 64 kB is dropped with one line in the log, and the connection
-// goes on. Without TLS it is never kept in memory.
+// REQ-MQTT-09e (InletTest.*): A message of more than 64 kB is dropped with one line in the log, and the connection goes
+// on. Without TLS the message is never kept in memory.
 TEST_F(InletTest, APacketIsReadAsItComesOnceItsLengthIsKnown)
 {
     const std::string packet = publication(1000);
@@ -160,8 +160,8 @@ TEST_F(InletTest, SmallPacketsAreReadOneByOne)
     EXPECT_EQ(m_inlet.takeDropped(), std::nullopt);
 }
 
-// Story: the kernel's buffer was full of one large piece, of which all but half a packet had been read. The other half
-// was waited for and could not come: the values stopped, and the thread turned in circles.
+// Story: the kernel's buffer was full of one large piece, and all of it but half a packet was read. The reader waited
+// for the other half, which could not arrive. No values came any more, and the thread ran in a busy loop.
 TEST_F(InletTest, AFullBufferIsReadOn)
 {
     const std::string packet = publication(320);
@@ -185,7 +185,7 @@ TEST_F(InletTest, AFullBufferIsReadOn)
     EXPECT_EQ(taken, burst.size());
 }
 
-// Story: a message of 200 MB was kept in memory, and its reading held up the drives for 0.42 s.
+// Story: a message of 200 MB was kept in memory, and reading it delayed the drives by 0.42 s.
 TEST_F(InletTest, AHugePacketIsThrownAwayPieceByPiece)
 {
     std::string huge = publication(200'000'000);

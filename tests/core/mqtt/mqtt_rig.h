@@ -15,7 +15,7 @@
 #include <chrono>
 #include <vector>
 
-// A client with a hand-turned clock, what it told, and how long the event loop was held up.
+// A client with a hand-turned clock, its reports, and the longest delay of the event loop.
 namespace boresight::mqtt {
 
 [[nodiscard]] inline Broker onLoopback(std::uint16_t port)
@@ -23,10 +23,10 @@ namespace boresight::mqtt {
     return {.host = QStringLiteral("127.0.0.1"), .port = port};
 }
 
-// Half of what the drives' watchdog waits for.
+// Half the watchdog time of the drives.
 inline constexpr std::chrono::milliseconds kLongestStall{50};
 
-// Ticks every 2 ms and remembers the longest time without; counts how often the event loop had to wake up.
+// Ticks every 2 ms and keeps the longest gap. Counts how often the event loop woke up.
 class LoopWatch
 {
 public:
@@ -40,7 +40,7 @@ public:
         m_timer.start(std::chrono::milliseconds(2));
     }
     [[nodiscard]] std::chrono::milliseconds longest() const { return std::chrono::milliseconds(m_longest); }
-    // Runs the event loop for so long and counts its turns.
+    // Runs the event loop for this time and counts its turns.
     [[nodiscard]] int turnsIn(std::chrono::milliseconds time)
     {
         m_turns = 0;
@@ -57,7 +57,7 @@ private:
     int m_turns = 0;
 };
 
-// The longest stall in the best of many runs: what blocks does so each time, what else this computer has to do not.
+// The longest stall in the best of many runs: blocking code stalls in every run, other load of this computer does not.
 template <class Scenario>
 [[nodiscard]] std::chrono::milliseconds stallOf(Scenario scenario)
 {
@@ -88,7 +88,7 @@ struct Rig
     {
         return fakes::waitUntil([this] { return client.isConnected(); });
     }
-    // Until an attempt has failed and the next one is only due later.
+    // Runs until an attempt has failed and the next one is due later.
     [[nodiscard]] bool failed() const
     {
         return fakes::waitUntil([this] { return client.nextAttempt().has_value(); });

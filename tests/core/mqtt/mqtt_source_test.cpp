@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The sensor's messages by a real broker.
+// The sensor's messages through a real broker.
 #include "core/orientation_stream/mqtt_source.h"
 
 #include "tests/core/mqtt/mqtt_rig.h"
@@ -15,7 +15,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 constexpr auto npos = std::string::npos;
 
-// As the firmware prints them, with its runs of spaces.
+// In the form that the firmware prints, with its runs of spaces.
 const QByteArray kOrientation =
     R"({  "dateTime": "Thursday, 19-Feb-2026 09:32:40 UTC",  "ts": "1771493560427",  "azimuth": 372.67,  )"
     R"("elevation": 19.13,  "revolutions": 1,  "units": {    "ts": "milliseconds",    "orientation": "decimal degrees"  }})";
@@ -114,8 +114,9 @@ TEST_F(MqttSourceTest, WhatMakesNoSenseIsCountedAndNotUsed)
     EXPECT_EQ(source->status().counts.allRefused(), 2U);
 }
 
-// Story: what `mosquitto_pub -r` left an hour ago was the sensor's direction of now, at every connect.
-// REQ-MQTT-09a: What the broker has kept from before is told apart. A retained message of the sensor is counted and
+// Story: a message that `mosquitto_pub -r` had left an hour ago was the present direction of the sensor at every
+// connect.
+// REQ-MQTT-09a: Retained messages are distinguished from live ones. A retained message of the sensor is counted and
 // never used.
 TEST_F(MqttSourceTest, WhatTheBrokerHasKeptIsNotLive)
 {
@@ -132,7 +133,7 @@ TEST_F(MqttSourceTest, WhatTheBrokerHasKeptIsNotLive)
     EXPECT_EQ(source->status().counts.of(Refusal::Retained), 2U);
     QByteArray now = kOrientation;
     now.replace("372.67", "12.00");
-    // Who publishes so still speaks: who listens meanwhile hears it live.
+    // A publisher that uses the retain flag is live for clients that are connected at that time.
     sensor.client.publish({.topic = QStringLiteral("roof/orientation"), .payload = now, .retain = mqtt::Retain::Yes});
     ASSERT_TRUE(received(1));
     EXPECT_NEAR(values[0].heading.angle().degrees(), 12.0, 1e-9);
@@ -153,8 +154,8 @@ TEST_F(MqttSourceTest, SaysWhenNothingComesAndWhenItIsNothingOfTheSensor)
     EXPECT_THAT(states.back(), HasSubstr("The messages on roof/orientation are not from the sensor"));
 }
 
-// Story: the broker refused, and the line said that the sensor might have no power.
-// REQ-MQTT-09b: A subscription that the broker refuses is reported once, with its topic and the remedy, and asked for
+// Story: the broker refused the topic, and the line said that the sensor may have no power.
+// REQ-MQTT-09b: A subscription that the broker refuses is reported once, with its topic and the remedy, and requested
 // again every 30 s.
 TEST_F(MqttSourceTest, ATopicThatTheBrokerRefusesIsToldUntilItIsPermitted)
 {
@@ -211,7 +212,7 @@ TEST_F(MqttSourceTest, ATopicBesideItThatIsRefusedIsToldAndTheRestWorks)
     EXPECT_EQ(states.back(), "open ");
 }
 
-// What mosquitto's own access list does: it grants the subscription and delivers nothing.
+// mosquitto's own access list accepts the subscription and delivers nothing.
 TEST_F(MqttSourceTest, AnAccessListThatKeepsQuietIsAmongTheCausesOfSilence)
 {
     begin(Door::AccessList);
@@ -245,7 +246,7 @@ TEST_F(MqttSourceTest, OutlivesTheBroker)
     EXPECT_TRUE(received(2));
 }
 
-// The connection goes on: others use it too.
+// The connection stays open, because others use it too.
 TEST_F(MqttSourceTest, ClosedItHearsNothing)
 {
     listen();

@@ -8,8 +8,8 @@
 namespace boresight::mqtt {
 namespace {
 
-// REQ-MQTT-04 (MqttRetryDelay.*): A connection is tried again after 1, 2, 4, 8, 16, 30, 30… s. The delay begins again
-// at 1 s after a connection that lasted 10 s.
+// REQ-MQTT-04 (MqttRetryDelay.*): A connection is tried again after 1, 2, 4, 8, 16, 30, 30… s. After a connection that
+// lasted 10 s the delay starts again at 1 s.
 TEST(MqttRetryDelay, GrowsToHalfAMinuteAndBeginsAnew)
 {
     RetryDelay delay;

@@ -28,7 +28,7 @@ protected:
         station->client.open(onLoopback(broker->port()), StatePublisher::will(kPrefix));
         ASSERT_TRUE(station->connected());
     }
-    // All that the station has published so far.
+    // Everything that the station has published so far.
     std::vector<Message> published()
     {
         EXPECT_TRUE(station->client.publish({.topic = kPrefix + QStringLiteral("/mark")}));
@@ -38,7 +38,7 @@ protected:
         all.pop_back();
         return all;
     }
-    // The next that somebody publishes.
+    // The next message that is published.
     Message next()
     {
         EXPECT_TRUE(logger.received(1));
@@ -62,7 +62,8 @@ protected:
     std::unique_ptr<StatePublisher> publisher;
 };
 
-// REQ-MQTT-08 (MqttStatePublisher.*): The state goes out each second and at every change, at once after a reconnect.
+// REQ-MQTT-08 (MqttStatePublisher.*): The state is published each second, at every change, and at once after a
+// reconnect.
 TEST_F(MqttStatePublisher, TellsEachSecondAndAtEveryChangeOfState)
 {
     publisher->show(in("HOLD"));
@@ -85,7 +86,7 @@ TEST_F(MqttStatePublisher, TellsEachSecondAndAtEveryChangeOfState)
     EXPECT_THAT(published(), ElementsAre(telling(stopped)));
 }
 
-// REQ-HOOKS-15: A moment of the schedule goes to the broker as it comes, and is not kept there.
+// REQ-HOOKS-15: A moment of the schedule is published when it comes, and is not retained.
 TEST_F(MqttStatePublisher, TellsTheMomentsOfTheSchedule)
 {
     (void)published();
@@ -110,7 +111,7 @@ TEST_F(MqttStatePublisher, SaysOfflineWhenItEndsAndTheBrokerSaysItWhenItDies)
     EXPECT_EQ(next(), offline);
 }
 
-// Nobody was there to hear the last one, so the next does not wait for its second.
+// Nobody received the last message, so the next one does not wait for its second.
 TEST_F(MqttStatePublisher, TellsAtOnceWhenTheBrokerIsBack)
 {
     publisher->show(in("HOLD"));

@@ -49,7 +49,7 @@ struct ThreadedRig
     std::vector<Message> messages;
 };
 
-// A broker of blocking system calls: whoever is served by it needs no event loop of this thread.
+// A broker of blocking system calls. It serves a client without the event loop of this thread.
 class BlockingBroker
 {
 public:
@@ -73,7 +73,7 @@ public:
         ASSERT_TRUE(m_visitor.isOpen());
         giveUpAfter(m_visitor);
     }
-    // The kind of the next packet; a short one.
+    // The type of the next packet, which must be short.
     [[nodiscard]] int nextPacket() const
     {
         std::array<unsigned char, 2> header{};
@@ -124,7 +124,7 @@ TEST(ThreadedClient, ServesTheBrokerWhileItsOwnerDoesNotRun)
     EXPECT_EQ(broker.nextPacket(), kDisconnect);
 }
 
-// By addresses only: how Qt looks up a name is its own affair, and what ThreadSanitizer says of it, too.
+// With addresses only, because name look-ups are internal to Qt, and so are the reports of ThreadSanitizer about them.
 // REQ-MQTT-09d
 TEST(ThreadedClient, MayBeClosedInEveryPhase)
 {
@@ -138,7 +138,7 @@ TEST(ThreadedClient, MayBeClosedInEveryPhase)
         return !closed.client.isConnected() && !destroyed.client.isConnected();
     };
     EXPECT_TRUE(isClosed(silent.port()));
-    EXPECT_TRUE(isClosed(1));  // where nobody listens
+    EXPECT_TRUE(isClosed(1));  // where nothing listens
     ThreadedRig unused;
     unused.client.close();
     EXPECT_FALSE(unused.client.publish({.topic = kThreadedClientTopic, .payload = "x"}));
@@ -146,8 +146,8 @@ TEST(ThreadedClient, MayBeClosedInEveryPhase)
 
 using MqttThreaded = fakes::MqttTest;
 
-// REQ-MQTT-09f: What was asked for before the end is done: "offline", the goodbye. Without a goodbye the broker sends
-// the will.
+// REQ-MQTT-09f: Messages requested before the end are still sent: "offline" and the disconnect. Without a disconnect
+// the broker sends the will.
 TEST_F(MqttThreaded, DoesAllThatAClientDoes)
 {
     ASSERT_TRUE(startBroker());
@@ -218,8 +218,9 @@ TEST_F(MqttThreaded, WithAnotherBrokerNothingOfTheOneBeforeIsReported)
     EXPECT_TRUE(rig.client.isConnected()) << "the same: it stays";
 }
 
-// Its owner takes no report meanwhile.
-// REQ-MQTT-09c: The station gets at most 32 messages and 64 kB every 20 ms, the newest. A flood never becomes a queue.
+// The owner of the client takes no report meanwhile.
+// REQ-MQTT-09c: Every 20 ms the station receives at most 32 messages and 64 kB, the newest ones. A flood never becomes
+// a queue.
 TEST_F(MqttThreaded, OfAFloodTheNewestAreReportedInOneReport)
 {
     ASSERT_TRUE(startBroker());

@@ -14,7 +14,7 @@ using testing::SizeIs;
 class KilledNight : public NightDeskTest
 {
 protected:
-    // As a program that is started now finds the folder.
+    // The report as a program finds it in the folder when it starts.
     [[nodiscard]] schedule::NightReport reportAfterAKill()
     {
         ReportFile found(path());
@@ -44,8 +44,8 @@ protected:
                      }};
 };
 
-// REQ-SCHEDULE-921: What was tracked of the pass that goes on is stored every 30 s. After kill -9 or a power failure
-// the report has it as interrupted, with a line of the log. Later than a day afterwards a new report begins.
+// REQ-SCHEDULE-921: The record of the running pass is stored every 30 s. After kill -9 or a power failure the report
+// shows this pass as interrupted, and the log has a line about it. After more than a day a new report begins.
 TEST_F(KilledNight, TheRunningPassIsInterrupted)
 {
     const auto runKilled = [&](UtcTime until) {

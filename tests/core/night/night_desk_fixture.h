@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-// A night of the schedule on a mount of ideal drives, in hand-turned time.
+// A night of the schedule on a mount with ideal drives, in hand-turned time.
 namespace boresight {
 
 inline const Site kNightSite{.latitude = 38.757_deg, .longitude = -9.117_deg, .heightMetres = 80.0};
@@ -28,13 +28,13 @@ inline profile::Profile watching(std::vector<schedule::WatchEntry> list)
                     .heightMetres = kNightSite.heightMetres};
     profile.schedule.watch = std::move(list);
     profile.schedule.lead = Seconds(60.0);
-    profile.control.tickHz = 20;  // the lowest: a night is long
+    profile.control.tickHz = 20;  // the lowest, because a night is long
     profile.control.watchdog = Seconds(0.2);
     profile.supervision.replyAge = Seconds(0.2);
     return profile;
 }
 
-// In a circular orbit, above 10° for the first time so long after now, for a time between these.
+// A satellite in a circular orbit that first rises above 10° after about `wait`, for a time between these limits.
 inline orbit::ElementSet risingAfter(int number, UtcTime now, std::chrono::minutes wait, Seconds shortest,
                                      Seconds longest)
 {
@@ -63,7 +63,7 @@ inline orbit::ElementSet risingAfter(int number, UtcTime now, std::chrono::minut
     return {};
 }
 
-// They are searched for once: each night begins at the same time.
+// The search runs only once, because every night begins at the same time.
 inline NightDesk::Satellites threeSatellites()
 {
     static const auto kSets = [] {
@@ -103,7 +103,7 @@ protected:
             tick();
         }
     }
-    // Only while nothing moves or is about to: what is left out of the night.
+    // Skips time. Only allowed while nothing moves or is about to move.
     void skipTo(UtcTime utc)
     {
         ASSERT_GE(utc, now());
@@ -128,7 +128,7 @@ protected:
         const Result<> done = rig.ask(wanted, by).and_then([&] { return desk.carryOut(wanted, by); });
         return done ? std::string() : textOf(done.error());
     }
-    // As the station hands it on.
+    // Passes the request on as the station does.
     void operatorAsks(const Request& wanted)
     {
         ASSERT_TRUE(rig.ask(wanted));

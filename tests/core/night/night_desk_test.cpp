@@ -14,8 +14,8 @@ using schedule::Moment;
 using testing::ElementsAre;
 using testing::SizeIs;
 
-// REQ-SCHEDULE-910: While it is armed the schedule sends the mount to each chosen pass, tracks it from AOS to LOS, and
-// goes on to the next. The cable is never at its end. The report has each pass.
+// REQ-SCHEDULE-910: While the schedule is armed it sends the mount to each chosen pass, tracks it from AOS to LOS, and
+// goes on to the next. The cable never reaches its end. The report has each pass.
 TEST_F(NightDeskTest, ANightOfSeveralPassesIsTracked)
 {
     const std::vector<schedule::WatchedPass> plan = status().plan.chosen;
@@ -55,8 +55,8 @@ TEST_F(NightDeskTest, ANightOfSeveralPassesIsTracked)
     }
 }
 
-// REQ-SCHEDULE-911: After a start the schedule is off, and nothing moves, also when a pass begins. Only the operator
-// arms it. It is not armed without a watch list or a site.
+// REQ-SCHEDULE-911: After a start the schedule is not armed, and nothing moves, even when a pass begins. Only the
+// operator arms it. It cannot be armed without a watch list or a site.
 TEST_F(NightDeskTest, NothingMovesUntilItIsArmed)
 {
     EXPECT_FALSE(status().armed);
@@ -72,7 +72,7 @@ TEST_F(NightDeskTest, NothingMovesUntilItIsArmed)
     EXPECT_EQ(arm(), "The watch list of the profile is empty.");
 }
 
-// The mount joins in the middle of a pass, far from where it stands.
+// The mount joins in the middle of a pass, far from its present position.
 // REQ-SCHEDULE-922
 TEST_F(NightDeskTest, APassThatIsJoinedLateHasTheErrorOfItsTracking)
 {
@@ -93,8 +93,8 @@ TEST_F(NightDeskTest, APassThatIsJoinedLateHasTheErrorOfItsTracking)
     EXPECT_LT(record.rmsError.value(), 0.3_deg);
 }
 
-// REQ-SCHEDULE-912: STOP in a pass disarms the schedule: an alarm and a line of the log say so. Nothing moves after the
-// reset of STOP, also not for the next pass.
+// REQ-SCHEDULE-912: STOP during a pass disarms the schedule, and an alarm and a log line report it. After the reset of
+// STOP nothing moves, not even for the next pass.
 TEST_F(NightDeskTest, StopDisarms)
 {
     intoAPass();
@@ -114,8 +114,8 @@ TEST_F(NightDeskTest, StopDisarms)
     EXPECT_NEAR(rig.azimuthDegrees(), azimuth, 0.01);
 }
 
-// REQ-SCHEDULE-913: Any manual act disarms: a motion, Hold, control that is given away, STOP of a client. Armed again,
-// the schedule goes on. A pass that is under way is then tracked for the rest.
+// REQ-SCHEDULE-913: Any manual act disarms the schedule: a motion, Hold, handing over control, STOP of a client. When
+// it is armed again the schedule goes on, and the rest of a running pass is tracked.
 TEST_F(NightDeskTest, AnyManualActDisarms)
 {
     const std::vector<std::function<void()>> acts{
@@ -145,7 +145,7 @@ TEST_F(NightDeskTest, AnyManualActDisarms)
     }
 }
 
-// REQ-SCHEDULE-914: Disarming by the operator ends the pass, the mount holds, and there is no alarm.
+// REQ-SCHEDULE-914: When the operator disarms the schedule the pass ends, the mount holds, and there is no alarm.
 TEST_F(NightDeskTest, TheOperatorDisarmsIt)
 {
     intoAPass();
@@ -156,8 +156,8 @@ TEST_F(NightDeskTest, TheOperatorDisarmsIt)
     EXPECT_EQ(rig.state(), StationState::Hold);
 }
 
-// REQ-SCHEDULE-917: What the mount cannot see is not planned: its horizon, keep-outs and limits count. A change of them
-// makes a new plan. The parts that the antenna sees are tracked, and only they count in the report.
+// REQ-SCHEDULE-917: The plan leaves out what the mount cannot see: its horizon, keep-outs and limits count. A change of
+// them makes a new plan. The parts of a pass that the antenna sees are tracked, and only these count in the report.
 TEST_F(NightDeskTest, TheHorizonOfTheMountCounts)
 {
     const auto draw = [&](double height) {
@@ -191,8 +191,8 @@ TEST_F(NightDeskTest, TheHorizonOfTheMountCounts)
     EXPECT_NEAR(report.passes[0].within1dB.count(), top.pass.clearTime().count(), 1.0);
 }
 
-// REQ-SCHEDULE-918: After a restart the report of the same night goes on. A pass that the program left in the middle is
-// in it. A report whose last pass ended a day ago is over, and a new one begins.
+// REQ-SCHEDULE-918: After a restart the report of the same night continues. It includes the pass during which the
+// program ended. A report whose last pass ended a day ago is complete, and a new report begins.
 TEST_F(NightDeskTest, TheReportGoesOnAfterARestart)
 {
     const auto reportNow = [&] {
@@ -237,9 +237,10 @@ TEST_F(NightDeskTest, APassThatTheProgramLeavesIsInTheReport)
     EXPECT_THAT(moments(), ElementsAre(Moment::BeforeAos, Moment::Los));
 }
 
-// Story: the mount waited for an hour where the satellite rises, and missed the passes of this hour.
-// REQ-SCHEDULE-919: When the clock is set back the passes that come again are planned again. A pass that is tracked and
-// now begins later is left with the reason, and tracked at its time.
+// Story: the clock was set back. The mount waited for an hour where the satellite rises, and missed the passes of this
+// hour.
+// REQ-SCHEDULE-919: When the clock is set back, the passes that come again are planned again. If a tracked pass then
+// begins later, its tracking ends with the reason, and it is tracked at its time.
 TEST_F(NightDeskTest, AClockThatIsSetBackMakesANewPlan)
 {
     const schedule::WatchedPass one = status().plan.chosen[0];
@@ -279,8 +280,8 @@ protected:
     UnattendedNight() : NightDeskTest(unattended()) {}
 };
 
-// REQ-SCHEDULE-915: The policy of the profile arms the schedule once after a start, with a line of the log. What
-// somebody has disarmed stays off.
+// REQ-SCHEDULE-915: If the profile says so, the schedule is armed once after a start, with a line in the log. After
+// somebody has disarmed it, it stays disarmed.
 TEST_F(UnattendedNight, ThePolicyOfTheProfileArmsItOnce)
 {
     EXPECT_TRUE(status().armed);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is told of a night while it goes on: to hooks, MQTT and the log.
+// What hooks, MQTT and the log receive during a night.
 #include "tests/core/night/night_desk_fixture.h"
 
 #include <gmock/gmock.h>
@@ -13,8 +13,8 @@ using schedule::Moment;
 using testing::ElementsAre;
 using testing::SizeIs;
 
-// REQ-HOOKS-10: The moments of a pass are told once each, in order: before AOS, at AOS, at LOS. Each is a line of the
-// log. While the schedule is not armed nothing is told.
+// REQ-HOOKS-10: Each moment of a pass is reported once, in order: before AOS, at AOS, at LOS. Each is a line in the
+// log. While the schedule is not armed nothing is reported.
 TEST_F(NightDeskTest, TheMomentsOfAPassAreTold)
 {
     const schedule::WatchedPass pass = first();
@@ -37,8 +37,8 @@ TEST_F(NightDeskTest, TheMomentsOfAPassAreTold)
     EXPECT_TRUE(logged("LOS of SAT 90001"));
 }
 
-// REQ-HOOKS-11: A pass that was told to come is told to end, whatever ends it. Armed in the middle of a pass the
-// moments that have passed are told at once.
+// REQ-HOOKS-11: If the beginning of a pass was reported, its end is reported too, whatever ends it. If the schedule is
+// armed in the middle of a pass, the past moments are reported at once.
 TEST_F(NightDeskTest, WhatWasToldToComeIsToldToEnd)
 {
     ASSERT_EQ(arm(), "");
@@ -77,8 +77,8 @@ TEST_F(NightDeskTest, APassThatIsNotPlannedAnyMoreIsToldToEnd)
     EXPECT_EQ(told[1].end, schedule::PassEnd::Refused);
 }
 
-// REQ-HOOKS-12: A fault that ends the armed schedule is told, with the pass if there is one, which is told to end then.
-// Without an armed schedule a fault is not told.
+// REQ-HOOKS-12: A fault that ends the armed schedule is reported, with the pass if there is one. Then the end of this
+// pass is reported. Without an armed schedule a fault is not reported.
 TEST_F(NightDeskTest, AFaultIsTold)
 {
     intoAPass();

@@ -37,10 +37,10 @@ protected:
     QTemporaryDir m_folder;
 };
 
-// REQ-SCHEDULE-906 (ReportFileTest.*): The night report is in a file and survives a restart with all its values. It is
-// written by a worker, never in a tick, and is on the disk before the program ends. What cannot be read is not written
-// over. What cannot be written is reported until it can. A pass that was running when the program was killed is
-// interrupted in the report, with what was tracked of it, and each pass is there once.
+// REQ-SCHEDULE-906 (ReportFileTest.*): The night report is in a file and survives a restart with all its values. A
+// worker writes it, never a tick, and it is on the disk before the program ends. A file that cannot be read is not
+// overwritten. A file that cannot be written is reported until it can. A pass that was running when the program was
+// killed is shown as interrupted, with what was tracked of it. Each pass is in the report once.
 TEST_F(ReportFileTest, TheReportIsThereAgain)
 {
     const schedule::NightReport report{.passes = {aPass(25'544), aPass(7)}, .interventions = 2, .faults = 1};
@@ -82,7 +82,7 @@ TEST_F(ReportFileTest, WhatCannotBeReadIsNotWrittenOver)
 TEST_F(ReportFileTest, WhatCannotBeWrittenIsReportedUntilItCan)
 {
     ReportFile file(path());
-    ASSERT_TRUE(QDir().mkpath(path()));  // nobody can write over it, not even root
+    ASSERT_TRUE(QDir().mkpath(path()));  // a folder: nobody can overwrite it, not even root
     file.keep({.passes = {aPass(1)}});
     ASSERT_TRUE(fakes::waitUntil([&] { return !file.problem().isEmpty(); }));
     ASSERT_TRUE(QDir().rmdir(path()));
@@ -100,7 +100,7 @@ schedule::PassRecord begunPass(int number, Seconds tracked)
     return pass;
 }
 
-// As kill -9 leaves the folder: what the worker has written, and no end.
+// The folder after kill -9: what the worker has written, and no end of the pass.
 TEST_F(ReportFileTest, APassThatWasRunningIsInterrupted)
 {
     ReportFile killed(path());
@@ -117,7 +117,7 @@ TEST_F(ReportFileTest, APassThatWasRunningIsInterrupted)
     EXPECT_LT(QFile(path() + QStringLiteral(".pass")).size(), 600) << "it is written often";
 }
 
-// The two files come to the disk in any order.
+// The two files reach the disk in any order.
 TEST_F(ReportFileTest, APassWithAnEndIsThereOnce)
 {
     {
@@ -156,8 +156,8 @@ TEST_F(ReportFileTest, ATornPassCostsNothingElse)
     EXPECT_EQ(ReportFile(path()).lostPass()->number, 8);
 }
 
-// Story: a station is made on the main thread and moved to its own. The writer of the pass stayed behind, and two
-// threads worked on it.
+// Story: a station is made on the main thread and moved to its own thread. The writer of the pass stayed on the main
+// thread, and two threads worked on it.
 TEST_F(ReportFileTest, BothWritersGoToTheThreadOfTheFile)
 {
     QThread other;

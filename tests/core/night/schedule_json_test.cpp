@@ -18,8 +18,8 @@ std::string lineOf(const schedule::PassMoment& moment)
 }
 
 // REQ-HOOKS-13: The facts of a moment are the event, the time, the mount, whether it is simulated, the satellite with
-// its number and priority, AOS, LOS and largest elevation of the pass, how it ended and why. What does not apply is
-// null.
+// its number and priority, AOS, LOS and largest elevation of the pass, how the pass ended and why. A fact that does not
+// apply is null.
 TEST(MomentObject, HasAllFacts)
 {
     const UtcTime begin = std::chrono::sys_days{std::chrono::year{2026} / 11 / 21};

@@ -12,8 +12,7 @@ namespace {
 const Site kLisbon{.latitude = 38.757_deg, .longitude = -9.117_deg, .heightMetres = 80.0};
 const UtcTime kDay = std::chrono::sys_days(std::chrono::year(2026) / 12 / 24);
 
-// The largest error in the first minute of a pass, of a beam that goes by one rule for refraction and is judged by
-// another.
+// The largest error in the first minute of a pass. The beam uses one refraction rule, and the judgement another.
 Angle peakError(ephemeris::RefractionRule beam, ephemeris::RefractionRule judged)
 {
     const orbit::ElementSet elements = fakes::lowOrbit(kDay);
@@ -31,8 +30,8 @@ Angle peakError(ephemeris::RefractionRule beam, ephemeris::RefractionRule judged
     return tracked.tally().record().peakError.value();
 }
 
-// Sæmundsson's 29.0′ at the horizon.
-// REQ-SCHEDULE-960: The report judges the beam by where the rule of the profile for refraction has the satellite.
+// Refraction by Sæmundsson: 29.0′ at the horizon.
+// REQ-SCHEDULE-960: The report compares the beam with the satellite by the refraction rule of the profile.
 TEST(TrackedPass, IsJudgedByTheRuleForRefraction)
 {
     using ephemeris::RefractionRule;

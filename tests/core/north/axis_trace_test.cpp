@@ -33,8 +33,8 @@ TEST(AxisTrace, TellsWhereTheAxesWereInTheMiddleOfAnAverage)
     EXPECT_NEAR(5.0, then->rates.azimuth.degrees(), 1e-6);
     EXPECT_NEAR(30.0, then->place.elevation.degrees(), 1e-9);
     EXPECT_DOUBLE_EQ(0.5, then->current);
-    // Story: the ripple of a motor that turns slowly was taken for its current, and a whole swing of the simulated
-    // mount was refused: 9 Nm for 20 ms at 4 Nm on average.
+    // Story: the current ripple of a slowly turning motor, 9 Nm for 20 ms at 4 Nm on average, was taken for its
+    // current. A whole swing of the simulated mount was refused.
     EXPECT_NEAR(1.25, turning().about(at(1.0), Seconds(1.0))->current, 0.05);
 }
 
@@ -44,7 +44,7 @@ TEST(AxisTrace, TellsNothingAboutWhatWasNotSeen)
     EXPECT_FALSE(turning().about(at(0.4), Seconds(1.0)));
     EXPECT_FALSE(turning().about(at(3.9), Seconds(1.0)));
     AxisTrace trace = turning();
-    trace.note(at(6.0), {.azimuth = 100_deg, .elevation = 30_deg}, 0.0);  // nobody saw it for two seconds
+    trace.note(at(6.0), {.azimuth = 100_deg, .elevation = 30_deg}, 0.0);  // two seconds without an observation
     EXPECT_FALSE(trace.about(at(3.0), Seconds(0.5)));
     EXPECT_FALSE(trace.now());
 }

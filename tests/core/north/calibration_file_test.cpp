@@ -28,8 +28,8 @@ protected:
     QTemporaryDir m_folder;
 };
 
-// REQ-NORTH-38b (CalibrationFileTest.*): The history is written by a worker, never in a tick, and is on the disk
-// before the program ends. A history that cannot be read or written is an alarm, and is not written over.
+// REQ-NORTH-38b (CalibrationFileTest.*): A worker writes the history, never a tick, and the history is on the disk
+// before the program ends. A history that cannot be read or written raises an alarm, and is not overwritten.
 TEST_F(CalibrationFileTest, SavingWritesNothingInTheCallersThread)
 {
     CalibrationFile file(path());
@@ -59,7 +59,7 @@ TEST_F(CalibrationFileTest, TheNewestIsOnTheDiskBeforeTheEndEvenWithoutAnEventLo
 TEST_F(CalibrationFileTest, WhatCannotBeWrittenIsToldUntilItCan)
 {
     CalibrationFile file(path());
-    ASSERT_TRUE(QDir().mkpath(path()));  // nobody can write over it, not even root
+    ASSERT_TRUE(QDir().mkpath(path()));  // nobody can overwrite a folder, not even root
     file.add(north(1));
     ASSERT_TRUE(fakes::waitUntil([&] { return !file.problem().isEmpty(); }));
     ASSERT_TRUE(QDir().rmdir(path()));

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sun and Moon are followed for as long as that is what the operator asked for, and the change of a model moves
-// nothing.
+// Sun and Moon are tracked as long as the operator asks for it, and a change of the model moves nothing.
 #include "core/alarms/catalogue.h"
 #include "core/station/station_rotator.h"
 #include "core/units/angle_between.h"
@@ -16,9 +15,10 @@ namespace {
 using namespace boresight::literals;
 using ephemeris::Body;
 
-// The first time from the network makes the Sun leap over the sky; the mount does not leap after it.
-// REQ-NORTH-37b: When the computed position of a body jumps, because a clock or a site was set, the mount holds, with
-// the reason. No point is taken of that body until it is tracked again.
+// The first time received from the network makes the computed Sun jump across the sky. The mount does not jump after
+// it.
+// REQ-NORTH-37b: When the computed position of a body jumps because the clock or the site was set, the mount holds and
+// shows the reason. No point is taken from that body until it is tracked again.
 TEST(CalibrationFollow, AClockThatIsSetMovesNothing)
 {
     SwungRig rig;
@@ -50,7 +50,7 @@ TEST(CalibrationFollow, ASecondOfTheClockIsFollowed)
     EXPECT_TRUE(rig.status().following);
 }
 
-// What follows would lead the mount to the new north.
+// Tracking would move the mount to the new north.
 // REQ-NORTH-38
 TEST(CalibrationFollow, TermsTypedMeanwhileAreRefused)
 {
@@ -64,7 +64,7 @@ TEST(CalibrationFollow, TermsTypedMeanwhileAreRefused)
     EXPECT_NE(std::string::npos, textOf(refused.error()).find("Press Hold"));
     profile::Profile other = rig.profile;
     other.park.elevation = 45_deg;
-    EXPECT_TRUE(rig.ask(request::ApplyProfile{other}));  // has nothing to do with north
+    EXPECT_TRUE(rig.ask(request::ApplyProfile{other}));  // does not concern north
     ASSERT_TRUE(rig.ask(request::Hold{}));
     EXPECT_TRUE(rig.ask(request::ApplyProfile{typed}));
 }
@@ -81,7 +81,7 @@ TEST(CalibrationFollow, TermsTypedWhileAClientIsFollowedAreRefused)
     EXPECT_FALSE(rig.ask(request::ApplyProfile{typed}));
 }
 
-// The readings before are of another sensor, or of another mount.
+// The readings so far belong to another sensor or another mount.
 // REQ-NORTH-38
 TEST(CalibrationFollow, TermsTypedInMidSwingEndIt)
 {
@@ -99,9 +99,9 @@ TEST(CalibrationFollow, TermsTypedInMidSwingEndIt)
     EXPECT_EQ(StationState::Hold, rig.state());
 }
 
-// The control was given away: nothing of the operator's takes it back a second later.
-// REQ-NORTH-35a: Giving control to the clients, or to one of them, ends what a calibration moves. No request of the
-// operator takes it back.
+// After control was handed to the clients, no request of the operator's side takes it back a second later.
+// REQ-NORTH-35a: Giving control to the clients, or to one of them, ends the motion of a calibration. No request of the
+// operator takes control back.
 TEST(CalibrationFollow, EndsWhenTheClientsAreGivenControl)
 {
     SwungRig rig;
@@ -133,7 +133,8 @@ TEST(CalibrationFollow, ASwingEndsWhenAClientIsGivenTheLead)
     }
 }
 
-// A motion of the operator's own is not one that asks on: it may end, and the clients take over when they ask.
+// A single motion of the operator does not repeat its request. It may finish, and a client takes over with its next
+// request.
 // REQ-NORTH-35a
 TEST(CalibrationFollow, ASlewMayEndAfterTheClientsWereGivenControl)
 {
@@ -146,7 +147,7 @@ TEST(CalibrationFollow, ASlewMayEndAfterTheClientsWereGivenControl)
     EXPECT_EQ(Authority::Clients, rig.control.authority());
 }
 
-// It would arrive at a direction that nobody asked for.
+// The slew would end at a direction that nobody asked for.
 // REQ-NORTH-38
 TEST(CalibrationFollow, ApplyWaitsUntilASlewHasArrived)
 {
@@ -165,7 +166,8 @@ TEST(CalibrationFollow, ApplyWaitsUntilASlewHasArrived)
     EXPECT_EQ(arrived, rig.axes());
 }
 
-// How far the path of a stream goes on when its points cease is nothing that the first client decides by reading.
+// When the targets of a stream stop, the mount follows their path a little longer. Position readings of a client do not
+// change how long.
 TEST(CalibrationFollow, AClientThatReadsSaysNothingAboutIt)
 {
     const auto restsAt = [](bool reads) {
@@ -201,10 +203,11 @@ TEST(CalibrationFollow, WhatIsRefusedChangesNothing)
     EXPECT_TRUE(rig.status().following);
 }
 
-// Story: the Sun was followed, then the mount was sent to 300° 40°; one click took a "Sun" 66° beside the beam.
-// REQ-NORTH-37c: Once a body was tracked a point is taken of it as long as the mount was only held, stopped, jogged
-// and stepped since, however far by the model. A point far from a north that was found is reported in the log.
-// Whatever sends the mount elsewhere, or gives it away, ends that.
+// Story: the Sun was tracked, then the mount was sent to 300° 40°. One click took a point of the "Sun" with the beam
+// 66° away from it.
+// REQ-NORTH-37c: After a body was tracked, a point of it may be taken as long as the mount was only held, stopped,
+// jogged and stepped, however far that is by the model. A point far from a north that was already found is reported in
+// the log. Whatever sends the mount elsewhere or hands over control ends this.
 TEST(CalibrationFollow, NoPointIsTakenOnceTheMountWasSentElsewhere)
 {
     const AxisPosition elsewhere{.azimuth = 300_deg, .elevation = 40_deg};
@@ -252,7 +255,7 @@ TEST(CalibrationFollow, NoPointIsTakenAfterAClientLedTheMount)
     EXPECT_FALSE(rig.ask(request::TakePoint{}));
 }
 
-// From a north that is 37° wrong the body is centred by hand, however far that is.
+// If north is wrong by 37°, the operator centres the body by hand, however far that is.
 // REQ-NORTH-37c
 TEST(CalibrationFollow, APointIsTakenWhatWasCentredByHand)
 {
@@ -279,7 +282,7 @@ TEST(CalibrationFollow, APointIsTakenWhatWasCentredByHand)
     EXPECT_NEAR(37.4, rig.terms().azimuthOffset.degrees(), 1.0);
 }
 
-// Where north was found, a point far from it is taken, for the operator sees what they see, but not without a word.
+// After north was found, a point far from it is still taken, because the operator sees the body. The log reports it.
 // REQ-NORTH-37c
 TEST(CalibrationFollow, APointFarFromTheNorthThatWasFoundIsToldOf)
 {
@@ -314,7 +317,7 @@ TEST(CalibrationFollow, TheMoonBearsNoAlarmOfTheSun)
     EXPECT_TRUE(warnsOfTheSun(rig));
 }
 
-// Story: sun.keep_away was switched on, and the mount drove 5° in the next second.
+// Story: sun.keep_away was switched on, and the mount moved by 5° in the next second.
 // REQ-CONTROL-39
 TEST(CalibrationFollow, KeepingAwayFromTheSunMovesNothing)
 {
@@ -336,9 +339,9 @@ TEST(CalibrationFollow, KeepingAwayFromTheSunMovesNothing)
     EXPECT_TRUE(rig.status().warning.isEmpty());
 }
 
-// Story: Hold and Apply ended the following, and the alarm said "over" with the beam 0.01° beside the Sun.
-// REQ-NORTH-37d: The warning for eyes and feed lasts from the request to go to the Sun until the beam has left it. It
-// also comes when anybody else points the beam there: within half its width, or 1°.
+// Story: Hold and Apply ended the tracking, and the alarm ended with the beam only 0.01° beside the Sun.
+// REQ-NORTH-37d: The warning about eyes and feed lasts from the request to go to the Sun until the beam has left the
+// Sun. It also appears when any other request points the beam at the Sun: within half the beam width, or 1°.
 TEST(CalibrationFollow, TheWarningStaysWhileTheBeamLooksIntoTheSun)
 {
     SwungRig rig;
@@ -373,7 +376,7 @@ TEST(CalibrationFollow, WhoeverLedTheBeamToTheSunIsWarned)
     rig.run(Seconds(1.0));
     EXPECT_FALSE(warnsOfTheSun(rig));
 
-    // Through the Sun and on, it is not told.
+    // A beam that only passes through the Sun raises no warning.
     setHour(rig, 8.0);
     ASSERT_TRUE(rig.ask(request::PointSky{{sun.azimuth - 30_deg, sun.elevation}}));
     rig.run(Seconds(60.0));
@@ -387,7 +390,7 @@ TEST(CalibrationFollow, WhoeverLedTheBeamToTheSunIsWarned)
     EXPECT_LT(nearest, 1_deg);
 }
 
-// A client that only reads is told where the beam points, like the screen and MQTT.
+// The position that a client reads is the direction of the beam, as on the screen and in MQTT.
 TEST(CalibrationFollow, TheTrimIsPartOfWhatClientsAreTold)
 {
     SwungRig rig;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Points that outlive the connection: whose they are, and when they count again.
+// Calibration points that are kept after a disconnect: which mount they belong to, and when they count again.
 #include "core/alarms/catalogue.h"
 #include "tests/core/north/calibration_sun.h"
 
@@ -12,10 +12,11 @@ namespace {
 
 using namespace boresight::literals;
 
-// REQ-NORTH-37 (CalibrationPoints.*): The Sun or the Moon is tracked as a client's stream is, trimmed by nudges. After
-// a swing and three centred Suns the beam is right to 0.15°, after six to 0.05°.
-// REQ-NORTH-38h: The points outlive a Reconnect and the program until they are dropped: the same worker writes
-// STATE_DIR/NAME.points.toml. When the wrap of an axis was asked since, the proposal warns.
+// REQ-NORTH-37 (CalibrationPoints.*): The Sun or the Moon is tracked like the stream of a client and trimmed by nudges.
+// After a swing and three centred Suns the beam is right to 0.15°, after six to 0.05°.
+// REQ-NORTH-38h: The points survive a Reconnect and a restart of the program until they are dropped. The worker of the
+// history also writes STATE_DIR/NAME.points.toml. If Boresight asked for the wrap of an axis since then, the proposal
+// warns.
 TEST(CalibrationPoints, ThePointsOutliveTheConnection)
 {
     QTemporaryDir folder;
@@ -46,7 +47,7 @@ TEST(CalibrationPoints, ThePointsOutliveTheConnection)
     EXPECT_TRUE(dropped.status().points.empty());
 }
 
-// The board at the azimuth is taken out, and another put in its place: it counts from wherever it woke up.
+// The board of the azimuth drive is replaced by another one, which counts from wherever it woke up.
 void replaceDrive(CalibrationRig& rig)
 {
     rig.azimuth.silent = true;
@@ -64,12 +65,11 @@ void replaceDrive(CalibrationRig& rig)
     rig.run(Seconds(2.0));
 }
 
-// Points that were kept on the disk, of a mast that was moved or a drive that was replaced meanwhile.
-// REQ-NORTH-38i: Points that were kept are in the list at once. They count when both drives have been read, also one
-// that reports no UUID. Until then the page Model says what they wait for. Points of another drive than the one that
-// was read, or of a site more than a kilometre away, are left out with an alarm until the operator uses them again.
-// What is not known today (no site, a silent drive) leaves them with their owner. What was taken back before another
-// was applied stays to be read.
+// Stored points of a mast that was moved or of a drive that was replaced meanwhile.
+// REQ-NORTH-38i: Stored points are in the list at once. They count when both drives have been read, even a drive that
+// reports no UUID. Until then the page Model says what they wait for. Points of another drive, or of a site more than a
+// kilometre away, are left out with an alarm until the operator uses them again. Missing information (no site, a silent
+// drive) does not make the points foreign. A calibration that was undone before another was applied stays in the file.
 TEST(CalibrationPoints, ThoseOfAnotherDriveOrSiteAreLeftOut)
 {
     QTemporaryDir folder;
@@ -108,7 +108,7 @@ TEST(CalibrationPoints, ThoseOfAnotherDriveOrSiteAreLeftOut)
     EXPECT_FALSE(moved.status().proposal);
 }
 
-// Until a drive has said who it is, it may be another than the one that the kept points were taken with.
+// Until a drive has reported its identity, it may be a different drive from the one of the stored points.
 // REQ-NORTH-38i
 TEST(CalibrationPoints, ThoseThatWereKeptWaitUntilTheDrivesAreKnown)
 {
@@ -134,7 +134,7 @@ TEST(CalibrationPoints, ThoseThatWereKeptWaitUntilTheDrivesAreKnown)
     EXPECT_TRUE(again.status()->points.front().isUsed);
 }
 
-// Story: a drive of a firmware without a UUID kept the points waiting for ever, and new ones with them.
+// Story: with a drive whose firmware reports no UUID, the stored points waited for ever, and new points with them.
 // REQ-NORTH-38i
 TEST(CalibrationPoints, ThoseThatWereKeptCountWithADriveThatTellsNoUuid)
 {
@@ -160,7 +160,7 @@ TEST(CalibrationPoints, ThoseThatWereKeptCountWithADriveThatTellsNoUuid)
     EXPECT_TRUE(again.status()->points.front().isUsed);
 }
 
-// Those that come after them are of the mount of today.
+// Points that are taken after dropping the stored ones belong to the present mount.
 // REQ-NORTH-38i
 TEST(CalibrationPoints, WithThoseThatWaitedTheWaitingGoes)
 {
@@ -183,7 +183,7 @@ TEST(CalibrationPoints, WithThoseThatWaitedTheWaitingGoes)
     EXPECT_TRUE(isFitted(book)) << "the last of them";
 }
 
-// Story: a point was dropped while the site was not known; the others were nobody's from then on.
+// Story: a point was dropped while the site was not known. From then on the other points belonged to no mount.
 // REQ-NORTH-38i
 TEST(CalibrationPoints, AreNotTornFromTheirSiteWhileNoneIsKnown)
 {
@@ -203,7 +203,7 @@ TEST(CalibrationPoints, AreNotTornFromTheirSiteWhileNoneIsKnown)
     ASSERT_EQ(1U, rig.status().points.size());
     EXPECT_FALSE(rig.status().points.front().isUsed);
     EXPECT_TRUE(rig.control.alarms().active(alarmEntry("points.other-drive")));
-    // New ones are of this place.
+    // New points belong to this place.
     ASSERT_TRUE(rig.ask(request::DropAllPoints{}));
     ASSERT_TRUE(rig.ask(request::TakeKnownPoint{.truth = rig.beam(), .label = {}}));
     rig.run(Seconds(0.5));

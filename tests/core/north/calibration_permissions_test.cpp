@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the station publishes of each calibration is what the desk answers when it is asked for.
+// The permissions that the station publishes for each calibration action agree with the answers of the desk.
 #include "core/north/calibration_gates.h"
 #include "tests/core/north/calibration_sun.h"
 #include "tests/core/north/calibration_swing.h"
@@ -35,7 +35,7 @@ void silentSensor(CalibrationRig& rig)
 {
     standing(rig);
     rig.speaks = false;
-    rig.run(Seconds(30.5));  // whole seconds are told
+    rig.run(Seconds(30.5));  // the texts name whole seconds
 }
 
 void stopped(CalibrationRig& rig)
@@ -151,7 +151,8 @@ void undone(CalibrationRig& rig)
     rig.run(Seconds(0.5));
 }
 
-// As the station publishes it. The plan changes nothing: it has the status made anew, so that no age in a text differs.
+// The permissions as the station publishes them. Planning a swing changes nothing else but renews the status, so that
+// no age in a text differs.
 Permissions published(CalibrationRig& rig)
 {
     EXPECT_TRUE(rig.ask(request::PlanSwing{.rate = kSweep.rate, .headings = kSweep.headings}));
@@ -167,7 +168,7 @@ constexpr std::array kAsked{
     Action::TakeKnownPoint,      Action::ChangePoints,    Action::ProposeTerms,   Action::ApplyCalibration,
     Action::DiscardCalibration,  Action::UndoCalibration, Action::RedoCalibration};
 
-// As the screen asks for it.
+// The request that the screen sends for this action.
 CalibrationRequest requestOf(Action action, const std::optional<CalibrationProposal>& proposal)
 {
     const std::uint64_t number = proposal ? proposal->number : 0;
@@ -268,7 +269,7 @@ TEST(CalibrationPermissions, ThePointOfABodyIsTakenAsItWasPublished)
     }
 }
 
-// Story: Hold was grey during a swing although it ends the swing.
+// Story: the Hold button was grey during a swing, although Hold ends the swing.
 TEST(CalibrationPermissions, HoldIsOfferedDuringARunAndEndsIt)
 {
     for (const Situation situation : {swinging, scanning}) {

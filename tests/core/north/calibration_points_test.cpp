@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sun and Moon, points, the pointing model from them; Apply, Undo and Redo.
+// Sun and Moon, points and the pointing model from them; Apply, Undo and Redo.
 #include "tests/core/north/calibration_sun.h"
 #include "tests/fakes/text_of.h"
 
@@ -26,7 +26,7 @@ TEST(CalibrationPoints, FollowsTheSunAndSaysSo)
     EXPECT_FALSE(rig.status().warning.isEmpty());
     ASSERT_FALSE(status.alarms.empty());
     EXPECT_TRUE(status.alarms.front().remedy.contains(QStringLiteral("solar filter")));
-    // An hour later it still is.
+    // Ten minutes later the beam is still on the Sun.
     rig.run(Seconds(600.0));
     EXPECT_LT(apart(*rig.control.status().actual, rig.status().bodies.at(0).direction), 0.02);
     ASSERT_TRUE(rig.ask(request::Hold{}));
@@ -46,7 +46,7 @@ TEST(CalibrationPoints, OverTheTopOnlyWhereTheElevationReachesIt)
     upright.run(Seconds(5.0));
     EXPECT_LT(abs(upright.axes().azimuth - before.azimuth), 0.01_deg);
 
-    // The limits of operation count as the travel does, also when they come in the middle of it.
+    // The limits of operation count like the travel, also when they are set during tracking.
     CalibrationRig rig({}, profileOverTheTop());
     setHour(rig, 8.0);
     follow(rig, Body::Sun, true);
@@ -96,11 +96,11 @@ TEST(CalibrationPoints, OnePointTellsNorth)
     SwungRig rig;
     takeSun(rig, 8.0);
     ASSERT_TRUE(rig.apply());
-    EXPECT_NEAR(37.4, rig.terms().azimuthOffset.degrees(), 1.0);  // the tilt is in it
+    EXPECT_NEAR(37.4, rig.terms().azimuthOffset.degrees(), 1.0);  // this includes the effect of the tilt
     EXPECT_LT(apart(rig.beam(), rig.status().bodies.at(0).direction), 0.3);
 }
 
-// The largest error of the beam on the Sun's way over the day.
+// The largest error of the beam on the path of the Sun over the day.
 double worstOnItsWay(CalibrationRig& rig)
 {
     const pointing::PointingModel found(rig.terms());
@@ -115,7 +115,7 @@ double worstOnItsWay(CalibrationRig& rig)
     return worst;
 }
 
-// The whole way: the compass first, then the Sun of one day, as an operator goes it.
+// The whole procedure of an operator: first the compass, then the Sun of one day.
 TEST(CalibrationPoints, ASwingThenThreeAndSixSunsMakeTheModel)
 {
     CalibrationRig rig;
@@ -138,13 +138,14 @@ TEST(CalibrationPoints, ASwingThenThreeAndSixSunsMakeTheModel)
     EXPECT_NEAR(rig.truth.terms.tiltNorth.degrees(), rig.terms().tiltNorth.degrees(), 0.1);
     EXPECT_NEAR(rig.truth.terms.tiltEast.degrees(), rig.terms().tiltEast.degrees(), 0.1);
     EXPECT_LT(worstOnItsWay(rig), 0.05);
-    // What the arc of the Sun leaves between this and the collimation is told by its sigma.
+    // The arc of the Sun cannot fully separate north from collimation. The sigma shows this.
     EXPECT_LT(abs(rig.terms().azimuthOffset - rig.truth.terms.azimuthOffset), 2.0 * sigma);
     EXPECT_NEAR(37.4, rig.terms().azimuthOffset.degrees(), 0.15);
     RecordProperty("north_error", std::to_string(rig.terms().azimuthOffset.degrees() - 37.4));
 }
 
-// One of three, two of six, with the boom past the zenith: the terms themselves are true, on any day.
+// With one of three or two of six points taken with the boom past the zenith, the terms are right by themselves, on any
+// day.
 // REQ-CALIBRATION-17a
 TEST(CalibrationPoints, SunsFromBothSidesTellTheTermsApart)
 {
@@ -174,10 +175,10 @@ TEST(CalibrationPoints, SunsFromBothSidesTellTheTermsApart)
     EXPECT_LT(worstOnItsWay(rig), 0.05);
 }
 
-// REQ-NORTH-38: Only Apply puts a result into effect, and Apply moves nothing. It is refused for what the operator has
-// not seen, and while a client is tracked. Undo and Redo restore exactly the profile that was. Terms that are typed
-// into the profile move nothing either: while directions are tracked, or slewed to, both are refused, and a run that
-// is under way ends.
+// REQ-NORTH-38: Only Apply puts a result into effect, and Apply moves nothing. It is refused for a result that the
+// operator has not seen, and while a client's target is tracked. Undo and Redo restore exactly the earlier profile.
+// Terms that are typed into the profile move nothing either. While a direction is tracked, or is the target of a slew,
+// both Apply and typed terms are refused. A calibration that is running ends.
 TEST(CalibrationPoints, ApplyMovesNothing)
 {
     SwungRig rig;
@@ -188,7 +189,7 @@ TEST(CalibrationPoints, ApplyMovesNothing)
     rig.run(Seconds(5.0));
     EXPECT_LT(abs(rig.axes().azimuth - before.azimuth), 0.01_deg);
     EXPECT_LT(abs(rig.axes().elevation - before.elevation), 0.01_deg);
-    EXPECT_GT(apart(sky, *rig.control.status().actual), 0.5);  // it only looks elsewhere in truth
+    EXPECT_GT(apart(sky, *rig.control.status().actual), 0.5);  // only the displayed true direction changes
     EXPECT_FALSE(rig.status().following);
     EXPECT_FALSE(rig.control.status().trim);
 }
@@ -223,7 +224,7 @@ TEST(CalibrationPoints, UndoAndRedoGiveExactlyWhatWas)
     takeSun(rig, 8.0);
     ASSERT_TRUE(rig.apply());
     const profile::Profile third = rig.profile;
-    EXPECT_NE(second.sensor, third.sensor);  // the compass follows north
+    EXPECT_NE(second.sensor, third.sensor);  // the compass offset changes with north
 
     ASSERT_TRUE(rig.ask(request::UndoCalibration{}));
     EXPECT_EQ(second, rig.profile);
@@ -235,7 +236,7 @@ TEST(CalibrationPoints, UndoAndRedoGiveExactlyWhatWas)
     EXPECT_EQ(third, rig.profile);
     EXPECT_FALSE(rig.ask(request::RedoCalibration{}));
 
-    // And after a restart.
+    // The same after a restart.
     rig.file->flush();
     CalibrationRig again({}, rig.profile, folder.path());
     again.tick();
@@ -246,7 +247,7 @@ TEST(CalibrationPoints, UndoAndRedoGiveExactlyWhatWas)
     EXPECT_NEAR(second.pointing.azimuthOffset.degrees(), again.terms().azimuthOffset.degrees(), 2e-9);
 }
 
-// Story: a swing beside a car was proposed until another one took its place.
+// Story: a swing made beside a car stayed proposed until another result replaced it.
 TEST(CalibrationPoints, WhatIsDiscardedIsProposedNoMoreAndChangesNothing)
 {
     SwungRig rig;
@@ -271,12 +272,12 @@ TEST(CalibrationPoints, WhatIsDiscardedIsProposedNoMoreAndChangesNothing)
     EXPECT_TRUE(rig.status().proposal) << "what comes later is";
 }
 
-// Story: 37.4° applied, 50° and a collimation typed; Undo and Redo lost both without a word.
+// Story: 37.4° was applied, then 50° and a collimation were typed. Undo and Redo lost both without a report.
 // REQ-NORTH-38
-// REQ-NORTH-38f: Undo and Redo lose nothing that was typed since: they are refused with what was changed, and the
-// history shows it too. They warn of an entry of another drive or site. After them the points are proposed again if
-// they say otherwise. Apply is refused for what makes no sense with settings that wait for Reconnect, and while
-// another bus waits.
+// REQ-NORTH-38f: Undo and Redo lose nothing that was typed since. They are refused and name the change, and the history
+// shows the change too. They warn if the entry belongs to another drive or site. After them the points are proposed
+// again if they lead to another result. Apply is refused if the result is invalid with settings that wait for
+// Reconnect, and while another bus waits for Reconnect.
 TEST(CalibrationPoints, UndoAndRedoLoseNothingThatWasTypedSince)
 {
     SwungRig rig;
@@ -298,7 +299,7 @@ TEST(CalibrationPoints, UndoAndRedoLoseNothingThatWasTypedSince)
     EXPECT_EQ(typed, rig.profile);
 }
 
-// What only comes into force with Reconnect is saved, too: Apply must not make a profile that is not loaded again.
+// Settings that wait for Reconnect are saved, too: Apply must not make a profile that cannot be loaded again.
 // REQ-NORTH-38f
 TEST(CalibrationPoints, WhatMakesNoSenseWithWhatWaitsIsRefused)
 {
@@ -312,7 +313,8 @@ TEST(CalibrationPoints, WhatMakesNoSenseWithWhatWaitsIsRefused)
     EXPECT_TRUE(rig.apply());
 }
 
-// Story: the drive lost its turn between two points; nobody said that the operator's answer may have mixed two frames.
+// Story: the drive lost its wrap between two points. No warning said that the points before and after the operator's
+// answer may not fit together.
 // REQ-NORTH-38h
 TEST(CalibrationPoints, PointsFromBeforeTheTurnWasToldWarn)
 {

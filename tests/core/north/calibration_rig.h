@@ -10,9 +10,9 @@
 #include <numbers>
 #include <random>
 
-// A calibration desk beside StationControl with two ideal drives, on a mount whose truth nobody has told it: where
-// north is, how the mast leans, where the beam looks, and what iron does to the compass of a sensor that speaks once a
-// second and half a second late. The clock is turned by hand.
+// A calibration desk beside StationControl with two ideal drives. The mount does not know the truth: where north is,
+// how the mast leans, where the beam looks, and how iron deflects the compass of a sensor that reports once a second,
+// half a second late. The clock is turned by hand.
 namespace boresight {
 
 struct HiddenTruth
@@ -24,7 +24,7 @@ struct HiddenTruth
                                   .collimation = Angle::fromDegrees(0.3),
                                   .nonPerpendicularity = {},
                                   .elevationSag = {}};
-    double firstAmplitude = 8.0;  // of the deviation, degrees
+    double firstAmplitude = 8.0;  // degrees, of the deviation
     double firstPhase = 50.0;
     double secondAmplitude = 3.0;
     double secondPhase = 20.0;
@@ -51,7 +51,7 @@ inline profile::Profile calibratedProfile()
     return profile;
 }
 
-// At 20 Hz a drive has been silent too long before so many replies are lost that nobody sees what it does.
+// The full tick rate. At 20 Hz a drive counts as silent before enough replies are lost to hide its position.
 inline profile::Profile calibratedAtFullRate()
 {
     profile::Profile profile = calibratedProfile();
@@ -98,7 +98,7 @@ public:
             tick();
         }
     }
-    // Until the desk has nothing more to do, at most for so long.
+    // Runs until no calibration is running, for at most `longest`.
     void runOut(Seconds longest = Seconds(600.0))
     {
         tick();
@@ -114,7 +114,7 @@ public:
         run(Seconds(40.0));
     }
 
-    // What StationControl and desk make of a profile, as the station hands it to them.
+    // Gives the profile to StationControl and the desk, as the station does.
     void setProfile(const profile::Profile& wanted)
     {
         const auto before = inForce.shared();
@@ -122,7 +122,8 @@ public:
         desk.profileChanged(*before, *inForce);
     }
 
-    [[nodiscard]] CalibrationStatus status() { return *desk.status(); }  // as it is now: the next tick makes another
+    // the present status: the next tick makes another
+    [[nodiscard]] CalibrationStatus status() { return *desk.status(); }
     [[nodiscard]] AxisPosition axes() const { return *control.measured(); }
     [[nodiscard]] const pointing::PointingTerms& terms() const { return profile.pointing; }
     [[nodiscard]] Result<> apply()
@@ -131,7 +132,7 @@ public:
                                  : failure(ErrorCode::Refused, QStringLiteral("Nothing is proposed"));
     }
 
-    // Of the hidden mount: where the beam looks.
+    // The direction of the beam of the hidden mount.
     [[nodiscard]] SkyPointing beam() const { return pointing::upright(model.toSky(axes())); }
 
     HiddenTruth truth;
@@ -156,7 +157,7 @@ private:
 
     double gaussian(double sigma) { return std::normal_distribution<double>(0.0, sigma)(random); }
 
-    // What it measured a latency ago arrives now.
+    // The reading that arrives was measured one latency earlier.
     void speak()
     {
         if (const auto here = control.measured()) {
@@ -170,7 +171,7 @@ private:
             return;
         }
         m_next = clock.now() + std::chrono::milliseconds(1030);
-        // The box sits on the boom: the beam's collimation is none of its business.
+        // The sensor box sits on the boom, so the collimation of the beam does not affect it.
         pointing::PointingTerms boom = truth.terms;
         boom.collimation = {};
         const SkyPointing direction = pointing::PointingModel(boom).toSky(*m_then);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A scan across the Sun by the power of a small dish: what ends it, and what its readings are of.
+// A scan across the Sun with the received power of a small dish: what ends it, and where its readings count.
 #include "tests/core/north/calibration_sun.h"
 #include "tests/fakes/text_of.h"
 
@@ -11,7 +11,7 @@ namespace {
 using namespace boresight::literals;
 using ephemeris::Body;
 
-// Of a beam 6° wide.
+// Received power in dB with a beam 6° wide.
 double receivedPower(CalibrationRig& rig)
 {
     const double off = apart(rig.beam(), rig.status().bodies.at(0).direction);
@@ -23,7 +23,7 @@ bool scans(CalibrationRig& rig)
     return rig.status().progress.run == CalibrationRun::CrossScan;
 }
 
-// Gives so many powers, each as soon as it is asked for.
+// Enters this number of powers, each as soon as the scan asks for it.
 void givePowers(CalibrationRig& rig, int places)
 {
     for (int i = 0; i < 200000 && places > 0 && scans(rig); ++i) {
@@ -51,10 +51,10 @@ void startScan(CalibrationRig& rig, Angle width = 8_deg, bool overTheTop = false
 }
 
 // REQ-NORTH-38d
-// REQ-NORTH-38e (CalibrationScan.*): A reading counts at the place to which the beam was sent, once it is there. The
-// cross through the middle has to be permitted before the scan begins, and each place, also of the second line, when
-// the beam is sent there. A scan whose beam is held off, nudged or stopped ends. A beam that the scan leaves beside
-// the body no longer tracks it, and gives no point.
+// REQ-NORTH-38e (CalibrationScan.*): A reading counts for the place to which the beam was sent, once the beam is there.
+// Before the scan begins the cross through its middle must be permitted. Each place, also of the second line, is
+// checked again when the beam is sent there. A scan ends when its beam is held off its place, nudged or stopped. A beam
+// that the scan leaves beside the body no longer tracks it, and gives no point.
 TEST(CalibrationScan, FindsTheSun)
 {
     SwungRig rig;
@@ -66,7 +66,7 @@ TEST(CalibrationScan, FindsTheSun)
     EXPECT_LT(apart(rig.model.toSky(point.axes), point.truth), 0.1);
 }
 
-// A peak of the last scan would be taken for one of this.
+// The peak of the last scan must not count as the peak of this one.
 // REQ-NORTH-38d
 TEST(CalibrationScan, ForgetsWhatTheLastOneFound)
 {
@@ -80,7 +80,7 @@ TEST(CalibrationScan, ForgetsWhatTheLastOneFound)
     EXPECT_FALSE(rig.status().scan);
 }
 
-// A Sun of 2 dB in a beam of 6°: the usual case with a small dish.
+// A Sun of 2 dB in a beam of 6° is the usual case with a small dish.
 // REQ-NORTH-38d
 TEST(CalibrationScan, FindsAWeakSun)
 {
@@ -111,7 +111,7 @@ struct OverTheTopRig : CalibrationRig
     }
 };
 
-// There left is right and up is down.
+// Over the top, left and right are exchanged, and up and down as well.
 TEST(CalibrationScan, FindsTheSunOverTheTop)
 {
     OverTheTopRig rig;
@@ -124,7 +124,7 @@ TEST(CalibrationScan, FindsTheSunOverTheTop)
     EXPECT_LT(apart(pointing::upright(rig.model.toSky(point.axes)), point.truth), 0.1);
 }
 
-// The Sun sinks in mid-scan: a place beyond the limits is not one on the other side of the zenith.
+// The Sun sinks during the scan: a place beyond the limits must not become a place on the other side of the zenith.
 TEST(CalibrationScan, OverTheTopStaysThere)
 {
     OverTheTopRig rig;
@@ -135,7 +135,7 @@ TEST(CalibrationScan, OverTheTopStaysThere)
     rig.setProfile(narrow);
     const auto started = rig.ask(request::StartCrossScan{.width = 8_deg, .body = Body::Sun});
     ASSERT_TRUE(started) << textOf(started.error());
-    rig.run(Seconds(60.0));  // the power lets wait
+    rig.run(Seconds(60.0));  // the operator has not entered the power yet
     for (int i = 0; i < 200000 && scans(rig); ++i) {
         rig.tick();
         ASSERT_GT(rig.axes().elevation, 120_deg);
@@ -150,8 +150,8 @@ TEST(CalibrationScan, OverTheTopStaysThere)
     EXPECT_FALSE(rig.status().following);
 }
 
-// A few replies are lost: neither a fault nor the end of the stream, but of the scan. What it leaves is not a beam that
-// follows four degrees beside the Sun and may be taken for a point of it.
+// A few lost replies are no fault and do not end the stream, but they end the scan. The scan must not leave a beam that
+// tracks four degrees beside the Sun and could be taken as a point.
 TEST(CalibrationScan, OneThatIsCutShortLeavesNoBeamBesideTheSun)
 {
     SwungRig rig(calibratedAtFullRate());
@@ -172,7 +172,7 @@ TEST(CalibrationScan, OneThatIsCutShortLeavesNoBeamBesideTheSun)
     EXPECT_FALSE(rig.ask(request::TakePoint{}));
 }
 
-// Nobody has centred the Sun where a scan was held.
+// At the place where a scan was held nobody has centred the Sun.
 TEST(CalibrationScan, WhereItWasHeldIsNoPoint)
 {
     SwungRig rig;
@@ -188,7 +188,7 @@ TEST(CalibrationScan, WhereItWasHeldIsNoPoint)
     EXPECT_TRUE(rig.ask(request::TakePoint{}));
 }
 
-// How far the peak that was found is from the Sun, on the sky.
+// Angle on the sky between the peak that was found and the Sun.
 double peakError(CalibrationRig& rig)
 {
     if (rig.status().points.empty()) {
@@ -207,7 +207,7 @@ CalibrationRig slowRig(AngularRate speed)
     return CalibrationRig({}, slow);
 }
 
-// Its power is given the moment it is asked for: by then the beam has to be there.
+// The power is entered as soon as the scan asks for it: by then the beam must be at the place.
 TEST(CalibrationScan, ASlowMountIsWaitedForAtEachPlace)
 {
     for (const AngularRate speed : {2_deg_s, 0.5_deg_s}) {
@@ -229,7 +229,7 @@ TEST(CalibrationScan, ASlowMountIsWaitedForAtEachPlace)
     }
 }
 
-// What is not permitted is not driven to, so its power would be of another place.
+// The beam does not go to a forbidden place, so its power would belong to another place.
 TEST(CalibrationScan, IsRefusedWhereItsPlacesAreForbidden)
 {
     SwungRig rig;
@@ -238,7 +238,7 @@ TEST(CalibrationScan, IsRefusedWhereItsPlacesAreForbidden)
     ASSERT_LT(rig.status().bodies.at(0).direction.elevation, 3_deg);
     const auto refused = rig.ask(request::StartCrossScan{.width = 20_deg, .body = Body::Sun});
     ASSERT_FALSE(refused);
-    // Story: the reason stood in the middle of a sentence, and is often two sentences itself.
+    // Story: the reason stood in the middle of a sentence, although the reason often has two sentences itself.
     const std::string why = textOf(refused.error());
     ASSERT_NE(std::string::npos, why.find("smaller width"));
     EXPECT_LT(why.find("smaller width"), why.find("permitted: "));
@@ -252,7 +252,7 @@ TEST(CalibrationScan, EndsWhereTheBeamDoesNotGetToItsPlace)
     givePowers(rig, 2);
     profile::Profile drawn = rig.profile;
     const AxisPosition here = rig.axes();
-    // Across all that is still to be looked at.
+    // The keep-out lies across all places that are still to be scanned.
     drawn.limits.keepOuts.push_back({.name = "crane",
                                      .azimuthFrom = rig.beam().azimuth + 0.7_deg,
                                      .azimuthTo = rig.beam().azimuth + 5.0_deg,
@@ -277,7 +277,7 @@ TEST(CalibrationScan, EndsWhenItIsNudged)
     EXPECT_TRUE(rig.status().points.empty());
 }
 
-// The refraction of radio is for the scan alone.
+// The radio refraction applies to the scan only.
 TEST(CalibrationScan, LeavesTheRefractionAsItWas)
 {
     SwungRig rig;

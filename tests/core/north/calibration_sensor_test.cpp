@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The average of the still sensor, on a mount whose north is hidden.
+// The average of the sensor on a mount that stands still and whose north is hidden.
 #include "tests/core/north/calibration_sun.h"
 #include "tests/core/north/calibration_swing.h"
 #include "tests/fakes/text_of.h"
@@ -19,9 +19,9 @@ TEST(CalibrationSensor, TheStillMountTellsNorthAsWellAsOneHeadingCan)
     EXPECT_GT(rig.status().sensorOffset->offset.sigma.degrees(), 3.0);
 }
 
-// Story: measured with a mounting of 0°, 90° typed, and the north of before was still proposed, under a new number.
-// REQ-NORTH-38g: A result of the sensor is not proposed any more when the sensor's settings or the declination have
-// changed.
+// Story: the average was measured with a mounting of 0°, then 90° was typed. The old north was still proposed, under a
+// new number.
+// REQ-NORTH-38g: A result of the sensor is withdrawn when the settings of the sensor or the declination change.
 TEST(CalibrationSensor, WhatWasFoundWithOtherSettingsIsNotProposedAnyMore)
 {
     CalibrationRig rig;
@@ -37,7 +37,7 @@ TEST(CalibrationSensor, WhatWasFoundWithOtherSettingsIsNotProposedAnyMore)
     rig.setProfile(other);
     rig.run(Seconds(0.5));
     EXPECT_TRUE(rig.status().proposal);
-    other.sensor.stillCurrent = 2.0;  // changes nothing in what a reading means
+    other.sensor.stillCurrent = 2.0;  // does not change the meaning of a reading
     rig.setProfile(other);
     rig.run(Seconds(0.5));
     EXPECT_TRUE(rig.status().proposal);
@@ -47,7 +47,7 @@ TEST(CalibrationSensor, WhatWasFoundWithOtherSettingsIsNotProposedAnyMore)
     EXPECT_FALSE(rig.status().proposal);
     EXPECT_FALSE(rig.status().sensorOffset);
     ASSERT_TRUE(measured());
-    rig.truth.declination += 1.0;  // another model was read
+    rig.truth.declination += 1.0;  // another magnetic model was read
     rig.run(Seconds(3.0));
     EXPECT_FALSE(rig.status().proposal);
 }
@@ -82,7 +82,7 @@ TEST(CalibrationSensor, AMountThatMovesTellsNothing)
     EXPECT_FALSE(rig.status().proposal);
 }
 
-// Story: with the Sun followed it ran for its 20 s and was refused then.
+// Story: while the Sun was tracked the average ran for its 20 s and was refused only then.
 TEST(CalibrationSensor, IsNotAveragedWhileABodyIsFollowed)
 {
     SwungRig rig;
@@ -106,7 +106,7 @@ TEST(CalibrationSensor, IsNotAveragedWhileTheMountMoves)
     EXPECT_NE(std::string::npos, textOf(refused.error()).find("stands still"));
 }
 
-// Both come from one busy moment: the follower has not seen yet that the mount was sent elsewhere.
+// Both requests come in the same tick: the follower has not yet seen that the mount was sent elsewhere.
 TEST(CalibrationSensor, AnAverageRightAfterTheBodyWasLeftIsNoFault)
 {
     SwungRig rig;

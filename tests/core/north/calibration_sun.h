@@ -4,17 +4,17 @@
 #include "tests/core/north/calibration_rig.h"
 #include "tests/fakes/text_of.h"
 
-// What an operator does with the Sun of a summer's day over the mast of calibration_rig.h.
+// What an operator does with the Sun on a summer's day, on the mast of calibration_rig.h.
 namespace boresight {
 
-// A summer's day, at this hour of UTC.
+// Sets the clock to this hour of UTC on a summer's day.
 inline void setHour(CalibrationRig& rig, double hour)
 {
     const UtcTime midnight = std::chrono::sys_days{std::chrono::year{2026} / 6 / 21};
     rig.clock.stepUtc(Seconds(midnight - rig.clock.utc()) + Seconds(hour * 3600.0));
 }
 
-// After a swing that has found north to a degree or two.
+// A rig after a swing that has found north to a degree or two.
 struct SwungRig : CalibrationRig
 {
     explicit SwungRig(const profile::Profile& settings = calibratedProfile()) : CalibrationRig({}, settings)
@@ -25,7 +25,7 @@ struct SwungRig : CalibrationRig
     }
 };
 
-// The boom goes past the zenith.
+// The boom can go past the zenith.
 inline profile::Profile profileOverTheTop()
 {
     profile::Profile profile = calibratedProfile();
@@ -47,7 +47,7 @@ inline double apart(const SkyPointing& a, const SkyPointing& b)
     return std::hypot(across, (a.elevation - b.elevation).degrees());
 }
 
-// By the arrow keys, as well as an eye does it.
+// Centres the Sun by the arrow keys, as accurately as an eye does.
 inline void centre(CalibrationRig& rig, double noise = 0.01)
 {
     std::normal_distribution<double> eye(0.0, noise);

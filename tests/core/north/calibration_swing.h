@@ -3,18 +3,18 @@
 
 #include "tests/core/north/calibration_rig.h"
 
-// The swing that the tests ask of a rig, and how far from the hidden north they end.
+// The swing that the tests request, and the remaining error of north.
 namespace boresight {
 
 inline const request::StartSwing kSweep{.rate = 3_deg_s, .headings = 0};
 
-// Of what is in force, in degrees.
+// Error of the north that is in effect, in degrees.
 inline double northError(const CalibrationRig& rig)
 {
     return (rig.terms().azimuthOffset - rig.truth.terms.azimuthOffset).wrapped180().degrees();
 }
 
-// A mount in the middle of its swing.
+// Brings the mount to the middle of a swing.
 inline void swingHalfWay(CalibrationRig& rig)
 {
     rig.goTo(200.0, 30.0);

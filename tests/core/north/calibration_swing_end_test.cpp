@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What ends a swing, what it waits for, and what it outlasts.
+// What ends a swing, what makes it wait, and what does not end it.
 #include "tests/core/north/calibration_swing.h"
 
 #include <algorithm>
@@ -7,9 +7,9 @@
 namespace boresight {
 namespace {
 
-// REQ-NORTH-35 (CalibrationSwing.*): A calibration moves the mount only as everybody does: within the limits, below
-// STOP and faults, with the operator's authority. STOP, Hold, a jog, any other motion or a fault ends it at once, with
-// the reason. Before it starts it shows where it turns and how long.
+// REQ-NORTH-35 (CalibrationSwing.*): A calibration moves the mount by the same rules as every motion: within the
+// limits, below STOP and faults, with the operator's authority. STOP, Hold, a jog, any other motion or a fault ends it
+// at once, with the reason. Before it starts it shows where it will turn and how long it will take.
 TEST(CalibrationSwing, StopEndsItAtOnceAndLatches)
 {
     CalibrationRig rig;
@@ -57,7 +57,7 @@ TEST(CalibrationSwing, ADriveInFaultEndsIt)
     EXPECT_TRUE(rig.status().progress.failed);
 }
 
-// Story: "raise that limit", it said, and whoever did so while it turned had to begin anew.
+// Story: the screen advised to raise that limit. An operator who did so while the mount turned had to start again.
 TEST(CalibrationSwing, GoesOnWhereOnlyALimitIsSet)
 {
     CalibrationRig rig;
@@ -68,13 +68,13 @@ TEST(CalibrationSwing, GoesOnWhereOnlyALimitIsSet)
     rig.setProfile(other);
     rig.run(Seconds(1.0));
     EXPECT_EQ(CalibrationRun::Swing, rig.status().progress.run);
-    other.sensor.latency = Seconds(0.2);  // of the same readings it makes other ones
+    other.sensor.latency = Seconds(0.2);  // the same readings would mean something else
     rig.setProfile(other);
     rig.run(Seconds(0.1));
     EXPECT_EQ(CalibrationRun::None, rig.status().progress.run);
 }
 
-// Minutes of turning are not lost for a few replies.
+// A few lost replies do not cost minutes of turning.
 TEST(CalibrationSwing, OutlastsAStallOfThisComputer)
 {
     CalibrationRig rig({}, calibratedAtFullRate());
@@ -109,7 +109,7 @@ TEST(CalibrationSwing, ASensorThatIsLostEndsItAndHolds)
     EXPECT_EQ(rest, rig.axes()) << "what has ended does not begin by itself";
 }
 
-// Its compass may have another calibration now: readings from before and after are of two sensors.
+// The compass may have another calibration after its restart: readings before and after it would be of two sensors.
 // REQ-NORTH-42
 TEST(CalibrationSwing, ASensorThatWasRestartedEndsIt)
 {
@@ -123,7 +123,8 @@ TEST(CalibrationSwing, ASensorThatWasRestartedEndsIt)
     EXPECT_TRUE(rig.ask(kSweep));
 }
 
-// Without word of its calibration nobody sees a restart: what came before and after a silence may be of two compasses.
+// A sensor that does not report its calibration can restart unseen. Its readings before and after a silence may be of
+// two compasses.
 // REQ-NORTH-42
 TEST(CalibrationSwing, ASilenceOfASensorThatTellsNoCalibrationIsADoubt)
 {
@@ -170,12 +171,12 @@ TEST(CalibrationSwing, WaitsAtRestForASensorThatFallsSilent)
     }
 }
 
-// The broker's WiFi comes and goes: so much patience nobody at the mast has.
-// REQ-NORTH-42: A swing whose sensor falls silent (a broker that is restarted, WiFi) turns on for as long as the
-// sensor is not lost, then stands still and waits. It counts down 30 s in all, while an alarm says that it will go on
-// by itself, and goes on from there when the sensor is received again. Else it ends, holds and gives the reason, the
-// broker's trouble included. STOP, every other end, and a sensor that was restarted end the waiting too. What has
-// ended does not begin again by itself.
+// The WiFi of the broker comes and goes. The swing waits only as long as a person at the mast would.
+// REQ-NORTH-42: A sensor may fall silent during a swing (a broker that is restarted, WiFi). The mount turns on until
+// the sensor counts as lost, then stands still and waits. It counts down 30 s in all, and an alarm says that it will go
+// on by itself. When readings arrive again it goes on from there. Otherwise it ends, holds and gives the reason,
+// including the trouble of the broker. STOP, every other end, and a sensor that was restarted end the waiting too. A
+// swing that has ended does not start again by itself.
 TEST(CalibrationSwing, WaitsNoLongerInAllThanOnce)
 {
     CalibrationRig rig;

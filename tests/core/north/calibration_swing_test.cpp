@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The swing of the compass, on a mount whose north is hidden: what it finds, what it shows on the way, what it refuses.
+// The compass swing on a mount whose north is hidden: what it finds, what it shows while it runs, what it refuses.
 #include "tests/core/north/calibration_swing.h"
 
 #include "core/witness/sensor_curve.h"
@@ -10,8 +10,8 @@
 namespace boresight {
 namespace {
 
-// REQ-NORTH-36: A reading of the sensor is laid beside where the axes were when it was measured. The swing finds north
-// within 2° and corrects the later readings.
+// REQ-NORTH-36: A reading of the sensor is compared with the position of the axes at the time of the reading. The swing
+// finds north within 2° and corrects the later readings.
 TEST(CalibrationSwing, FindsNorthAndTheTilt)
 {
     CalibrationRig rig;
@@ -33,11 +33,11 @@ TEST(CalibrationSwing, FindsNorthAndTheTilt)
     EXPECT_NEAR(rig.truth.terms.tiltEast.degrees(), rig.terms().tiltEast.degrees(), 0.15);
 }
 
-// Story: at 6°/s, the fastest that was offered and the fastest that was used, every other reading was "too fast" by a
-// hair, and thrown away.
-// REQ-NORTH-36a: At every rate that is offered a healthy mount's readings are used. While the mount turns, and in the
-// end, the screen shows how many are left out and why. The readings are seen as they come. How much current is too
-// much is a setting.
+// Story: at 6°/s, the fastest rate both offered and accepted, every second reading was slightly "too fast" and
+// discarded.
+// REQ-NORTH-36a: At every rate that is offered the readings of a healthy mount are used. While the mount turns, and at
+// the end, the screen shows how many readings are left out and why. The readings appear as they arrive. The highest
+// acceptable motor current is a setting.
 // REQ-CALIBRATION-04
 TEST(CalibrationSwing, UsesItsReadingsAtEveryRateThatIsOffered)
 {
@@ -124,7 +124,7 @@ TEST(CalibrationSwing, StopsAtHeadingsFindNorthToo)
     EXPECT_LT(std::abs(northError(rig)), 2.0);
 }
 
-// A still mount whose compass was swung knows its deviation, and how well.
+// A mount that stands still after a swing knows its compass deviation, and how accurate that is.
 // REQ-WITNESS-41
 TEST(CalibrationSwing, KeepsHowFarItIsToBeBelieved)
 {
@@ -153,7 +153,8 @@ TEST(CalibrationSwing, KeepsHowFarItIsToBeBelieved)
     EXPECT_EQ(rig.profile.sensor.deviation, profile::CompassDeviation());
 }
 
-// As long as it waits for Apply the sensor is compared by it, too; and the screen says what turns.
+// While the result waits for Apply, the sensor is compared with it too. The screen names the swing that turns the
+// mount.
 // REQ-WITNESS-40a
 TEST(CalibrationSwing, IsToldAsWhatTurnsAndThenAsWhatIsProposed)
 {
@@ -175,7 +176,7 @@ TEST(CalibrationSwing, IsToldAsWhatTurnsAndThenAsWhatIsProposed)
     EXPECT_FALSE(rig.desk.proposedOfSensor());
 }
 
-// The sensor's later readings are true: its curve came into force with north.
+// The later readings of the sensor are right: its curve came into effect together with north.
 // REQ-NORTH-36
 TEST(CalibrationSwing, CorrectsTheSensor)
 {
@@ -219,7 +220,7 @@ TEST(CalibrationSwing, TellsWhereItTurnsAndHowLongBeforeItStarts)
     EXPECT_LE(highest, plan.azimuth.max + 0.1_deg);
 }
 
-// The cable's limit, not the travel's end, is where a swing turns back.
+// A swing turns back at the operating limit of the azimuth, not at the end of the travel.
 TEST(CalibrationSwing, StaysWithinTheLimitsOfOperation)
 {
     profile::Profile profile = calibratedProfile();
@@ -263,7 +264,7 @@ TEST(CalibrationSwing, IsRefusedWithTheReason)
     rig.calibration->magnetometer = 3;
     rig.run(Seconds(3.0));
     ASSERT_TRUE(rig.ask(request::GiveAuthority{}));
-    EXPECT_FALSE(rig.ask(kSweep));  // the clients have the control
+    EXPECT_FALSE(rig.ask(kSweep));  // the clients have control
     ASSERT_TRUE(rig.ask(request::TakeAuthority{}));
     ASSERT_TRUE(rig.ask(request::Stop{}));
     EXPECT_FALSE(rig.ask(kSweep));
@@ -272,12 +273,12 @@ TEST(CalibrationSwing, IsRefusedWithTheReason)
     EXPECT_FALSE(rig.ask(request::StartSwing{.rate = 20_deg_s, .headings = 0}));
     EXPECT_FALSE(rig.ask(request::StartSwing{.rate = 3_deg_s, .headings = 3}));
     EXPECT_TRUE(rig.ask(kSweep));
-    EXPECT_FALSE(rig.ask(kSweep));  // it runs already
+    EXPECT_FALSE(rig.ask(kSweep));  // a swing is running already
 }
 
-// Near the zenith the compass says nothing, over the top it says the opposite.
-// REQ-NORTH-35b: With the boom above 75° and over the top the compass is no evidence, and is not used. A mount that
-// moves is not averaged.
+// Near the zenith the compass shows nothing, and over the top it shows the opposite direction.
+// REQ-NORTH-35b: With the boom above 75° and over the top the compass is not used as evidence. A mount that moves is
+// not averaged.
 TEST(CalibrationSwing, IsRefusedWithTheBoomTooHigh)
 {
     profile::Profile over = calibratedProfile();

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a swing says of the zero of elevation, and of a north and a tilt that points have told.
+// What a swing reports about the zero of elevation, and what it does with a north and a tilt that points have
+// determined.
 #include "core/witness/sensor_curve.h"
 #include "tests/core/north/calibration_swing.h"
 
 namespace boresight {
 namespace {
 
-// A sensor whose box is said to lie askew by 5°, on a mount that does not.
+// A profile that says the sensor box is tilted by 5°, on a mount without this tilt.
 profile::Profile askew()
 {
     profile::Profile profile = calibratedProfile();
@@ -14,7 +15,7 @@ profile::Profile askew()
     return profile;
 }
 
-// Points all round, which tell everything better than a sensor.
+// Points all round, which determine every term better than a sensor.
 void applyLandmarks(CalibrationRig& rig)
 {
     for (const double azimuth : {20.0, 140.0, 260.0}) {
@@ -35,14 +36,14 @@ void sweep(CalibrationRig& rig)
     ASSERT_TRUE(rig.status().proposal) << rig.status().progress.outcome.toStdString();
 }
 
-// What a swing proposes for the zero of elevation.
+// The zero of elevation that a swing proposes.
 Angle swungZero(CalibrationRig& rig)
 {
     sweep(rig);
     return rig.status().proposal ? rig.status().proposal->terms.at(1).proposed : Angle{};
 }
 
-// Only points tell the zero better than a sensor does: whatever sigma a text, or a swing of before, gave it.
+// Only points determine the zero better than a sensor. A sigma from a text or an earlier swing does not count.
 TEST(CalibrationSwing, AZeroThatNoPointHasToldIsNoneThatIsKnown)
 {
     CalibrationRig rig({}, askew());
@@ -63,7 +64,8 @@ TEST(CalibrationSwing, AZeroThatPointsHaveToldStays)
     EXPECT_EQ(rig.terms().elevationOffset, swungZero(rig));
 }
 
-// Story: after ten points a swing proposed a north that it knew twenty times worse, and there was no curve without it.
+// Story: after ten points a swing proposed a north with twenty times the error, and the curve could not be applied
+// without this north.
 // REQ-NORTH-36b
 TEST(CalibrationSwing, ANorthThatPointsHaveToldStaysAndTheCurveCanBeHad)
 {
@@ -82,14 +84,14 @@ TEST(CalibrationSwing, ANorthThatPointsHaveToldStaysAndTheCurveCanBeHad)
     EXPECT_LT(rig.profile.sensor.deviation.sigma, 0.5_deg) << "as well as the points know north";
     rig.run(Seconds(0.5));
     EXPECT_TRUE(rig.status().history.front().change.contains(QStringLiteral("curve of the sensor")));
-    // And once more: what was told is not forgotten by it.
+    // A second swing does not lose what the points have determined.
     ASSERT_TRUE(rig.ask(kSweep));
     rig.runOut();
     EXPECT_TRUE(rig.status().progress.outcome.contains(QStringLiteral("North stays")));
 }
 
-// Story: a swing found the tilt to 0.05°, three points left it at 0.045°; the next swing was told that it is known to
-// that, and its own, as good and newer, could not be had.
+// Story: a swing found the tilt to 0.05°, and three points left it at 0.045°. The next swing treated this as better
+// known, so its own tilt, equally good and newer, could not be applied.
 // REQ-NORTH-36b
 TEST(CalibrationSwing, ATiltThatPointsHaveOnlyHeldIsNoneThatTheyHaveTold)
 {
@@ -97,7 +99,7 @@ TEST(CalibrationSwing, ATiltThatPointsHaveOnlyHeldIsNoneThatTheyHaveTold)
     ASSERT_NO_FATAL_FAILURE(sweep(rig));
     ASSERT_TRUE(rig.apply());
     const calibration::TermSheet swung = rig.status().sheet;
-    rig.truth.terms.tiltNorth += 0.15_deg;  // the mast gives way, so that the points ask for another tilt
+    rig.truth.terms.tiltNorth += 0.15_deg;  // the mast leans more, so the points lead to another tilt
     rig.model = pointing::PointingModel(rig.truth.terms);
     for (const double azimuth : {20.0, 140.0, 260.0}) {
         rig.goTo(azimuth, 20.0 + azimuth / 10.0);
@@ -117,7 +119,7 @@ TEST(CalibrationSwing, ATiltThatPointsHaveOnlyHeldIsNoneThatTheyHaveTold)
     EXPECT_TRUE(rig.status().proposal->terms.at(tilt).isOn);
 }
 
-// The mast stands elsewhere: what points have told of it there is of no worth.
+// The mast stands elsewhere: points from the old site do not count.
 TEST(CalibrationSwing, ANorthOfAnotherSiteDoesNotStay)
 {
     CalibrationRig rig;

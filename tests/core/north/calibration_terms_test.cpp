@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Terms that are typed or read from a text, the text of those in force, and what is said of another drive or site.
+// Terms that are typed or read from a text, the exported text of the terms in effect, and the warnings about another
+// drive or site.
 #include "core/alarms/catalogue.h"
 #include "tests/core/north/calibration_rig.h"
 #include "tests/fakes/text_of.h"
@@ -31,7 +32,7 @@ std::string textOf(const CalibrationStatus& status)
     return calibration::toText(status.sheet);
 }
 
-// Over the whole sky: they determine most of the terms.
+// Points over the whole sky, which determine most of the terms.
 void takeLandmarks(CalibrationRig& rig)
 {
     for (const double azimuth : {20.0, 80.0, 140.0, 200.0, 260.0, 320.0}) {
@@ -49,9 +50,9 @@ bool isWarned(CalibrationRig& rig)
 }
 
 // REQ-NORTH-38a (CalibrationTerms.*): Terms may be typed, or read from a text. They become a proposal like any other,
-// with what the points show before and after. Out of range they are refused by name with the range. Terms of another
-// mount, drive or site give a warning. A term that nobody changed keeps its value and its sigma exactly. What is in
-// force is shown with its sigmas, to be exported.
+// with the residuals of the points before and after. Terms out of range are refused by name with the range. Terms of
+// another mount, drive or site give a warning. A term that was not changed keeps its value and its sigma exactly. The
+// terms in effect are shown with their sigmas and can be exported.
 TEST(CalibrationTerms, WhatIsTypedIsProposedAppliedAndTakenBack)
 {
     CalibrationRig rig;
@@ -64,7 +65,7 @@ TEST(CalibrationTerms, WhatIsTypedIsProposedAppliedAndTakenBack)
     EXPECT_TRUE(rig.status().proposal->text.contains(QStringLiteral("azimuth offset 0.00° → 37.40°")));
     EXPECT_FALSE(rig.status().proposal->residuals);
     EXPECT_FALSE(rig.status().proposal->changesSensor);
-    EXPECT_EQ(before, rig.profile);  // nothing without Apply
+    EXPECT_EQ(before, rig.profile);  // nothing changes without Apply
     ASSERT_TRUE(rig.apply());
     EXPECT_NEAR(37.4, rig.terms().azimuthOffset.degrees(), 1e-12);
     EXPECT_NEAR(0.05, rig.terms().elevationSag.degrees(), 1e-12);
@@ -78,8 +79,8 @@ TEST(CalibrationTerms, WhatIsTypedIsProposedAppliedAndTakenBack)
     EXPECT_EQ(after, rig.profile);
 }
 
-// Story: a fit has more decimals than a profile keeps. One term was typed, and five counted as given: "38.11°
-// → 38.11°".
+// Story: a fit has more decimals than a profile keeps. One term was typed, and five counted as entered: "38.11° →
+// 38.11°".
 TEST(CalibrationTerms, WhatWasNotTypedKeepsItsValueAndItsSigma)
 {
     CalibrationRig rig;
@@ -108,7 +109,7 @@ TEST(CalibrationTerms, WhatWasNotTypedKeepsItsValueAndItsSigma)
     EXPECT_FALSE(rig.status().sheet.sigmas.at(6));
 }
 
-// Story: five points were fitted, a term was typed, applied and taken back; the fit could not be applied any more.
+// Story: five points were fitted, and a typed term was applied and undone. The fit could not be applied any more.
 // REQ-NORTH-38f
 TEST(CalibrationTerms, AfterUndoThePointsAreProposedAgainIfTheySayOtherwise)
 {
@@ -133,7 +134,7 @@ TEST(CalibrationTerms, AfterUndoThePointsAreProposedAgainIfTheySayOtherwise)
     EXPECT_FALSE(rig.status().proposal) << "it is";
 }
 
-// Story: north was set by hand in the guide, and the history went on to say that the former is in force.
+// Story: north was set by hand in the guide, and the history still showed the earlier north as in effect.
 // REQ-NORTH-38f
 TEST(CalibrationTerms, WhatWasChangedByHandSinceIsTold)
 {
@@ -153,7 +154,7 @@ TEST(CalibrationTerms, WhatWasChangedByHandSinceIsTold)
     EXPECT_TRUE(rig.status().history.front().inForce);
 }
 
-// Story: what was known of a term counted as much as the points, and the page called it found.
+// Story: earlier knowledge of a term had the same weight as the points, and the page called the term found.
 TEST(CalibrationTerms, WhatIsOnlyHeldIsNotCalledFound)
 {
     CalibrationRig rig;
@@ -185,7 +186,7 @@ TEST(CalibrationTerms, TheyAreShownBesideThePoints)
     EXPECT_EQ(2U, rig.status().proposal->residuals->points);
     EXPECT_GT(rig.status().proposal->residuals->before, 20_deg);
     EXPECT_LT(rig.status().proposal->residuals->after, 0.001_deg);
-    // A point that is left out says nothing, and what was typed stays proposed when all are gone.
+    // A point that is left out does not count. The typed terms stay proposed when all points are gone.
     ASSERT_TRUE(rig.ask(request::UsePoint{.index = 0, .used = false}));
     ASSERT_TRUE(rig.ask(request::ProposeTerms{rig.truth.terms}));
     rig.tick();
@@ -228,7 +229,7 @@ TEST(CalibrationTerms, AProfileThatCouldNotBeLoadedIsRefused)
         {.name = "mast", .azimuthFrom = 40_deg, .azimuthTo = 60_deg, .elevationMin = 0_deg, .elevationMax = 20_deg});
     CalibrationRig rig({}, profile);
     pointing::PointingTerms terms;
-    terms.azimuthOffset = 50_deg;  // the place to park would lie in the keep-out
+    terms.azimuthOffset = 50_deg;  // the park position would lie in the keep-out
     ASSERT_TRUE(rig.ask(request::ProposeTerms{terms}));
     rig.tick();
     const auto refused = rig.apply();
@@ -318,7 +319,7 @@ TEST(CalibrationTerms, ATextOfAnotherMountWarns)
     EXPECT_TRUE(rig.status().proposal->warnings.at(1).contains(QStringLiteral("azimuth drive")));
     EXPECT_TRUE(rig.status().proposal->warnings.at(2).contains(QStringLiteral("elevation drive")));
     EXPECT_TRUE(rig.status().proposal->warnings.at(3).contains(QStringLiteral("another site")));
-    // What the text does not tell is no reason to warn.
+    // Missing information in the text is no reason for a warning.
     sheet = {.terms = typed()};
     ASSERT_TRUE(
         rig.ask(request::ImportTerms{.name = QStringLiteral("bare.terms"), .text = calibration::toText(sheet)}));
@@ -337,7 +338,7 @@ TEST(CalibrationTerms, ATextThatCannotBeReadIsRefusedWithTheLine)
     EXPECT_FALSE(rig.status().proposal);
 }
 
-// A tilt that was typed says not what it was found from: the points of before may have been its source.
+// The source of a typed tilt is unknown: it may come from these same points, so the fit must not use it as knowledge.
 TEST(CalibrationTerms, AreNoKnowledgeForTheFit)
 {
     CalibrationRig rig;
@@ -353,7 +354,7 @@ TEST(CalibrationTerms, AreNoKnowledgeForTheFit)
     EXPECT_NEAR(rig.truth.terms.tiltNorth.degrees(), rig.terms().tiltNorth.degrees(), 0.05);
 }
 
-// REQ-NORTH-38c: Terms in force that were applied with another drive or at another site are amber until something is
+// REQ-NORTH-38c: Terms in effect that were applied with another drive or at another site are amber until something is
 // applied here.
 TEST(CalibrationTerms, AnotherSiteWarnsUntilSomethingIsAppliedThere)
 {
@@ -383,7 +384,7 @@ TEST(CalibrationTerms, AnotherSiteWarnsUntilSomethingIsAppliedThere)
     EXPECT_TRUE(rig.status().otherMount.isEmpty());
 }
 
-// The program was ended, a drive was changed, the program is started again.
+// The program ends, a drive is replaced, and the program starts again.
 // REQ-NORTH-38c
 TEST(CalibrationTerms, AnotherDriveWarns)
 {
@@ -406,7 +407,7 @@ TEST(CalibrationTerms, AnotherDriveWarns)
     EXPECT_TRUE(isWarned(same));
     EXPECT_TRUE(same.status().otherMount.endsWith(QStringLiteral("with another drive")));
     EXPECT_EQ(QStringLiteral("with another drive"), same.status().history.front().place);
-    // Whoever types other terms has looked after it.
+    // A change of the terms confirms the present mount.
     profile::Profile changed = same.profile;
     changed.pointing.azimuthOffset = 5_deg;
     same.setProfile(changed);
@@ -414,8 +415,8 @@ TEST(CalibrationTerms, AnotherDriveWarns)
     EXPECT_FALSE(isWarned(same));
 }
 
-// Story: what was taken back, with the points of six hours of Sun in it, was gone from the file once another was
-// applied.
+// Story: a calibration with points of six hours of Sun was undone. When another was applied it disappeared from the
+// file.
 // REQ-NORTH-38i
 TEST(CalibrationTerms, WhatWasTakenBackStaysToBeRead)
 {

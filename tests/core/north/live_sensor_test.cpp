@@ -20,7 +20,7 @@ struct LiveSensorRig
         profile.apply(wanted);
     }
 
-    // What the sensor reports now. True: as a new value.
+    // Sets the present report of the sensor. Returns whether it counts as a new value.
     bool report(std::optional<int> magnetometer = 3, int system = 3)
     {
         status.last = orientation::Orientation{};
@@ -75,9 +75,9 @@ TEST(LiveSensor, ASilentSensorIsNoEvidence)
     EXPECT_FALSE(rig.sensor.isUsable());
 }
 
-// Story: an average of 20 s was refused at its end, for a level that was there before it.
-// REQ-NORTH-960: No average is begun that its readings would end with a refusal: the system level of the sensor is
-// asked first, too. A sensor that reports no level is averaged.
+// Story: an average of 20 s was refused at its end, because of a level that was reported before it began.
+// REQ-NORTH-960: An average does not start if its readings would be refused at the end. The system level of the sensor
+// is checked first, too. A sensor that reports no level is averaged.
 TEST(LiveSensor, AHeadingThatIsNotTiedToNorthIsNotAveraged)
 {
     LiveSensorRig rig;

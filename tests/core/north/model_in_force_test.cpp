@@ -12,7 +12,7 @@ using namespace boresight::literals;
 using calibration::indexOf;
 using calibration::Term;
 
-// With a tilt, as a swing finds it.
+// A record with a tilt, as a swing finds it.
 calibration::CalibrationRecord swingRecord()
 {
     calibration::CalibrationRecord record{.title = QStringLiteral("North from the compass swing")};
@@ -24,7 +24,7 @@ calibration::CalibrationRecord swingRecord()
     return record;
 }
 
-// With north, as the Sun gives it on top of `swing`.
+// A record with a north that the Sun gave after `swing`.
 calibration::CalibrationRecord sunRecord(const calibration::CalibrationRecord& swing)
 {
     calibration::CalibrationRecord record{.title = QStringLiteral("Pointing model from 1 point")};

@@ -4,8 +4,8 @@
 #include "core/north/proposals.h"
 #include "tests/core/control/station_rig.h"
 
-// The parts of the calibration that hold what is known, without runs and requests: mount, model, points and proposals,
-// over a history that is kept in memory only.
+// The parts of the calibration that hold data, without runs and requests: mount, model, points and proposals. The
+// history is kept in memory only.
 namespace boresight {
 
 struct NorthRig : public StationRig
@@ -17,7 +17,7 @@ struct NorthRig : public StationRig
         [[maybe_unused]] const bool isNew = mount.update();
     }
 
-    // As Apply does it.
+    // Does what Apply does.
     void apply(calibration::CalibrationRecord record)
     {
         record.when = std::chrono::floor<std::chrono::milliseconds>(clock.utc());

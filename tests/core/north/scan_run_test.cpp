@@ -17,10 +17,10 @@ SteadyTime scanTime(double seconds)
     return kStart + std::chrono::duration_cast<SteadyTime::duration>(Seconds(seconds));
 }
 
-// REQ-NORTH-38d (ScanRun.*): A cross scan takes the power as typed, or receives it from a receiver: nothing that came
-// before the mount stood still and the receiver settled, and the middle of what came within a second. Its second line
-// goes through the peak of the first. Silence, or a first line without a peak, ends it with the reason. It forgets
-// what the last one found.
+// REQ-NORTH-38d (ScanRun.*): A cross scan uses powers that are typed or received from a receiver. It uses no power from
+// before the mount stood still and the receiver settled, and takes the median of the powers within a second. Its second
+// line goes through the peak of the first. Silence, or a first line without a peak, ends the scan with the reason. A
+// new scan starts without the results of the last one.
 TEST(ScanRun, WhatCameBeforeItHadSettledIsNeverUsed)
 {
     ScanRun scan(8_deg, kStart);
@@ -46,7 +46,7 @@ TEST(ScanRun, AMountThatStillMovesHasNotSettled)
     EXPECT_TRUE(scan.wantsPower(scanTime(7.5)));
     scan.hear(-60.0, scanTime(7.6));
     EXPECT_EQ(scan.heard(scanTime(8.7)), -60.0);
-    scan.moves(scanTime(8.8));  // a gust
+    scan.moves(scanTime(8.8));  // a gust moves the mount
     EXPECT_FALSE(scan.heard(scanTime(9.0)));
 }
 
@@ -70,7 +70,7 @@ TEST(ScanRun, ItSaysWhatItWaitsFor)
     EXPECT_EQ(QStringLiteral("The mount does not stand still."), scan.obstacle(scanTime(601.0)));
 }
 
-// Of a weak source half a beam beside the other line half the power is seen, and then nothing is found.
+// If the second line missed the peak of a weak source by half a beam, it would see half the power and find nothing.
 TEST(ScanRun, TheSecondLineGoesThroughThePeakOfTheFirst)
 {
     ScanRun scan(8_deg, kStart);

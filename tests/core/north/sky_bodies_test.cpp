@@ -26,9 +26,9 @@ int known(const SkyBodies& bodies)
 
 }  // namespace
 
-// All four in one tick of 20 ms took 59 ms of it.
-// REQ-NORTH-37a (SkyBodies.*): Rise and set of Sun and Moon are searched one after the other, so that no tick waits
-// for four searches.
+// All four searches in one tick of 20 ms took 59 ms.
+// REQ-NORTH-37a (SkyBodies.*): Rise and set of Sun and Moon are searched one after the other, so that no tick waits for
+// four searches.
 TEST(SkyBodies, OneTimeIsSearchedAtOnce)
 {
     SkyBodies bodies = vienna();

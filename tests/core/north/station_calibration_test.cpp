@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The whole way: the simulated mount with its own sensor, and the station that calibrates it.
+// The complete system: the simulated mount with its own sensor, and the station that calibrates it.
 #include "core/ephemeris/almanac.h"
 #include "core/moteus_mount/moteus_connection.h"
 #include "core/sim_sensor/simulated_source.h"
@@ -55,7 +55,7 @@ public:
             log.insert(log.end(), update.log.begin(), update.log.end());
         });
         station->openAll();
-        run(Seconds(5.0));  // the drives are surveyed
+        run(Seconds(5.0));  // until the drive check is done
     }
 
     void run(Seconds time)
@@ -105,7 +105,7 @@ public:
     fakes::ManualClock clock;
     std::unique_ptr<Station> station;
     std::optional<profile::Profile> saved;
-    std::vector<LogEntry> log;  // as far as it was asked for
+    std::vector<LogEntry> log;  // the entries fetched so far
 
 private:
     std::shared_ptr<SimulatedMount> m_mount;
@@ -115,7 +115,7 @@ private:
     std::optional<Error> m_error;
 };
 
-// REQ-CONTROL-406: Where Sun and Moon are is in the status once the site is set, also of a body below the horizon.
+// REQ-CONTROL-406: Once the site is set, the status has the positions of Sun and Moon, also below the horizon.
 TEST(BodiesInTheStatus, AreThereOnceTheSiteIsSet)
 {
     CalibratedStation rig;
@@ -138,14 +138,15 @@ TEST(BodiesInTheStatus, AreThereOnceTheSiteIsSet)
 class SwingAtEveryRate : public ::testing::TestWithParam<double>
 {};
 
-// With drives that have physics, and a sensor that averages. Story: a limit of 3 A, below what such a mount draws when
-// it turns, threw away a fifth of the readings at every rate.
+// Drives with physics, and a sensor that averages. Story: a limit of 3 A is below what such a mount draws when it
+// turns. At every rate a fifth of the readings was discarded.
 // REQ-NORTH-36a
 // REQ-CALIBRATION-04
 TEST_P(SwingAtEveryRate, UsesItsReadings)
 {
     const double rate = GetParam();
-    const double arc = rate < 1.0 ? 240.0 : 360.0;  // the slowest takes long, and has readings enough on less
+    // the slowest rate takes long, and needs less arc for enough readings
+    const double arc = rate < 1.0 ? 240.0 : 360.0;
     profile::Profile profile = withSensor();
     profile.limits.azimuth = {.min = -1_deg, .max = Angle::fromDegrees(arc + 1.0)};
     CalibratedStation rig(profile);
@@ -165,7 +166,8 @@ TEST_P(SwingAtEveryRate, UsesItsReadings)
 
 INSTANTIATE_TEST_SUITE_P(Offered, SwingAtEveryRate, ::testing::Values(0.5, 3.0, 6.0));
 
-// Story: applied while the real mount's bus waited for its reconnect, the simulated north went there with it.
+// Story: the bus of the real mount waited for its reconnect. Apply saved the north of the simulated mount together with
+// that bus.
 // REQ-PROFILE-17a
 TEST(StationCalibration, TheSimulatedMountDoesNotTakeTheBusOfARealOne)
 {
@@ -208,7 +210,7 @@ TEST(StationCalibration, WhatIsFoundIsNotAppliedForAMountThatWaitsForItsReconnec
     EXPECT_TRUE(rig.ask(request::ApplyCalibration{rig.calibration()->proposal->number}));
 }
 
-// REQ-CALIBRATION-35: The log names each motion of a swing as one.
+// REQ-CALIBRATION-35: The log names each motion of a swing as a swing.
 TEST(StationCalibration, ASwingOfTheSimulatedMountFindsItsHiddenNorth)
 {
     CalibratedStation rig;
@@ -242,7 +244,7 @@ TEST(StationCalibration, ASwingOfTheSimulatedMountFindsItsHiddenNorth)
     rig.run(Seconds(5.0));
     EXPECT_NEAR(before.azimuth.degrees(), rig.station->status().azimuth.actual->degrees(), 0.01);
     EXPECT_NEAR(before.elevation.degrees(), rig.station->status().elevation.actual->degrees(), 0.01);
-    // The sensor is now corrected and agrees with the axes all around.
+    // The sensor is corrected and agrees with the axes all around.
     ASSERT_TRUE(rig.ask(request::PointAxes{{.azimuth = 250_deg, .elevation = 40_deg}}));
     rig.run(Seconds(60.0));
     ASSERT_TRUE(rig.station->status().sensor.azimuthDifference);
@@ -261,14 +263,14 @@ Result<> applyNorth(CalibratedStation& rig, Angle north)
     return proposed ? rig.ask(request::ApplyCalibration{rig.calibration()->proposal->number}) : proposed;
 }
 
-// Story: only the list of the history said so, and after a restart nothing could be taken back.
+// Story: only the list of the history said so, and after a restart nothing could be undone.
 // REQ-NORTH-38b
 TEST(StationCalibration, AHistoryThatIsNotWrittenIsAnAlarm)
 {
     CalibratedStation rig;
     rig.run(Seconds(0.5));
     EXPECT_FALSE(rig.isWarned(kNotWritten));
-    ASSERT_TRUE(QDir().mkpath(rig.file()));  // nobody can write over it, not even root
+    ASSERT_TRUE(QDir().mkpath(rig.file()));  // nobody can overwrite a folder, not even root
     ASSERT_TRUE(applyNorth(rig, 12_deg));
     ASSERT_TRUE(fakes::waitUntil([&] {
         rig.run(Seconds(0.3));
@@ -296,7 +298,7 @@ TEST(StationCalibration, NoSensorIsSaidAndRefused)
     EXPECT_FALSE(rig.calibration()->swingPlan.obstacle.isEmpty());
 }
 
-// A mast in Vienna whose north is known to a degree or two, and a receiver that tells its power by UDP.
+// A mast in Vienna whose north is known to a degree or two, and a receiver that reports its power by UDP.
 profile::Profile withReceiver(std::uint16_t port)
 {
     profile::Profile profile = withSensor();
@@ -316,7 +318,7 @@ public:
                          [this] { ++m_arrived; });
     }
 
-    // One line; returns when the station has read it.
+    // Sends one line. Returns when the station has read it.
     void tell(const QByteArray& line)
     {
         ASSERT_TRUE(fakes::waitUntil([this] { return m_rig.station->findChild<power::ThreadedLine*>()->isOpen(); }));
@@ -324,7 +326,7 @@ public:
         ASSERT_EQ(line.size(), m_socket.writeDatagram(line, QHostAddress::LocalHost, m_port));
         ASSERT_TRUE(fakes::waitUntil([&] { return m_arrived > before; }));
     }
-    // A Gaussian beam of 6 degrees, 20 dB above the noise, told to a tenth of a dB.
+    // A Gaussian beam of 6 degrees, 20 dB above the noise, reported to a tenth of a dB.
     void tellPower(const SkyPointing& source)
     {
         const StationStatus status = m_rig.station->status();
@@ -352,7 +354,7 @@ private:
     std::mt19937_64 m_random{20261122};
 };
 
-// On a summer's morning.
+// Scans the Sun on a summer's morning.
 void scanTheSun(CalibratedStation& rig)
 {
     const UtcTime morning = std::chrono::sys_days{std::chrono::year{2026} / 6 / 21} + std::chrono::hours(8);
@@ -385,15 +387,15 @@ TEST(StationCalibration, ACrossScanHearsTheReceiverAndFindsTheSun)
     EXPECT_NEAR(0.0, (found.azimuth - sun.azimuth).wrapped180().degrees() * std::cos(sun.elevation.radians()), 0.1);
     EXPECT_NEAR(sun.elevation.degrees(), found.elevation.degrees(), 0.1);
     EXPECT_NEAR(6.0, done->scan->across.halfPowerWidth.degrees(), 0.6);
-    // The operator reads how the line does.
+    // The status shows the state of the power line to the operator.
     EXPECT_EQ(QStringLiteral("UDP 127.0.0.1:%1").arg(port), done->powerLine.name);
     EXPECT_TRUE(done->powerLine.decibels);
     EXPECT_TRUE(done->powerLine.problem.isEmpty());
     ASSERT_TRUE(rig.ask(request::ApplyCalibration{done->proposal->number}));
-    EXPECT_NEAR(37.4, rig.saved->pointing.azimuthOffset.degrees(), 1.0);  // the tilt is in it
+    EXPECT_NEAR(37.4, rig.saved->pointing.azimuthOffset.degrees(), 1.0);  // this includes the effect of the tilt
 }
 
-// The receiver went on speaking while the beam was on its way: nothing of that is of the place that it came to.
+// The receiver kept reporting while the beam was on its way: none of these powers belongs to the place of the beam.
 // REQ-NORTH-38d
 TEST(StationCalibration, ASilentReceiverEndsTheScanWithTheReason)
 {
@@ -415,8 +417,9 @@ TEST(StationCalibration, ASilentReceiverEndsTheScanWithTheReason)
     for (const LogEntry& entry : rig.log) {
         told += entry.source == QLatin1String("power") ? 1 : 0;
     }
-    EXPECT_GE(told, 1);  // since it fell silent, and perhaps before it first spoke: the line is read beside the clock
-    // Another line, or none, at once.
+    // since the receiver fell silent, and perhaps before its first report: the line is read independently of the clock
+    EXPECT_GE(told, 1);
+    // Another power line, or none, applies at once.
     profile::Profile without = withReceiver(port);
     without.power.source = profile::PowerSource::None;
     ASSERT_TRUE(rig.ask(request::ApplyProfile{without}));

@@ -8,7 +8,7 @@
 namespace boresight {
 namespace {
 
-// Story: a swing of a slow rotator was planned with the speed of the profile, and ended itself as late.
+// Story: the swing of a slow rotator was planned with the speed of the profile, and ended itself for being late.
 TEST(SwingPilot, PlansNoFasterThanTheRotator)
 {
     profile::Profile fast;

@@ -38,7 +38,7 @@ TEST(SwingPlan, TurnsOnceAroundWhereTheMountStands)
     EXPECT_FALSE(plan.text.isEmpty());
 }
 
-// Story: at 10.00° it swung without a word, with a curve of little use and a tilt that was not read.
+// Story: at 10.00° elevation the swing ran without advice. Its curve was of little use, and the tilt was not measured.
 TEST(SwingPlan, AdvisesTheElevationThatIsBest)
 {
     const auto textAt = [](Angle elevation) {
@@ -61,7 +61,7 @@ TEST(SwingPlan, StaysOffWhatIsForbiddenAtItsElevation)
     EXPECT_TRUE(below.obstacle.isEmpty());
     EXPECT_LT(below.azimuth.max, 300_deg);
     EXPECT_GT(planAt(region, 100_deg, 50_deg).azimuth.max, 350_deg);
-    EXPECT_FALSE(planAt(region, 310_deg, 30_deg).obstacle.isEmpty());  // it stands in it
+    EXPECT_FALSE(planAt(region, 310_deg, 30_deg).obstacle.isEmpty());  // the mount stands in it
 }
 
 TEST(SwingPlan, RefusesWhatWouldTellNothing)
@@ -83,7 +83,7 @@ TEST(SwingPlan, StopsOnceAtEachHeadingEachWay)
     const SwingPlan circle = planAt(regionOf(-270_deg, 450_deg), 100_deg, 30_deg, 8);
     const auto stops = stopsOf(circle);
     ASSERT_EQ(16U, stops.size());
-    EXPECT_NEAR(45.0, (stops[1] - stops[0]).degrees(), 1e-9);  // the ninth would be the first again
+    EXPECT_NEAR(45.0, (stops[1] - stops[0]).degrees(), 1e-9);  // the ninth stop would be the first again
     EXPECT_EQ(stops[7], stops[8]);
     EXPECT_EQ(stops.front(), stops.back());
     const SwingPlan arc = planAt(regionOf(0_deg, 282_deg), 100_deg, 30_deg, 8);

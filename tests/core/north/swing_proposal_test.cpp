@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a swing proposes of the zero of elevation, which a box that lies askew spoils as well; and of a north and a tilt
-// that points have told better.
+// What a swing proposes for the zero of elevation, which a tilted sensor box falsifies too. What it does with a north
+// and a tilt that points have determined better.
 #include "core/north/calibration_proposal.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ using namespace boresight::literals;
 using calibration::indexOf;
 using calibration::Term;
 
-// Where the elevation axis shows 0° the sensor says so much.
+// The sensor reports this angle where the elevation axis shows 0°.
 SwingOutcome saying(Angle zero)
 {
     calibration::AxisTilt tilt;
@@ -39,10 +39,10 @@ bool warns(const Proposal& proposal)
     });
 }
 
-// REQ-NORTH-36b (SwingProposal.*): What the sensor reports of the zero of elevation is attributed to the sensor box as
-// far as that may lie askew, and beyond that to the axis. A north and a tilt that points have found better stay, and
-// Apply takes the curve only, unless the compass contradicts them. A term that points only held belongs to the swing
-// before them, and the next swing's is as good.
+// REQ-NORTH-36b (SwingProposal.*): The zero of elevation that the sensor reports is attributed to the sensor box as far
+// as the box may be tilted, and beyond that to the axis. A north and a tilt that points have found better stay, and
+// Apply takes the curve only, unless the compass contradicts them. A term that the points only held belongs to the
+// earlier swing, and the result of the next swing is equally good.
 TEST(SwingProposal, WhatABoxAskewExplainsIsTheSensors)
 {
     profile::Profile profile;
@@ -80,7 +80,8 @@ TEST(SwingProposal, AZeroThatTheSunHasToldStays)
         << "known worse than the swing tells it";
 }
 
-// 6° and 7° more are no 13° that a profile could keep: the whole swing was refused with them.
+// 6° in the profile and 7° from the swing make 13°, more than a profile accepts. The whole swing was refused because of
+// it.
 TEST(SwingProposal, AZeroBeyondWhatAProfileKeepsIsNotProposed)
 {
     profile::Profile profile;
@@ -92,7 +93,7 @@ TEST(SwingProposal, AZeroBeyondWhatAProfileKeepsIsNotProposed)
     EXPECT_TRUE(warns(proposal));
     EXPECT_TRUE(asSettings(proposal.terms)) << "north and curve can be applied";
     EXPECT_NEAR(37.4, proposal.terms.azimuthOffset.degrees(), 1e-9);
-    // A box that lies askew a little stays one, also near the end.
+    // A small tilt is still attributed to the box, also near this limit.
     profile.pointing.elevationOffset = 9.5_deg;
     EXPECT_TRUE(proposalOf(saying(10.5_deg), profile).text.contains(QStringLiteral("tilted sensor")));
 }
@@ -106,7 +107,7 @@ TEST(SwingProposal, WhatCannotBeAnOffsetIsPutRightByHand)
     EXPECT_TRUE(warns(proposal));
 }
 
-// North, tilt and deviation as a compass tells them.
+// North, tilt and deviation as the compass reports them.
 SwingOutcome swung(Angle north, Angle tiltNorth = {})
 {
     SwingOutcome swing = saying({});
@@ -119,7 +120,7 @@ SwingOutcome swung(Angle north, Angle tiltNorth = {})
     return swing;
 }
 
-// The Sun's north, and how well it is known.
+// A profile with the north from the Sun.
 profile::Profile withNorth(Angle north)
 {
     profile::Profile profile;
@@ -134,7 +135,8 @@ TermSigmas northTold(Angle sigma)
     return told;
 }
 
-// Story: in force 37.50° ± 0.11° from ten points, proposed 37.63° ± 2.39°, and the curve could not be had without.
+// Story: 37.50° ± 0.11° from ten points was in effect. The swing proposed 37.63° ± 2.39°, and the curve could not be
+// applied without it.
 TEST(SwingProposal, ANorthThatPointsHaveToldBetterStays)
 {
     const profile::Profile profile = withNorth(37.5_deg);
@@ -144,7 +146,7 @@ TEST(SwingProposal, ANorthThatPointsHaveToldBetterStays)
     EXPECT_EQ(QStringLiteral("North stays unchanged. It is known to 0.11°, by compass only to 2.4°."), proposal.stays);
     EXPECT_EQ(QStringLiteral("Curve of the compass"), proposal.title);
     EXPECT_TRUE(proposal.warnings.empty()) << proposal.warnings.front().toStdString();
-    // What was true azimuth 39.5° + axis for the swing is 37.5° + axis really.
+    // The swing took true azimuth as axis + 39.5°. In truth it is axis + 37.5°.
     const calibration::DeviationCurve asSwung{.a1 = 8_deg};
     const calibration::DeviationCurve& curve = *proposal.sensor->curve;
     for (const Angle axis : {0_deg, 70_deg, 200_deg}) {
@@ -166,7 +168,8 @@ TEST(SwingProposal, ANorthThatNobodyHasToldBetterIsReplaced)
     }
 }
 
-// More than both may err: who moved the mount needs the compass's north, who brought iron near must not take it.
+// The difference is larger than both errors. An operator who moved the mount needs the north of the compass. An
+// operator who brought iron near must not accept it.
 TEST(SwingProposal, ANorthThatTheCompassContradictsIsReplacedWithAWarning)
 {
     const Proposal stays = proposalOf(swung(357.6_deg), withNorth(4.7_deg), northTold(0.11_deg));
@@ -193,12 +196,13 @@ TEST(SwingProposal, ATiltThatPointsHaveToldBetterStays)
     EXPECT_EQ(QStringLiteral("North stays unchanged. It is known to 0.11°, by compass only to 2.4°. "
                              "The tilt stays unchanged. It is known to 0.04°, by a swing only to 0.05°."),
               stays.stays);
-    // The mast leans otherwise today.
+    // The mast leans in another way today.
     const Proposal contradicts = proposalOf(swung(37.4_deg, 0.8_deg), profile, told);
     EXPECT_EQ(0.8_deg, contradicts.terms.tiltNorth);
     ASSERT_EQ(1U, contradicts.warnings.size());
     EXPECT_TRUE(contradicts.warnings[0].contains(QStringLiteral("0.30°"))) << contradicts.warnings[0].toStdString();
-    // A roll of the box turns the tilt: its size is known better than its parts are, and those are the terms.
+    // A roll of the box turns the direction of the tilt. So the size of the tilt is known better than its two parts,
+    // and the terms are the parts.
     SwingOutcome rolled = swung(37.4_deg, 0.6_deg);
     rolled.tilt->sizeSigma = 0.01_deg;
     EXPECT_EQ(0.5_deg, proposalOf(rolled, profile, told).terms.tiltNorth);
@@ -207,7 +211,7 @@ TEST(SwingProposal, ATiltThatPointsHaveToldBetterStays)
         << "half of it is not known";
 }
 
-// Of the still sensor there is no curve: it is turned so that it agrees.
+// A sensor that was averaged at a standstill has no curve: its offset is turned so that it agrees with north.
 // REQ-NORTH-36b (SensorProposal.*)
 TEST(SensorProposal, ANorthThatPointsHaveToldBetterStays)
 {
@@ -226,8 +230,8 @@ TEST(SensorProposal, ANorthThatPointsHaveToldBetterStays)
     EXPECT_FALSE(before.sensor);
 }
 
-// REQ-NORTH-39a: Points check the zero of elevation that a level has set: the proposal says by how much the level is
-// off, or to what it is right. A zero that points have told is no level's.
+// REQ-NORTH-39a: Points check the zero of elevation that was set with a level. The proposal says how far the level was
+// off, or how accurate it was. A zero that points have determined does not count as set with a level.
 TEST(PointsProposal, SunAndMoonCheckTheLevel)
 {
     profile::Profile profile;

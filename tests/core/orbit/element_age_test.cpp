@@ -21,8 +21,8 @@ ElementSet orbitOf(double revolutionsPerDay, double meanMotionDot)
     return {.epoch = julianDate(kEpoch), .revolutionsPerDay = revolutionsPerDay, .meanMotionDot = meanMotionDot};
 }
 
-// REQ-ORBIT-30: The expected error of elements along the orbit grows by 1 to 3 km a day for low orbits, faster where
-// the air brakes, and never beyond half an orbit.
+// REQ-ORBIT-30: The expected error of elements along the orbit grows by 1 to 3 km a day for low orbits, faster with
+// atmospheric drag, and never exceeds half an orbit.
 TEST(ElementAge, TheErrorGrowsWithAgeAndDrag)
 {
     const ElementSet high = orbitOf(14.2, 1e-6);       // 850 km
@@ -36,7 +36,7 @@ TEST(ElementAge, TheErrorGrowsWithAgeAndDrag)
     EXPECT_THAT(kilometres(station, 10), AllOf(Ge(100.0), Le(200.0))) << "drag grows with the square";
     EXPECT_EQ(kilometres(station, -10), kilometres(station, 10));
     EXPECT_THAT(expectedError(station, kEpoch + 10 * kDay).time.count(),
-                DoubleNear(kilometres(station, 10) / 7.66, 0.5));  // at the speed of the ISS
+                DoubleNear(kilometres(station, 10) / 7.66, 0.5));  // with the speed of the ISS
     EXPECT_THAT(expectedError(station, kEpoch + 3000 * kDay).time.count(), DoubleNear(86400 / 15.5 / 2, 1.0));
 }
 

@@ -28,7 +28,7 @@ struct VerificationSet
     double step = 0.0;  // min
 };
 
-// Some checksums of the file are wrong on purpose: its columns are read all the same.
+// Some checksums of the file are wrong on purpose. Its columns are read all the same.
 std::string summedTle(std::string_view line)
 {
     const auto digit = static_cast<char>('0' + tleChecksum(line));
@@ -125,8 +125,8 @@ bool isFinite(const OrbitState& state)
 
 }  // namespace
 
-// 33334 has no state: its only line in the file repeats the last one of the set before.
-// REQ-ORBIT-10: All 33 sets of SGP4-VER.TLE meet tcppver.out to 1e-6 km and 1e-9 km/s.
+// 33334 has no result: its only line in the file repeats the last one of the previous set.
+// REQ-ORBIT-10: All 33 sets of SGP4-VER.TLE agree with tcppver.out to 1e-6 km and 1e-9 km/s.
 TEST_F(Sgp4Verification, AllSetsAreMet)
 {
     const auto sets = verificationSets();
@@ -152,7 +152,7 @@ TEST_F(Sgp4Verification, AllSetsAreMet)
     RecordProperty("worst_km", formatFixed(worst, 9));
 }
 
-// REQ-ORBIT-11: Where the theory ends, its published error code is the answer.
+// REQ-ORBIT-11: Where the theory ends, the result is its published error code.
 TEST_F(Sgp4Verification, TheSevenThatFailHaveTheirCodes)
 {
     const auto sets = verificationSets();
@@ -183,7 +183,7 @@ TEST(Sgp4, KnowsItsPeriod)
     EXPECT_TRUE(Sgp4(halfDayOrbit()).isDeepSpace());
 }
 
-// REQ-ORBIT-13: One value serves many threads: a propagation depends on the time alone, not on earlier ones.
+// REQ-ORBIT-13: One object serves many threads: a propagation depends on the time alone, not on earlier ones.
 TEST(Sgp4, TheAnswerDoesNotDependOnWhatWasAskedBefore)
 {
     const Sgp4 orbit(halfDayOrbit());
@@ -193,8 +193,8 @@ TEST(Sgp4, TheAnswerDoesNotDependOnWhatWasAskedBefore)
     }
 }
 
-// REQ-ORBIT-12: No input makes a NaN or a stall: elements that are none have a fault, and so do times more than 100
-// years away.
+// REQ-ORBIT-12: No input causes a NaN or a stall. Invalid elements give an error, and so do times more than 100 years
+// away.
 TEST(Sgp4, NothingIsEverNotANumber)
 {
     const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -229,7 +229,7 @@ TEST(Sgp4, EachFaultHasItsWords)
     }
 }
 
-// The pole: the node is kept where it was, and what the Sun and the Moon do stays small.
+// An equatorial orbit has no node: the node is kept, and the effects of Sun and Moon stay small.
 TEST(Sgp4, AnEquatorialOrbitIsSmooth)
 {
     ElementSet still = halfDayOrbit();

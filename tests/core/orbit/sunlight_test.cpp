@@ -15,7 +15,7 @@ namespace {
 constexpr double kUnit = 149597870.7;  // km
 const Vector kSun{kUnit, 0.0, 0.0};
 
-// Behind the Earth, and aside from the axis of its shadow.
+// A place behind the Earth and beside the axis of its shadow.
 Sunlight behind(double back, double aside)
 {
     return sunlight({-back, aside, 0.0}, kSun);
@@ -23,15 +23,15 @@ Sunlight behind(double back, double aside)
 
 }  // namespace
 
-// REQ-ORBIT-23: A satellite in the shadow of the Earth is eclipsed, one at its edge in half shadow. The shadow is a
-// cone.
+// REQ-ORBIT-23: A satellite in the shadow of the Earth is eclipsed, and at the edge of the shadow it is in half shadow.
+// The shadow is a cone.
 TEST(SunlightOnASatellite, EndsInTheShadowOfTheEarth)
 {
     EXPECT_EQ(sunlight({7000.0, 0.0, 0.0}, kSun), Sunlight::Sunlit);
     EXPECT_EQ(sunlight({0.0, 0.0, 7000.0}, kSun), Sunlight::Sunlit);
     EXPECT_EQ(behind(7000.0, 0.0), Sunlight::Eclipsed);
     EXPECT_EQ(behind(42164.0, 0.0), Sunlight::Eclipsed);
-    // 42164 km back, the cone is 6378 - 195 km wide, and the half shadow reaches to 6378 + 198 km.
+    // 42164 km behind the Earth the cone has a radius of 6378 - 195 km, and the half shadow reaches to 6378 + 198 km.
     EXPECT_EQ(behind(42164.0, 6170.0), Sunlight::Eclipsed);
     EXPECT_EQ(behind(42164.0, 6200.0), Sunlight::HalfShadow);
     EXPECT_EQ(behind(42164.0, 6560.0), Sunlight::HalfShadow);

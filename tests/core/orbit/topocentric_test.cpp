@@ -31,8 +31,8 @@ Site tableSite(const std::string& name)
 
 }  // namespace
 
-// REQ-ORBIT-20: Azimuth (times cos elevation) and elevation meet the table of known passes to 1e-4°, the range to 1e-3
-// km and its rate to 1e-5 km/s.
+// REQ-ORBIT-20: Azimuth (times cos elevation) and elevation agree with the table of known passes to 1e-4°, the range to
+// 1e-3 km and its rate to 1e-5 km/s.
 TEST(TopocentricReference, MeetsTheTable)
 {
     if (!hasReference("azel_sats.csv") || !hasReference("tle_sats.txt")) {
@@ -69,7 +69,8 @@ TEST(TopocentricReference, MeetsTheTable)
                                                   std::to_string(worst[2]) + " " + std::to_string(worst[3]));
 }
 
-// REQ-ORBIT-21: The sub-satellite point is that of the ellipsoid, from the ground to the distance of the Moon.
+// REQ-ORBIT-21: The sub-satellite point is on the ellipsoid, for satellites from the ground to the distance of the
+// Moon.
 TEST(SubSatellitePoint, IsThePlaceUnderTheSatellite)
 {
     for (const double latitude : {-90.0, -89.9, -45.0, 0.0, 0.1, 38.757, 78.0, 90.0}) {
@@ -85,7 +86,7 @@ TEST(SubSatellitePoint, IsThePlaceUnderTheSatellite)
     }
 }
 
-// REQ-ORBIT-22: The Doppler factor is 1 for a satellite that keeps its distance, above 1 for one that comes nearer.
+// REQ-ORBIT-22: The Doppler factor is 1 for a satellite at constant distance, and above 1 for one that approaches.
 TEST(LookAnglesOfASatellite, HaveTheirDopplerFactor)
 {
     EXPECT_EQ(LookAngles{}.dopplerFactor(), 1.0);

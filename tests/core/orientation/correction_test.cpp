@@ -19,7 +19,7 @@ Declination bySite(Angle here)
     return {.by = DeclinationBy::Boresight, .here = here};
 }
 
-// REQ-ORIENTATION-08 (Correction.*): No declination is applied twice, also with a sensor that counts against the
+// REQ-ORIENTATION-08 (Correction.*): The declination is never applied twice, even with a sensor that counts against the
 // compass.
 TEST(Correction, WithoutSettingsTheSensorIsRight)
 {
@@ -28,7 +28,7 @@ TEST(Correction, WithoutSettingsTheSensorIsRight)
     EXPECT_NEAR(trueDegrees({.azimuthOffset = 37.4_deg}, {}, 347.33), 24.73, 1e-9);
 }
 
-// The firmware is built for Berlin: what it adds is taken off before another is added.
+// The firmware is built for Berlin: its declination is removed before another is added.
 TEST(Correction, NoDeclinationIsAppliedTwice)
 {
     EXPECT_NEAR(trueDegrees({}, bySite(-12.5_deg), 105.07), 87.5, 1e-9);
@@ -50,8 +50,8 @@ Orientation saying(Angle elevation)
     return value;
 }
 
-// REQ-ORIENTATION-971: A sensor whose elevation falls when the beam rises is turned the right way round, one behind the
-// boom by an offset of 180° besides. The zeros of a dead sensor stay what they are.
+// REQ-ORIENTATION-971: If the elevation of a sensor falls when the beam rises, it is reversed. For a sensor behind the
+// boom an offset of 180° is added. The zeros of a dead sensor stay unchanged.
 TEST(Mounting, AnElevationThatCountsDownIsTurnedRound)
 {
     const auto beam = [](Angle sent, ElevationSense sense, Angle offset) {
@@ -70,7 +70,7 @@ TEST(Mounting, AnElevationThatCountsDownIsTurnedRound)
     EXPECT_EQ(asMounted(dead, ElevationSense::Down, 5.07_deg), dead);
 }
 
-// Face down the sensor turns against the compass, but a declination is east all the same.
+// Face down the sensor counts against the compass, but an eastern declination is still eastern.
 TEST(Correction, ASensorFaceDownCountsBackwards)
 {
     const Mounting down{.sense = Sense::CounterClockwise};
@@ -79,7 +79,8 @@ TEST(Correction, ASensorFaceDownCountsBackwards)
     EXPECT_NEAR(trueDegrees({.sense = Sense::CounterClockwise, .azimuthOffset = 90_deg}, {}, 35.07), 65.07, 1e-9);
 }
 
-// Sydney, 12.83° east: true 100° is magnetic 87.17°; face up the sensor counts that backwards and adds Berlin's 5.07°.
+// Sydney, 12.83° east: true 100° is magnetic 87.17°. Face up the sensor counts this backwards and adds the 5.07° of
+// Berlin.
 TEST(Correction, ADeclinationIsEastWhicheverWayTheSensorCounts)
 {
     const Mounting backwards{.sense = Sense::CounterClockwise};

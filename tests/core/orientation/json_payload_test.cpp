@@ -10,7 +10,7 @@ namespace {
 
 using std::chrono::seconds;
 
-// As the firmware prints them, with its runs of spaces.
+// In the form that the firmware prints, with its runs of spaces.
 const QByteArray kOrientation =
     R"({  "dateTime": "Thursday, 19-Feb-2026 09:32:40 UTC",  "ts": "1771493560427",  "azimuth": -12.67,  "elevation": 19.13,  "revolutions": -1,  "units": {    "ts": "milliseconds",    "orientation": "decimal degrees"  }})";
 const QByteArray kStatus =
@@ -35,8 +35,8 @@ std::string reasonOf(const QByteArray& payload)
     return value ? "accepted" : toText(value.error());
 }
 
-// REQ-ORIENTATION-05 (JsonPayload.*): The JSON of the three topics is read, with time as text or number. "nan" is
-// refused. Calibration and temperature are joined to the next orientation while they are young.
+// REQ-ORIENTATION-05 (JsonPayload.*): The JSON of the three topics is read, with the time as text or number. "nan" is
+// refused. Calibration and temperature are added to the next orientation while they are recent.
 TEST(JsonPayload, TheOrientationOfTheFirmwareIsRead)
 {
     const auto value = parseOrientation(kOrientation, at(3));
@@ -109,8 +109,8 @@ TEST(JsonPayload, TheStatusMayLackItsVersion)
     EXPECT_FALSE(parseStatus(with(kStatus, "27", "\"warm\"")));
 }
 
-// REQ-ORIENTATION-970: What nobody knows in a status message is kept to be shown, to a bounded length, and the message
-// is used.
+// REQ-ORIENTATION-970: Unknown keys of a status message are kept for display, up to a fixed length, and the message is
+// used.
 TEST(JsonPayload, TheStatusKeepsWhatNobodyKnows)
 {
     const auto state = parseStatus(with(kStatus, "{", "{ \"rssi\": -71, \"uptime\": \"3 d\","));

@@ -31,8 +31,8 @@ Orientation deadValue(double second)
     return dead;
 }
 
-// REQ-ORIENTATION-07 (Judge.*): The sensor is late after 3 s and lost after 5 s (settable). The mark of a dead sensor,
-// single jumps, restarts and frozen values are found. Turns are counted from headings, and gaps in this count are
+// REQ-ORIENTATION-07 (Judge.*): The sensor is late after 3 s and lost after 5 s (both can be set). A dead sensor,
+// single jumps, restarts and frozen values are detected. Turns are counted from headings, and gaps in this count are
 // known.
 TEST(Judge, LateAfterThreeSecondsLostAfterFive)
 {
@@ -69,7 +69,7 @@ TEST(Judge, TheMarkOfADeadSensorIsNotUsed)
     EXPECT_EQ(judge.take(plain), ValueFate::Dead) << "by MQTT nothing else is told";
 }
 
-// Compiled for another place, or without a declination.
+// Firmware compiled for another place, or without a declination.
 TEST(Judge, TheMarkOfADeadSensorHasTheFirmwaresDeclination)
 {
     Judge judge({.declinationInSensor = 12.5_deg});
@@ -152,7 +152,8 @@ TEST(Judge, NoticesARestart)
     EXPECT_EQ(judge.restarts(), 2U) << "told once";
 }
 
-// Story: the mount had turned by 250° while the sensor was not heard, and its own count, still at 0, looked restarted.
+// Story: the mount had turned by 250° while nothing was received from the sensor. The sensor's own count, still at 0,
+// looked like a restart.
 TEST(Judge, ALongWayUnheardIsNoRestart)
 {
     Judge judge;
@@ -166,7 +167,7 @@ TEST(Judge, ALongWayUnheardIsNoRestart)
     EXPECT_EQ(judge.restarts(), 1U) << "360° in a second: that is its count alone";
 }
 
-// The course has whole turns, and tells how far it went between two moments of one count of breaks.
+// The course counts whole turns. Between two moments with the same number of breaks it gives the angle turned.
 TEST(Judge, ItsCourseIsGoodUntilItBreaks)
 {
     Judge judge({.azimuthSpeed = 60_deg_s});

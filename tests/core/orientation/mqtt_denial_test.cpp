@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is said of the topics that a broker refuses, without a broker.
+// The texts about topics that a broker refuses, tested without a broker.
 #include "core/orientation_stream/mqtt_source.h"
 #include "tests/fakes/hand_turned_timers.h"
 #include "tests/fakes/one_word.h"
@@ -26,7 +26,7 @@ private:
     QString m_problem;
 };
 
-// A topic beside it is refused, nothing comes, and then the topic is permitted.
+// Another topic is refused, no data arrives, and then that topic is permitted.
 std::string saidAfterTheGrant()
 {
     fakes::ManualClock clock;
@@ -41,8 +41,9 @@ std::string saidAfterTheGrant()
     return source.status().problem.toStdString();
 }
 
-// Story: whether the refusal was on the screen was decided by comparing two translated texts.
-// REQ-ORIENTATION-500: That nothing comes stays on the screen when the broker permits a topic, in every language.
+// Story: a comparison of two translated texts decided whether the refusal was on the screen.
+// REQ-ORIENTATION-500: When the broker permits a topic, the report that no data arrives stays on the screen, in every
+// language.
 TEST(MqttDenial, AGrantTakesBackTheRefusalOnly)
 {
     EXPECT_NE(saidAfterTheGrant().find("No data on antenna/orientation"), std::string::npos);

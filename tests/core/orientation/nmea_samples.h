@@ -7,13 +7,13 @@
 #include <string_view>
 #include <vector>
 
-// The recorded sentences of tests/data/nmea_samples.txt, and of another file of that form if the environment variable
-// NMEA_SAMPLES names one: verdict, result, bytes and note, parted by tabs.
+// The recorded sentences of tests/data/nmea_samples.txt, and of another file in the same form if the environment
+// variable NMEA_SAMPLES names one. Each line has verdict, result, bytes and note, separated by tabs.
 namespace boresight::orientation {
 
 enum class SampleVerdict
 {
-    Accepted,  // `accepted` of them
+    Accepted,  // `accepted` has the number of sentences
     Refused,
     Ignored
 };
@@ -31,7 +31,7 @@ struct NmeaSample
 [[nodiscard]] std::vector<NmeaSample> ownSamples();
 [[nodiscard]] std::vector<NmeaSample> allSamples();
 
-// The values that `result` tells, one group for each sentence: "ts=… az=… heading=…".
+// The values that `result` lists, one group for each sentence: "ts=… az=… heading=…".
 [[nodiscard]] std::vector<std::string> valueGroups(const std::string& result);
 // Differences between the group and the value, in words; empty if there are none.
 [[nodiscard]] std::string differences(const std::string& group, const Orientation& value);

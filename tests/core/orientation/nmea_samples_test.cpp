@@ -46,8 +46,8 @@ void expectAsTold(const NmeaSample& sample, const Heard& heard)
     }
 }
 
-// REQ-ORIENTATION-01 (NmeaSamples.*): All three forms of the sentence are read. More fields behind the last are kept
-// as text and the rest used.
+// REQ-ORIENTATION-01 (NmeaSamples.*): All three forms of the sentence are read. Additional fields at the end are kept
+// as text, and the other fields are used.
 TEST(NmeaSamples, EachIsAcceptedRefusedOrIgnoredAsTold)
 {
     for (const NmeaSample& sample : allSamples()) {
@@ -70,8 +70,9 @@ TEST(NmeaSamples, OursAreComplete)
     EXPECT_EQ(refused, 9U);
 }
 
-// REQ-ORIENTATION-02: A wrong, missing or unreadable checksum, wrong units, too few fields, a number that is not
-// finite or that no sensor sends: the sentence is refused with its reason, counted by reason, and no part is used.
+// REQ-ORIENTATION-02: A sentence is refused with its reason if its checksum is wrong, missing or unreadable, a unit is
+// wrong, fields are missing, or a number is not finite or outside the range of a sensor. Refusals are counted by
+// reason, and no part of the sentence is used.
 TEST(NmeaSamples, TheReasonsAreThoseOfTheFile)
 {
     for (const NmeaSample& sample : ownSamples()) {
@@ -82,7 +83,7 @@ TEST(NmeaSamples, TheReasonsAreThoseOfTheFile)
 }
 
 // REQ-ORIENTATION-03: Bytes may be split or joined anywhere. A `$` begins a new sentence. Noise, start-up text and
-// sentences of others are counted, not reported. A sentence has at most 128 bytes.
+// foreign sentences are counted, not reported. A sentence has at most 128 bytes.
 TEST(NmeaSamples, AnySplitGivesTheSame)
 {
     for (const NmeaSample& sample : allSamples()) {

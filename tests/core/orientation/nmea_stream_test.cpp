@@ -159,7 +159,7 @@ TEST(NmeaStream, AReceiverMayClearIt)
     EXPECT_EQ(values, 2);
 }
 
-// Reckoned anew, by the definition: the XOR of all between '$' and '*'.
+// Computed independently by the definition: the XOR of all bytes between '$' and '*'.
 bool hasRightSum(std::string_view sentence)
 {
     unsigned sum = 0;
@@ -172,8 +172,8 @@ bool hasRightSum(std::string_view sentence)
            std::stoul(digits, nullptr, 16) == sum;
 }
 
-// REQ-ORIENTATION-04 (NmeaFuzz.*): However the bytes are damaged, nothing with a wrong sum is used, and the next good
-// sentence is.
+// REQ-ORIENTATION-04 (NmeaFuzz.*): However the bytes are damaged, no sentence with a wrong checksum is used, and the
+// next good sentence is used.
 TEST(NmeaFuzz, NothingDamagedIsUsedAndTheNextSentenceIs)
 {
     std::mt19937 random(20260219);

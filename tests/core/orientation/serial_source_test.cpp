@@ -57,7 +57,7 @@ struct SerialSourceTest : testing::Test
         return fakes::waitUntil([&] { return says(of); });
     }
 
-    // A line that is no sentence, and has been read.
+    // Sends a line that is no sentence, and waits until it was read.
     void chat(const QByteArray& line)
     {
         const auto before = source.status().counts.chatter;
@@ -66,7 +66,7 @@ struct SerialSourceTest : testing::Test
     }
     [[nodiscard]] bool says(const char* of) const { return source.status().problem.contains(QLatin1String(of)); }
 
-    // Whoever has the port, it is known now, and told to those who asked.
+    // Waits until the program that has the port is known and reported.
     static void letLookUpsEnd()
     {
         ASSERT_TRUE(QThreadPool::globalInstance()->waitForDone(60'000));
@@ -81,12 +81,12 @@ struct SerialSourceTest : testing::Test
     std::vector<SourceStatus> changes;
 };
 
-// An adapter that ignores the baud rate may send as much as it likes.
-// REQ-ORIENTATION-06 (SerialSourceTest.*): A port that is absent, busy, silent or gone is one line with its remedy,
-// tried again with growing pauses. What comes in place of sentences is reported again when it changes for good. Which
-// program has the port is looked up beside the thread. Nothing is ever sent.
-// REQ-ORIENTATION-06a: Whatever a port sends, 2 kB are read every 10 ms at most, because the drives are served on the
-// same thread.
+// An adapter that ignores the baud rate may send any amount of data.
+// REQ-ORIENTATION-06 (SerialSourceTest.*): A port that is absent, busy, silent or gone is reported in one line with its
+// remedy, and is tried again with growing pauses. If something other than sentences arrives, a lasting change of it is
+// reported again. The search for the program that has the port runs outside this thread. Nothing is ever sent.
+// REQ-ORIENTATION-06a: Whatever a port sends, at most 2 kB are read every 10 ms, because the same thread serves the
+// drives.
 TEST_F(SerialSourceTest, AFloodIsReadInSmallHelpings)
 {
     source.open();
@@ -99,7 +99,7 @@ TEST_F(SerialSourceTest, AFloodIsReadInSmallHelpings)
             before = values.size();
         });
     const int sentences = 3 * static_cast<int>(SerialSource::kBytesAtOnce / kSerialSourceSentence.size());
-    for (int written = 0; written < sentences;) {  // as much as the terminal holds
+    for (int written = 0; written < sentences;) {  // as much as the terminal accepts
         for (int i = 0; i < 50 && written < sentences; ++i, ++written) {
             terminal.write(kSerialSourceSentence);
         }
@@ -207,7 +207,7 @@ TEST_F(SerialSourceTest, SaysWhatComesInPlaceOfSentences)
     EXPECT_EQ(source.status().problem, QString());
 }
 
-// Story: the box was switched on without its chip; the line still said that nothing comes.
+// Story: the box was switched on without its chip, and the line still said that nothing arrives.
 TEST_F(SerialSourceTest, WhatComesInPlaceOfSentencesIsLookedAtAgain)
 {
     fakes::HandTurnedTimers timers(source, clock);
@@ -280,7 +280,7 @@ TEST_F(SerialSourceTest, ClosedWhileThePortIsLookedAtItStaysClosed)
     EXPECT_TRUE(becomes(true));
 }
 
-// Story: at each attempt all programs' open files were gone through, 9 to 21 ms, on the thread that feeds the drives.
+// Story: each attempt searched the open files of all programs, 9 to 21 ms on the thread that serves the drives.
 TEST_F(SerialSourceTest, WhoHasThePortIsLookedUpBesideTheThread)
 {
     fakes::Program holder(
@@ -301,8 +301,8 @@ TEST_F(SerialSourceTest, WhoHasThePortIsLookedUpBesideTheThread)
     EXPECT_TRUE(hears(1));
 }
 
-// Story: whoever chose another source held up the drives for as long as the look-up took. Here it cannot begin before
-// the source is gone: each thread of the pool waits for that.
+// Story: choosing another source delayed the drives for as long as the search took. Here the search cannot begin before
+// the source is deleted: each thread of the pool waits for that.
 TEST_F(SerialSourceTest, DeletedWhileThePortIsLookedAtItWaitsForNothing)
 {
     QThreadPool& pool = *QThreadPool::globalInstance();
@@ -316,7 +316,7 @@ TEST_F(SerialSourceTest, DeletedWhileThePortIsLookedAtItWaitsForNothing)
     other->open();
     other.reset();
     deleted.release(threads);
-    letLookUpsEnd();  // and the answer finds nobody
+    letLookUpsEnd();  // and the result has no receiver
     EXPECT_EQ(inTime, threads);
 }
 

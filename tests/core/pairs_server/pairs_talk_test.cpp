@@ -18,7 +18,7 @@ constexpr Site kLisbon{.latitude = Angle::fromDegrees(38.72), .longitude = Angle
 
 struct PairsTest : ::testing::Test
 {
-    // All that is answered to these bytes.
+    // Everything that is answered to these bytes.
     std::string say(std::string_view bytes)
     {
         talk->receive(bytes);
@@ -38,7 +38,7 @@ struct PairsTest : ::testing::Test
 using PairsOnALine = PairsTest;
 
 // REQ-PAIRSSERVER-03 (PairsOnALine.*): A client points, moves by an angle, stops, parks and reads the mount by the same
-// requests as a rotctld client. Each line is answered by `OK`, by the position or by the reason.
+// requests as a rotctld client. Each line is answered with `OK`, with the position or with the reason.
 TEST_F(PairsOnALine, PointsAndReads)
 {
     EXPECT_EQ(say("120.5 30\n"), "OK\n");
@@ -87,8 +87,8 @@ TEST_F(PairsOnALine, StopsOnItsWay)
     EXPECT_NEAR(rotator.lastRequest->elevation.degrees(), 16.0, 1e-9) << "from where it was stopped";
 }
 
-// REQ-PAIRSSERVER-04: `bearing LOCATOR` points along the short path to a locator at the horizon, `bearing LOCATOR long`
-// along the long one. The own place is that of the profile.
+// REQ-PAIRSSERVER-04: `bearing LOCATOR` points to a locator at the horizon along the short path, `bearing LOCATOR long`
+// along the long path. The starting point is the site of the profile.
 TEST_F(PairsOnALine, PointsToALocator)
 {
     EXPECT_EQ(say("bearing JN58td\n"), "OK\n");

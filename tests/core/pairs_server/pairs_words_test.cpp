@@ -23,8 +23,7 @@ std::optional<ErrorCode> refused(std::string_view line)
 }
 
 // REQ-PAIRSSERVER-01 (PairsWords.*): A line is an elevation, an azimuth and an elevation, a move by an angle, a bearing
-// to a locator by the short or the long path, a stop, a park or a question. A plus sign makes a line a move by an
-// angle.
+// to a locator by the short or the long path, a stop, a park or a query. A plus sign makes a line a move by an angle.
 TEST(PairsWords, OneNumberIsAnElevationAndTwoAreAPlace)
 {
     const auto elevation = parsed<Place>("60");
@@ -95,8 +94,8 @@ TEST(PairsWords, TheRestIsStopParkAndAQuestion)
     EXPECT_TRUE(parsed<Report>("?"));
 }
 
-// REQ-PAIRSSERVER-02 (PairsWords.Nothing*, PairsThat.*): What is half, bad, too long or of another protocol moves
-// nothing, and the answer says why.
+// REQ-PAIRSSERVER-02 (PairsWords.Nothing*, PairsThat.*): Text that is incomplete, invalid, too long or of another
+// protocol moves nothing, and the answer gives the reason.
 TEST(PairsWords, NothingElseIsACommand)
 {
     for (const char* const line :

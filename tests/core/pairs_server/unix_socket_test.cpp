@@ -51,7 +51,7 @@ public:
         EXPECT_EQ(::send(m_socket.number(), line.data(), line.size(), MSG_NOSIGNAL), static_cast<ssize_t>(line.size()));
         return answer();
     }
-    // A line.
+    // Reads one line.
     [[nodiscard]] std::string answer() const
     {
         std::string text;
@@ -92,8 +92,8 @@ struct UnixSocket : ::testing::Test
     fakes::DummyRotator rotator{clock};
 };
 
-// REQ-LISTENERS-08 (UnixSocket.*): A socket in the file system is served as a port is. Only programs of the user of the
-// station can open it. It is removed at the end, and that of a program that was killed is replaced.
+// REQ-LISTENERS-08 (UnixSocket.*): A socket in the file system is served like a port. Only programs of the station's
+// user can open it. It is removed at the end. The socket of a program that was killed is replaced.
 TEST_F(UnixSocket, ServesSeveralPrograms)
 {
     const auto server = serve();

@@ -57,14 +57,14 @@ PassSearch days(const Site& site, int count)
     return {.site = site, .from = kStart, .to = kStart + std::chrono::days(count)};
 }
 
-// As a search that knows nothing would do it.
+// The elevation, computed in the simplest way.
 Angle elevationAt(const orbit::ElementSet& set, const Site& site, UtcTime utc)
 {
     const auto date = orbit::julianDate(utc);
     return orbit::Observer(site).look(groundState(*orbit::Sgp4(set).propagate(date), date)).direction.elevation;
 }
 
-// Moments at which the satellite comes up or goes down, in steps of 10 s.
+// The moments when the satellite rises or sets, in steps of 10 s.
 std::vector<UtcTime> changesOnAGrid(const orbit::Sgp4& orbit, const PassSearch& search)
 {
     std::vector<UtcTime> changes;
@@ -93,8 +93,8 @@ bool hasEdgeBefore(const PassList& list, UtcTime change)
 
 }  // namespace
 
-// REQ-PASSES-02: A satellite that never comes up has no pass. One that is always up has one, from the beginning of the
-// span to its end.
+// REQ-PASSES-02: A satellite that never rises has no pass. One that is always up has one pass, from the beginning to
+// the end of the search.
 TEST(PassFinder, KnowsNeverAndAlways)
 {
     const orbit::Sgp4 equatorial(circle(15.5, 0.1_deg));
@@ -109,7 +109,7 @@ TEST(PassFinder, KnowsNeverAndAlways)
     EXPECT_GT(always.passes[0].maxima, 1) << "one in a day at least";
 }
 
-// REQ-PASSES-03: A pass that goes on when the span begins or ends is cut there, and says so.
+// REQ-PASSES-03: A pass that is under way at the beginning or end of the search is cut there, and is marked as cut.
 TEST(PassFinder, CutsAPassAtTheEndsOfTheSpan)
 {
     const orbit::Sgp4 orbit(circle(15.5, 51.6_deg));
@@ -137,8 +137,8 @@ TEST(PassFinder, FindsNothingInASpanThatIsNone)
     EXPECT_EQ(findPasses(orbit, days(kLisbon, -3)), PassList());
 }
 
-// REQ-PASSES-04: No pass is missed and none is invented: low, high, flat, polar and equatorial orbits, sites from pole
-// to equator, minimum elevations below and above 0°.
+// REQ-PASSES-04: No pass is missed and none is invented, for low, high, flat, polar and equatorial orbits, sites from
+// pole to equator, and minimum elevations below and above 0°.
 TEST(PassFinder, FindsWhatAFineGridFinds)
 {
     std::mt19937 random(1);
@@ -167,7 +167,7 @@ TEST(PassFinder, FindsWhatAFineGridFinds)
     }
 }
 
-// REQ-PASSES-05: A pass that only grazes the minimum elevation is found, however short it is.
+// REQ-PASSES-05: A pass that only just reaches the minimum elevation is found, however short it is.
 TEST(PassFinder, FindsAPassThatGrazes)
 {
     const orbit::ElementSet set = circle(15.5, 51.6_deg);
@@ -206,8 +206,8 @@ TEST(PassFinder, TakesTheHighestOfSeveralMaxima)
     EXPECT_TRUE(isMet);
 }
 
-// REQ-PASSES-07: Where the satellite decays the search ends, with the moment and the reason. A pass of that moment is
-// cut there.
+// REQ-PASSES-07: If the satellite decays the search ends, with the moment and the reason. A pass at that moment is cut
+// there.
 TEST(PassFinder, EndsWhereTheOrbitEnds)
 {
     orbit::ElementSet set = circle(16.0, 51.6_deg);
@@ -227,7 +227,7 @@ TEST(PassFinder, EndsWhereTheOrbitEnds)
     EXPECT_EQ(none.end->utc, afterwards.from);
 }
 
-// REQ-PASSES-08: Polar sites see a polar orbit on each of its turns.
+// REQ-PASSES-08: A site at the pole sees a polar orbit on each revolution.
 TEST(PassFinder, SeesEachTurnFromThePole)
 {
     const auto passes = findPasses(orbit::Sgp4(circle(14.1, 98.7_deg)), days({90_deg, 0_deg, 0.0}, 1)).passes;
@@ -248,7 +248,7 @@ TEST(PassFinder, FindsWhatAMaskLeavesOfAPass)
     search.isClear = [](const SkyPointing&) { return false; };
     EXPECT_THAT(findPasses(orbit::Sgp4(set), search).passes.at(1).clear, IsEmpty());
 
-    // A tower as wide as 2° in the way of the highest moment, and a wall of 5° all around.
+    // A tower 2° wide in front of the highest point, and a wall of 5° all around.
     const Angle tower = open.tca.direction.azimuth;
     search.isClear = [tower](const SkyPointing& direction) {
         return direction.elevation > 5_deg && abs((direction.azimuth - tower).wrapped180()) > 1_deg;
@@ -262,7 +262,7 @@ TEST(PassFinder, FindsWhatAMaskLeavesOfAPass)
     EXPECT_GT(hidden.clear[1].from, open.tca.utc);
 }
 
-// REQ-PASSES-10: A search of many satellites reports its progress, and ends soon when it is told to.
+// REQ-PASSES-10: A search for many satellites reports its progress, and ends soon when it is stopped.
 TEST(PassFinder, ReportsItsProgressAndCanBeStopped)
 {
     const std::vector<SatelliteSearch> searches(5, {orbit::Sgp4(circle(15.5, 51.6_deg)), days(kLisbon, 1)});

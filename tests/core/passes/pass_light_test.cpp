@@ -25,7 +25,7 @@ struct LowOrbit
     [[nodiscard]] PassLight light(const Pass& pass) const { return lightOf(pass, elements, kLightSite); }
 };
 
-// REQ-PASSES-954: Of the selected pass the panel shows whether the satellite is in sunlight, and when it enters or
+// REQ-PASSES-954: For the selected pass the panel shows whether the satellite is in sunlight, and when it enters or
 // leaves the shadow of the Earth.
 TEST(PassLight, ALowSatelliteIsInSunlightByDayAndInTheShadowAtMidnight)
 {
@@ -38,7 +38,7 @@ TEST(PassLight, ALowSatelliteIsInSunlightByDayAndInTheShadowAtMidnight)
         if (sun > 5_deg) {
             EXPECT_EQ(low.light(pass), (PassLight{.isSunlitFirst = true, .changes = {}}));
             ++days;
-        } else if (sun < -45_deg) {  // 420 km up the Sun sets when it is 20° down for us, and a pass spans 20°
+        } else if (sun < -45_deg) {  // 420 km up the Sun sets when it is 20° below our horizon, and a pass spans 20°
             EXPECT_EQ(low.light(pass), (PassLight{.isSunlitFirst = false, .changes = {}}));
             ++nights;
         }
@@ -66,7 +66,7 @@ TEST(PassLight, InTheEveningItEntersTheShadowAndInTheMorningItLeavesIt)
     EXPECT_GT(changes, 3);
 }
 
-// REQ-PASSES-992: Of each pass it is known for how many seconds the Sun shines on the satellite.
+// REQ-PASSES-992: For each pass it is known for how many seconds the satellite is in sunlight.
 TEST(PassLight, TheTimeInSunlightIsTheSumOfItsParts)
 {
     const UtcTime rise = std::chrono::sys_days{std::chrono::year{2026} / 11 / 20};

@@ -56,13 +56,13 @@ std::string flagsOf(const Pass& pass)
 
 void expectMeets(const Pass& pass, const Row& row)
 {
-    // The elevation of this one changes by 1e-12° in half a second around its highest moment.
+    // The elevation of this satellite changes by only 1e-12° in half a second around its highest point.
     const bool isStill = row.at(0) == "ES'HAIL 2";
     EXPECT_LT(secondsFrom(row, 7, pass.aos.utc), 1e-3);
     EXPECT_LT(secondsFrom(row, 9, pass.tca.utc), isStill ? 0.5 : 0.1);
     EXPECT_LT(secondsFrom(row, 12, pass.los.utc), 1e-3);
     EXPECT_LT(degreesFrom(row, 8, pass.aos.direction.azimuth), 1e-3);
-    EXPECT_LT(degreesFrom(row, 10, pass.tca.direction.azimuth), 0.02);  // 12° in a second near the zenith
+    EXPECT_LT(degreesFrom(row, 10, pass.tca.direction.azimuth), 0.02);  // it moves 12° in a second near the zenith
     EXPECT_LT(degreesFrom(row, 13, pass.los.direction.azimuth), 1e-3);
     EXPECT_NEAR(pass.tca.direction.elevation.degrees(), numberAt(row, 11), 1e-4);
     EXPECT_EQ(flagsOf(pass), row.at(14));

@@ -16,10 +16,10 @@ MountModel mountOf(const PointingTerms& terms)
     return {{.travel = {-90_deg, 450_deg}}, {.travel = {-10_deg, 100_deg}}, PointingModel(terms)};
 }
 
-// Spherical trigonometry in another program: tan(turn) = tan(across) / cos(elevation), and sin(elevation of the beam) =
-// cos(across) sin(elevation).
-// REQ-ANTENNA-900: The beam of an antenna is beside and above the main beam by its offsets. What is across turns the
-// azimuth the more the higher the beam: 2° are 4.0° at 60° and 11.6° at 80°.
+// Computed by spherical trigonometry with another program: tan(turn) = tan(across) / cos(elevation), and sin(elevation
+// of the beam) = cos(across) sin(elevation).
+// REQ-ANTENNA-900: The beam of an antenna lies beside and above the main beam by its offsets. The offset across turns
+// the azimuth more at a higher elevation: 2° become 4.0° at 60° and 11.6° at 80°.
 TEST(Antenna, IsBesideTheMainBeam)
 {
     const SkyPointing beam = mountOf(termsFor({}, kBeside, {})).toSky({100_deg, 57_deg});
@@ -39,7 +39,7 @@ TEST(Antenna, IsBesideTheMainBeam)
     EXPECT_NEAR(low.elevation.degrees(), 21.012712, 1e-6);
 }
 
-// REQ-ANTENNA-901: The angle between two beams is the same wherever the mount points, also on a mast that leans.
+// REQ-ANTENNA-901: The angle between two beams is the same wherever the mount points, also on a leaning mast.
 TEST(Antenna, BeamsKeepTheirDistance)
 {
     const Antenna other{.name = "23 cm", .across = -1_deg, .up = -5_deg};
@@ -55,7 +55,7 @@ TEST(Antenna, BeamsKeepTheirDistance)
     EXPECT_EQ(termsFor(leaning, {}, {}), leaning);
 }
 
-// REQ-ANTENNA-902: Without an elevation axis what is across is an angle of the azimuth.
+// REQ-ANTENNA-902: Without an elevation axis the offset across is an angle of the azimuth.
 TEST(Antenna, OfAMountWithOneAxisTurnsTheAzimuth)
 {
     const PointingTerms terms = termsFor({.azimuthOffset = 30_deg}, kBeside, Axis::Elevation);

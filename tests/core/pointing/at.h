@@ -5,7 +5,7 @@
 
 namespace boresight::pointing {
 
-// Degrees.
+// Both angles in degrees.
 inline AxisPosition at(double azimuth, double elevation)
 {
     return {.azimuth = Angle::fromDegrees(azimuth), .elevation = Angle::fromDegrees(elevation)};

@@ -32,7 +32,7 @@ TEST(AxisGeometry, ReferenceMount)
     EXPECT_DOUBLE_EQ(kReferenceElevation.toAxis(MotorRate::fromTurns(-0.1)).degrees(), 36.0);
 }
 
-// REQ-POINTING-02: The gear ratio counts in the host or in the drive, never twice.
+// REQ-POINTING-02: The gear ratio is applied either in the host or in the drive, never twice.
 TEST(AxisGeometry, GearRatioCountsInTheHostOnly)
 {
     AxisGeometry gear{.sign = -1, .offset = 10_deg, .gearRatio = 60.0, .gearIn = GearIn::Host};
@@ -43,7 +43,7 @@ TEST(AxisGeometry, GearRatioCountsInTheHostOnly)
     EXPECT_DOUBLE_EQ(gear.toMotor(36_deg_s).turns(), -0.1);
 }
 
-// REQ-POINTING-03: There and back is exact to 1e-9°.
+// REQ-POINTING-03: The conversion to turns and back is exact to 1e-9°.
 TEST(AxisGeometry, RoundTripIsExactToANanodegree)
 {
     std::mt19937 random(1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Horizon and keep-outs as the axes of a mount that leans have to see them.
+// Horizon and keep-outs in the axis angles of a leaning mount.
 #include "core/pointing/permitted_region.h"
 #include "core/pointing/route.h"
 #include "tests/core/pointing/at.h"
@@ -25,7 +25,7 @@ KeepOut mast()
         .name = "mast", .azimuthFrom = 300_deg, .azimuthTo = 330_deg, .elevationMin = 0_deg, .elevationMax = 40_deg};
 }
 
-// A direction at a distance from another one on the sky, both in degrees.
+// A direction at this distance from another one on the sky, both in degrees.
 SkyPointing beside(const SkyPointing& from, double distance, double bearing)
 {
     const double d = Angle::fromDegrees(distance).radians();
@@ -38,14 +38,14 @@ SkyPointing beside(const SkyPointing& from, double distance, double bearing)
             .elevation = Angle::fromRadians(std::atan2(up, std::hypot(along, across)))};
 }
 
-// Is anything truly forbidden, by horizon or keep-outs, as near as this?
+// Whether horizon or keep-outs truly forbid a direction within this distance.
 bool forbiddenNear(const Region& region, const SkyPointing& beam, double distance)
 {
     const Region sky{.horizon = region.horizon, .keepOuts = region.keepOuts};
     for (int ring = 0; ring <= 4; ++ring) {
         for (int bearing = 0; bearing < 360; bearing += 15) {
             const SkyPointing there = beside(beam, distance * ring / 4.0, bearing);
-            if (fakes::depthInside(sky, {there.azimuth, there.elevation}) > -0.06) {  // slits are closed
+            if (fakes::depthInside(sky, {there.azimuth, there.elevation}) > -0.06) {  // narrow gaps are closed
                 return true;
             }
         }
@@ -56,7 +56,7 @@ bool forbiddenNear(const Region& region, const SkyPointing& beam, double distanc
 bool atAnEnd(const PermittedRegion& region, const AxisPosition& place, Angle skew)
 {
     const AxisBox& ranges = region.ranges();
-    const Angle closed = 0.06_deg + skew;  // between a keep-out and an end
+    const Angle closed = 0.06_deg + skew;  // a gap between a keep-out and an end is closed below this width
     const auto near = [closed](const TravelRange& range, Angle angle) {
         return angle < range.min + closed || angle > range.max - closed;
     };
@@ -65,7 +65,8 @@ bool atAnEnd(const PermittedRegion& region, const AxisPosition& place, Angle ske
 
 }  // namespace
 
-// REQ-POINTING-24: Offsets move what is forbidden exactly. With other terms hardly more is forbidden than is true.
+// REQ-POINTING-24: Offsets shift the forbidden area exactly. With other terms the forbidden area is only slightly
+// larger than in truth.
 TEST(AxisImage, AnOffsetMovesWhatIsForbiddenExactly)
 {
     const PermittedRegion region({.horizon = {{0_deg, 10_deg}, {90_deg, 20_deg}}, .keepOuts = {mast()}}, kAzimuths,
@@ -74,7 +75,7 @@ TEST(AxisImage, AnOffsetMovesWhatIsForbiddenExactly)
     EXPECT_TRUE(region.permits(at(262.6, 37.9)));
     EXPECT_TRUE(region.permits(at(262.7, 38)));
     EXPECT_FALSE(region.permits(at(262.7 - 360, 37.9)));
-    EXPECT_FALSE(region.permits(at(82.7, 138.1)));  // over the top: 138.1° + 2° looks to 39.9°
+    EXPECT_FALSE(region.permits(at(82.7, 138.1)));  // over the top: 138.1° + 2° points to an elevation of 39.9°
     EXPECT_TRUE(region.permits(at(82.7, 138)));
     EXPECT_FALSE(region.permits(at(7.6, 12.9)));  // true azimuth 45°: the horizon is at 15°
     EXPECT_TRUE(region.permits(at(7.6, 13)));
@@ -82,7 +83,7 @@ TEST(AxisImage, AnOffsetMovesWhatIsForbiddenExactly)
     EXPECT_EQ(region.reason(at(7.6, 5)).toStdString(), "45.0° / 7.0° lies below the horizon (15.0°)");
 }
 
-// Its own 0° look to -0.42° there, and the mast begins at 0°.
+// At an axis elevation of 0° the beam points to -0.42°, and the mast begins at 0°.
 // REQ-POINTING-24
 TEST(AxisImage, ThereIsNoWayBelowAMastForAMountThatLeans)
 {
@@ -105,8 +106,8 @@ TEST(AxisImage, AHorizonUpToTheZenithTakesTheCapOfALeaningMount)
     EXPECT_TRUE(leaning.permits(at(200, 85)));
 }
 
-// The promise: whatever the axes may do, the beam does not come into what is forbidden.
-// REQ-POINTING-23: Whatever the model, no place that is permitted looks into a keep-out or below the horizon (1e-9°).
+// The promise: no permitted position of the axes moves the beam into a forbidden area.
+// REQ-POINTING-23: With any model, no permitted position points into a keep-out or below the horizon (1e-9°).
 TEST(AxisImage, NothingForbiddenIsPermitted)
 {
     std::mt19937 random(20261121);
@@ -132,8 +133,8 @@ TEST(AxisImage, NothingForbiddenIsPermitted)
     EXPECT_GT(permitted, 20000);
 }
 
-// And not much more is forbidden than is true: about twice what the beam can be moved. Near the zenith the cap goes as
-// a whole, and a cliff in the horizon takes what it leans over; both are kept away.
+// The forbidden area is not much larger than in truth: by about twice the shift of the beam. Near the zenith the whole
+// cap is forbidden, and a steep step in the horizon is widened by the lean. The test avoids both.
 // REQ-POINTING-24
 TEST(AxisImage, HardlyMoreIsForbiddenThanIsTrue)
 {
@@ -167,7 +168,7 @@ TEST(AxisImage, HardlyMoreIsForbiddenThanIsTrue)
     EXPECT_GT(forbidden, 5000);
 }
 
-// Routes are found by the boxes of the axes, so that a way is permitted with all of its legs for a leaning mount, too.
+// Routes are found by boxes in the axis angles, so every leg of a route is permitted on a leaning mount, too.
 // REQ-POINTING-23
 TEST(AxisImage, RoutesOfALeaningMountKeepTheBeamOut)
 {

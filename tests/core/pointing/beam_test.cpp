@@ -6,8 +6,8 @@
 namespace boresight::pointing {
 namespace {
 
-// REQ-POINTING-50 (Beam.*): The beam width comes from dish and frequency, or from the gain. What a pointing error costs
-// is told in dB inside the main lobe, and not guessed beyond it.
+// REQ-POINTING-50 (Beam.*): The beam width is computed from dish and frequency, or from the gain. The loss by a
+// pointing error is given in dB inside the main lobe, and is not guessed beyond it.
 TEST(Beam, OfADish)
 {
     EXPECT_NEAR(beamWidthOfDish(3.0, 1296e6).degrees(), 5.40, 0.01);  // λ = 0.2313 m
@@ -17,7 +17,7 @@ TEST(Beam, OfADish)
 
 TEST(Beam, OfAGainAgreesWithTheDishOfThatGain)
 {
-    // 55 % of 3 m at 1296 MHz is 29.6 dBi.
+    // 3 m at 1296 MHz with 55 % efficiency have 29.6 dBi.
     EXPECT_NEAR(beamWidthOfGain(29.6).degrees(), 5.34, 0.01);
     EXPECT_NEAR(beamWidthOfGain(12.0).degrees(), 40.5, 0.1);  // a Yagi of ten elements: 38° to 42°
     EXPECT_EQ(beamWidthOfGain(-3.0), 180_deg);

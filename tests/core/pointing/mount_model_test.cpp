@@ -43,8 +43,8 @@ double skyDistance(const SkyPointing& a, const SkyPointing& b)
 
 }  // namespace
 
-// REQ-POINTING-04: A direction is reached on the wrap inside the travel that is nearest to now, for travels wider and
-// narrower than 360°.
+// REQ-POINTING-04: A direction is reached on the wrap inside the travel that is nearest to the present position, for
+// travels wider and narrower than 360°.
 TEST(Resolve, TakesTheTurnNearestToNow)
 {
     const MountModel model = mount({-90_deg, 450_deg});
@@ -55,16 +55,16 @@ TEST(Resolve, TakesTheTurnNearestToNow)
     EXPECT_NEAR(azimuthFor(model, 260, -80), 260, 1e-9);  // as -100°
     EXPECT_NEAR(azimuthFor(model, 90, 400), 450, 1e-9);   // the end itself belongs to the travel
     EXPECT_NEAR(azimuthFor(model, 270, 0), -90, 1e-9);
-    EXPECT_NEAR(azimuthFor(model, 1e6, 0), 1e6 - 2778 * 360, 1e-6);  // any finite azimuth is a direction
+    EXPECT_NEAR(azimuthFor(model, 1e6, 0), 1e6 - 2778 * 360, 1e-6);  // any finite azimuth is a valid direction
 }
 
-// REQ-POINTING-10: A wrap outside the limits of operation is no answer.
+// REQ-POINTING-10: A wrap outside the operating limits is not used.
 TEST(Resolve, TakesATurnInsideTheLimitsOfOperation)
 {
     MountModel model = mount({-200_deg, 460_deg});
     EXPECT_NEAR(azimuthFor(model, 10, 350), 370, 1e-9);
     model.limitTo({-90_deg, 365_deg}, {5_deg, 80_deg});
-    EXPECT_NEAR(azimuthFor(model, 10, 350), 10, 1e-9);  // 370° is cable, but not allowed
+    EXPECT_NEAR(azimuthFor(model, 10, 350), 10, 1e-9);  // the cable allows 370°, but the limits do not
     EXPECT_NEAR(azimuthFor(model, 4, 350), 364, 1e-9);
     const Resolved low = resolveDegrees(model, 100, 2, 100);
     EXPECT_TRUE(low.limited);
@@ -87,8 +87,8 @@ TEST(Resolve, OtherTravels)
     EXPECT_NEAR(azimuthFor(mount({720_deg, 1080_deg}), 10, 1000), 730, 1e-9);
 }
 
-// A pass goes on through north as long as the cable allows: never a jump, whichever way it runs.
-// REQ-POINTING-05: Going through north never unwraps the cable while the travel goes on.
+// A pass continues through north as long as the cable allows, in both directions and without a jump.
+// REQ-POINTING-05: Going through north does not unwrap the cable as long as the travel allows to go on.
 TEST(Resolve, APassThroughNorthNeverUnwinds)
 {
     const MountModel model = mount({-90_deg, 450_deg});
@@ -130,7 +130,7 @@ TEST(Resolve, IsTheNearestTurnInsideTheTravel)
             }
         }
         const double missed = std::abs(std::remainder(chosen - target, 360.0));
-        if (missed > 1e-9) {  // only the tolerance at the ends excuses a miss
+        if (missed > 1e-9) {  // only the tolerance at the ends of the travel may cause an error
             ASSERT_LE(missed, 0.25 + 1e-9);
             ASSERT_TRUE(std::abs(chosen - low) < 1e-9 || std::abs(chosen - high) < 1e-9);
         } else {
@@ -139,7 +139,7 @@ TEST(Resolve, IsTheNearestTurnInsideTheTravel)
     }
 }
 
-// Story: on a 0…360° mount a target jittering across north sent the antenna round a full turn with every point.
+// Story: on a 0…360° mount a target that jittered across north sent the antenna around by 360° with every point.
 // REQ-POINTING-06: A jittering target does not make the mount change wraps or ends.
 TEST(Resolve, NoiseAtAnEndOfTheTravelDoesNotFlap)
 {
@@ -151,18 +151,18 @@ TEST(Resolve, NoiseAtAnEndOfTheTravelDoesNotFlap)
         EXPECT_FALSE(resolved.limited);
         now = resolved.position;
     }
-    // Really beyond the end it goes round, and then the same noise leaves it there.
+    // A target clearly beyond the end makes the mount go around. Then the same jitter has no effect.
     now = model.resolve(SkyPointing{0.3_deg, 30_deg}, now).position;
     EXPECT_NEAR(now.azimuth.degrees(), 0.3, 1e-9);
     for (const double azimuth : {0.1, 359.9, 0.2, 359.95}) {
         now = model.resolve(SkyPointing{Angle::fromDegrees(azimuth), 30_deg}, now).position;
         EXPECT_LE(now.azimuth.degrees(), 0.3);
     }
-    // From afar the tolerance does not count: the direction is reached exactly.
+    // From a distant position the tolerance does not apply: the direction is reached exactly.
     EXPECT_NEAR(azimuthFor(model, 0.1, 300), 0.1, 1e-9);
 }
 
-// The turn once chosen is kept: `now` is then the target, so noise around "equally far" cannot turn it.
+// The chosen wrap is kept: `now` is then the target, so jitter around "equally far" cannot change the wrap.
 // REQ-POINTING-06
 TEST(Resolve, OppositeTargetDoesNotFlap)
 {
@@ -176,7 +176,7 @@ TEST(Resolve, OppositeTargetDoesNotFlap)
     }
 }
 
-// REQ-POINTING-08: A direction out of reach gives the permitted point nearest on the sky, with the reason in words.
+// REQ-POINTING-08: A direction out of reach gives the permitted point nearest on the sky, and the reason in words.
 TEST(Resolve, ElevationBeyondItsTravelIsLimitedWithTheReason)
 {
     const MountModel model = mount({-90_deg, 450_deg}, {5_deg, 80_deg});
@@ -193,7 +193,8 @@ TEST(Resolve, ElevationBeyondItsTravelIsLimitedWithTheReason)
     EXPECT_FALSE(resolveDegrees(model, 100, 80, 90).limited);
 }
 
-// REQ-POINTING-07: Above 90°: over the top if elevation travels that far, else the equal direction.
+// REQ-POINTING-07: A target above 90° goes over the top if the elevation travel allows it, otherwise to the equal
+// direction below 90°.
 TEST(Resolve, OverTheTop)
 {
     const MountModel flips = mount({-90_deg, 450_deg}, {0_deg, 180_deg});
@@ -240,8 +241,8 @@ TEST(Resolve, InTheMiddleOfAGapItDoesNotFlap)
     EXPECT_EQ(model.resolve(SkyPointing{200_deg, 20_deg}, now).position.azimuth, -90_deg);
 }
 
-// Whatever is asked, the answer is inside the travel, and no permitted point is nearer on the sky by more than the
-// preference for the end where the mount already is (1°).
+// Every result is inside the travel. No permitted point is nearer on the sky by more than 1°, the preference for the
+// end where the mount already is.
 // REQ-POINTING-08
 TEST(Resolve, IsThePermittedPointNearestOnTheSky)
 {
@@ -273,7 +274,7 @@ TEST(Resolve, IsThePermittedPointNearestOnTheSky)
     }
 }
 
-// REQ-POINTING-09: Mechanical angles keep their wrap.
+// REQ-POINTING-09: Axis angles keep their wrap.
 TEST(Resolve, MechanicalAnglesAreTakenAsTheyAre)
 {
     const MountModel model = mount({-180_deg, 450_deg});
@@ -313,8 +314,8 @@ TEST(ToSky, IsTheInverseOfResolve)
     }
 }
 
-// wrap_cases.csv tells for whole passes where one that fits the travel starts and ends. Started there, the turns chosen
-// point by point must lead to that end without going round.
+// wrap_cases.csv has whole passes, with the start and the end of a path that fits the travel. From this start, the
+// wraps that are chosen point by point must lead to this end without going around.
 // REQ-POINTING-05
 TEST(Resolve, FollowsPlannedPassesToTheirEnd)
 {
@@ -348,9 +349,9 @@ TEST(Resolve, FollowsPlannedPassesToTheirEnd)
     EXPECT_GT(passes, 40);
 }
 
-// A mount as of issue 5, and worse ones: whatever true direction is asked for, the beam comes to look there.
-// REQ-POINTING-22: Directions are true and places mechanical: with any model the beam looks where it was asked to. The
-// cable decides the wrap.
+// The mount of the original report and worse ones: for every true target direction the beam points there.
+// REQ-POINTING-22: Directions are true, and positions are axis angles. With any model the beam points where it was
+// asked to. The cable decides the wrap.
 TEST(Resolve, WithAPointingModelTheBeamLooksWhereItWasAsked)
 {
     std::mt19937 random(5);

@@ -33,7 +33,7 @@ KeepOut regionMast()
             .elevationMax = 40_deg};
 }
 
-// 25° all round, 0° between azimuth 214° and 262°.
+// A horizon of 25° all round, and of 0° between azimuth 214° and 262°.
 std::vector<HorizonPoint> valley()
 {
     return {{210_deg, 25_deg}, {214_deg, 0_deg}, {262_deg, 0_deg}, {266_deg, 25_deg}};
@@ -57,8 +57,8 @@ AxisBox widened(const AxisBox& box, double azimuth, double elevation)
 
 }  // namespace
 
-// REQ-POINTING-11: Limits are mechanical. Horizon and keep-outs hold on every wrap, through north and over the top.
-// Edges are permitted.
+// REQ-POINTING-11: Limits apply to axis angles. Horizon and keep-outs apply on every wrap, through north and over the
+// top. Their edges are permitted.
 TEST(PermittedRegion, LimitsAndTravelHoldTogether)
 {
     const PermittedRegion region({.azimuth = {-90_deg, 600_deg}, .elevation = {5_deg, 80_deg}},
@@ -144,19 +144,19 @@ TEST(PermittedRegion, TheHorizonIsStraightBetweenItsPoints)
     EXPECT_EQ(region.obstacle(at(200, 3)).toStdString(), "the horizon");
 }
 
-// REQ-POINTING-12: A box is permitted only with all of it, and can be widened exactly to what is in the way.
+// REQ-POINTING-12: A box is permitted only if all of it is permitted. It can be widened exactly up to the obstacle.
 TEST(PermittedRegion, ABoxIsPermittedOnlyWithAllOfIt)
 {
     const PermittedRegion region({.horizon = valley(), .keepOuts = {regionMast()}}, kPermittedRegionAzimuths, kUpright);
     EXPECT_TRUE(region.permits(box(220, 260, 0, 90)));
     EXPECT_FALSE(region.permits(box(213, 260, 0, 90)));
     EXPECT_TRUE(region.permits(box(213, 260, 6.25, 90)));
-    EXPECT_FALSE(region.permits(box(290, 340, 30, 35)));  // its corners are free
+    EXPECT_FALSE(region.permits(box(290, 340, 30, 35)));  // its corners are permitted
     EXPECT_TRUE(region.permits(box(-200, 460, 40, 90)));
     EXPECT_FALSE(region.permits(box(-200, 460, 39.9, 90)));
 }
 
-// REQ-POINTING-13: What touches leaves no way between.
+// REQ-POINTING-13: There is no way between two forbidden areas that touch.
 TEST(PermittedRegion, ThereIsNoWayBetweenWhatTouches)
 {
     const KeepOut left{"left", 300_deg, 310_deg, 10_deg, 40_deg};
@@ -164,7 +164,7 @@ TEST(PermittedRegion, ThereIsNoWayBetweenWhatTouches)
     const KeepOut above{"above", 305_deg, 330_deg, 40_deg, 50_deg};
     const PermittedRegion region({.keepOuts = {left, right, above}}, kPermittedRegionAzimuths, kUpright);
     EXPECT_FALSE(region.permits(at(310, 20)));
-    EXPECT_TRUE(region.permits(at(310, 35)));  // the side of `left` where nothing stands beside it
+    EXPECT_TRUE(region.permits(at(310, 35)));  // the part of the side of `left` that is not beside `right`
     EXPECT_FALSE(region.permits(at(307, 40)));
     EXPECT_FALSE(region.permits(at(320, 0)));  // below `right` is the end of the travel
     EXPECT_TRUE(region.permits(at(305, 5)));
@@ -178,11 +178,11 @@ TEST(PermittedRegion, ThereIsNoWayBelowAKeepOutThatStandsOnTheHorizon)
                                  kPermittedRegionAzimuths, kUpright);
     EXPECT_FALSE(region.permits(at(50, 20)));
     EXPECT_FALSE(region.permits(at(60, 20)));
-    EXPECT_TRUE(region.permits(at(70, 18)));  // there the ground falls away below it
+    EXPECT_TRUE(region.permits(at(70, 18)));  // there the horizon falls away below this point
     EXPECT_TRUE(region.permits(at(40, 20)));
 }
 
-// REQ-POINTING-14: For a forbidden place the nearest permitted one is found, with the reason.
+// REQ-POINTING-14: For a forbidden position the nearest permitted one is found, with the reason.
 TEST(PermittedRegion, NearestPlaces)
 {
     const PermittedRegion region({.horizon = valley(), .keepOuts = {regionMast()}}, kPermittedRegionAzimuths,
@@ -192,16 +192,17 @@ TEST(PermittedRegion, NearestPlaces)
     expectPlace(nearestPermitted(region, at(315, 38)), 315, 40);
     expectPlace(nearestPermitted(region, at(301, 30)), 300, 30);
     expectPlace(nearestPermitted(region, at(301 - 360, 30)), -60, 30);
-    expectPlace(nearestPermitted(region, at(315, 10)), 300, 25);    // its side, above the horizon
+    expectPlace(nearestPermitted(region, at(315, 10)), 300, 25);    // the side of the mast, above the horizon
     expectPlace(nearestPermitted(region, at(470, 200)), 442, 180);  // backwards, at the end of the valley
-    const auto foot = nearestPermitted(region, at(211, 10));        // 18.75° there: across to the falling line
+    // the horizon is at 18.75° there: across to its falling line
+    const auto foot = nearestPermitted(region, at(211, 10));
     ASSERT_TRUE(foot);
     EXPECT_NEAR(foot->elevation.degrees(), 25.0 - (foot->azimuth.degrees() - 210.0) * 6.25, 1e-6);
     EXPECT_GT(foot->azimuth, 212_deg);
     EXPECT_LT(foot->elevation, 10.5_deg);
 }
 
-// Random regions against the plain truth.
+// Random regions compared with a simple independent computation.
 // REQ-POINTING-11
 TEST(PermittedRegion, AgreesWithThePlainTruth)
 {
@@ -217,7 +218,7 @@ TEST(PermittedRegion, AgreesWithThePlainTruth)
         for (int i = 0; i < 300; ++i) {
             const AxisPosition place = make.place(azimuths, elevations);
             const double depth = fakes::depthInside(region, place);
-            if (std::abs(depth) > 0.06) {  // slits are closed
+            if (std::abs(depth) > 0.06) {  // narrow gaps are closed
                 EXPECT_EQ(prepared.permits(place), depth < 0) << round << ": " << place.azimuth.degrees() << ", "
                                                               << place.elevation.degrees() << " depth " << depth;
                 EXPECT_EQ(prepared.reason(place).isEmpty(), depth < 0);

@@ -16,7 +16,7 @@ using boresight::fakes::separation;
 
 namespace {
 
-// Far below what any encoder resolves, and a hundred times what a double loses.
+// Far below the resolution of any encoder, and a hundred times the rounding error of a double.
 constexpr double kExact = 1e-9;  // °
 
 void expectSky(const PointingTerms& terms, const AxisPosition& axes, double azimuth, double elevation, double tolerance)
@@ -28,7 +28,7 @@ void expectSky(const PointingTerms& terms, const AxisPosition& axes, double azim
 
 }  // namespace
 
-// REQ-POINTING-17: Without terms the axes show the truth, to the last bit.
+// REQ-POINTING-17: Without terms the axis angles equal the true direction, to the last bit.
 TEST(PointingModel, WithoutTermsEveryBitIsPassedThrough)
 {
     std::mt19937 random(1);
@@ -46,8 +46,8 @@ TEST(PointingModel, WithoutTermsEveryBitIsPassedThrough)
 }
 
 // Each term alone, a hundredth of a degree, at an azimuth of 30° or 90° and an elevation of 60°: sin 30° = cos 60° =
-// 1/2, tan 60° = 1.7320508, 1 / cos 60° = 2. What is left is of second order, 1e-5° here.
-// REQ-POINTING-18: Each term does what the textbook says of it.
+// 1/2, tan 60° = 1.7320508, 1 / cos 60° = 2. The rest is of second order, here 1e-5°.
+// REQ-POINTING-18: Each term has the effect given in textbooks.
 TEST(PointingModel, SmallTermsAreThoseOfTheTextbook)
 {
     constexpr Angle k = 0.01_deg;
@@ -63,10 +63,10 @@ TEST(PointingModel, SmallTermsAreThoseOfTheTextbook)
     expectSky({.elevationSag = k}, at(30, 60), 30.0, 59.995, kSecondOrder);
 }
 
-// The mount of issue 5 looking east, halfway up: the parts are added by hand. 0.6° of tilt to the north take 0.6° × tan
-// 45° from the azimuth, 0.3° of collimation add 0.3° / cos 45° = 0.42426°, and 62.6° + 37.4° = 100° is where the lean
-// to the north takes 0.6° × cos 100° = -0.10419° from the elevation and only 0.6° × sin 100° = 0.59088° from the
-// azimuth.
+// The mount of the original report looks east at 45° elevation, and the parts are added by hand. A tilt of 0.6° to the
+// north takes 0.6° × tan 45° from the azimuth, and a collimation of 0.3° adds 0.3° / cos 45° = 0.42426°. The true
+// azimuth is 62.6° + 37.4° = 100°. There the lean to the north takes 0.6° × cos 100° = -0.10419° from the elevation,
+// and only 0.6° × sin 100° = 0.59088° from the azimuth.
 // REQ-POINTING-18
 TEST(PointingModel, TheMountOfTheScenario)
 {
@@ -75,7 +75,7 @@ TEST(PointingModel, TheMountOfTheScenario)
     EXPECT_NEAR(PointingModel(terms).skew().degrees(), 0.9, kExact);
 }
 
-// With the mast leaning 1° to the east the beam that is raised to 90° looks 1° past the zenith to the east.
+// The mast leans 1° to the east. A beam raised to 90° points 1° past the zenith to the east.
 // REQ-POINTING-18
 TEST(PointingModel, ALeaningMastLooksPastTheZenith)
 {
@@ -84,12 +84,12 @@ TEST(PointingModel, ALeaningMastLooksPastTheZenith)
         EXPECT_NEAR(separation(model.toSky(at(azimuth, 90)), {90_deg, 89_deg}), 0.0, kExact);
     }
     const Aim zenith = model.toAxes({0_deg, 90_deg});
-    EXPECT_NEAR(zenith.axes.azimuth.degrees(), -90.0, kExact);  // backwards to the lean
+    EXPECT_NEAR(zenith.axes.azimuth.degrees(), -90.0, kExact);  // away from the lean
     EXPECT_NEAR(zenith.axes.elevation.degrees(), 89.0, kExact);
 }
 
-// REQ-POINTING-19: Sky to axes and axes to sky are inverse to 1e-9°, at the zenith and over the top too, and keep wrap
-// and side.
+// REQ-POINTING-19: Sky to axes and axes to sky are inverse to 1e-9°, also at the zenith and over the top. They keep the
+// wrap and the side of the zenith.
 TEST(PointingModel, FromTheSkyToTheAxesAndBackIsExact)
 {
     std::mt19937 random(20261121);
@@ -107,8 +107,9 @@ TEST(PointingModel, FromTheSkyToTheAxesAndBackIsExact)
     EXPECT_LT(beyondReach, 50000);
 }
 
-// There and back in axis angles, turns and the side of the zenith included. At 90° the elevation hardly moves a beam
-// that a collimation keeps off the zenith, so that a direction of 64 bits does not tell the last digits of the axes.
+// Axis angles to the sky and back, including wraps and the side of the zenith. If a collimation keeps the beam off the
+// zenith, the elevation hardly moves the beam at 90°. There a direction in 64 bits does not determine the last digits
+// of the axis angles.
 // REQ-POINTING-19
 TEST(PointingModel, FromTheAxesToTheSkyAndBackIsExact)
 {
@@ -130,7 +131,7 @@ TEST(PointingModel, FromTheAxesToTheSkyAndBackIsExact)
     }
 }
 
-// REQ-POINTING-20: A direction that the axes cannot reach is missed by as little as possible, and the miss is
+// REQ-POINTING-20: A direction that the axes cannot reach is missed by as little as possible, and the error is
 // reported.
 TEST(PointingModel, ADirectionInTheHoleIsMissedByWhatIsSaid)
 {
@@ -141,7 +142,8 @@ TEST(PointingModel, ADirectionInTheHoleIsMissedByWhatIsSaid)
     const Aim inside = model.toAxes({123_deg, 88_deg});
     EXPECT_NEAR(inside.miss.degrees(), 0.5, kExact);
     const SkyPointing reached = model.toSky(inside.axes);
-    EXPECT_NEAR(reached.azimuth.wrapped360().degrees(), 123.0, 1e-6);  // the nearest place of the edge
+    // the nearest place on the edge of the unreachable area
+    EXPECT_NEAR(reached.azimuth.wrapped360().degrees(), 123.0, 1e-6);
     EXPECT_NEAR(reached.elevation.degrees(), 87.5, kExact);
     EXPECT_TRUE(model.toAxes({123_deg, 87.4_deg}).exact());
 }
@@ -159,8 +161,8 @@ TEST(PointingModel, TheTurnGoesOnWithTheAxes)
     EXPECT_NEAR(nearlyATurn.toSky(at(100, 20)).azimuth.degrees(), 90, kExact);
 }
 
-// The mast leans 1° to the east: half a degree from the zenith of the mount, away from the lean, the beam looks half a
-// turn from its axis. Both turns of the axis are then as near.
+// The mast leans 1° to the east. Half a degree from the zenith of the mount, away from the lean, the beam points 180°
+// away from its axis. Then two wraps of the axis are equally near.
 TEST(PointingModel, HalfATurnBetweenAxisAndBeamKeepsTheTurn)
 {
     for (const double elevation : {89.5, 90.5}) {

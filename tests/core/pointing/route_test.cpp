@@ -46,7 +46,7 @@ void expectPermitted(const PermittedRegion& region, AxisPosition from, const std
     }
 }
 
-// Cells of a grid that a way from `from` may enter, one whole cell after the other.
+// The cells of a grid that can be reached from `from`, going from one whole cell to the next.
 class Flood
 {
 public:
@@ -144,7 +144,7 @@ TEST(Route, ClimbsOverTheHorizonOnTheWay)
     const auto way = route(region, at(50, 12), at(150, 5), kSpeed);
     ASSERT_TRUE(way);
     ASSERT_EQ(way->size(), 3U);
-    EXPECT_NEAR((*way)[0].azimuth.degrees(), 102, 1e-6);  // as far as it goes at 12°
+    EXPECT_NEAR((*way)[0].azimuth.degrees(), 102, 1e-6);  // as far as the azimuth can go at 12°
     EXPECT_NEAR((*way)[0].elevation.degrees(), 30, 1e-6);
     EXPECT_NEAR((*way)[1].elevation.degrees(), 30, 1e-6);
     expectPermitted(region, at(50, 12), *way);
@@ -159,7 +159,7 @@ TEST(Route, PassesBelowWhatHangsInTheSky)
     EXPECT_EQ(*way, (std::vector{at(80, 20), at(120, 20), at(130, 30)}));
 }
 
-// REQ-POINTING-16: Where there is no way, what is in between is named.
+// REQ-POINTING-16: Where there is no route, the obstacle is named.
 TEST(Route, SaysWhatIsInTheWayWhenThereIsNone)
 {
     const PermittedRegion wall({.keepOuts = {routeMast(90_deg)}}, {0_deg, 360_deg}, {0_deg, 90_deg});
@@ -182,9 +182,9 @@ TEST(Route, LeadsOutOfAForbiddenPlaceFirst)
     EXPECT_EQ((*way)[1], at(330, 40));
 }
 
-// Every leg is permitted; where there is no way, cells of a grid lead none either; and no way is longer than the way
-// over the top of everything.
-// REQ-POINTING-15: A way exists wherever a grid finds one, each leg is permitted as a box, and none is a detour.
+// Every leg is permitted. Where no route is found, the grid has none either. No route is longer than the one over the
+// top of all obstacles.
+// REQ-POINTING-15: A route exists wherever a grid finds one. Each leg is permitted as a box, and no route is a detour.
 TEST(Route, FindsAWayWhereThereIsOne)
 {
     std::mt19937 random(3);
@@ -220,7 +220,7 @@ TEST(Route, FindsAWayWhereThereIsOne)
     EXPECT_GT(none, 5);
 }
 
-// Where one can go round by the top of what is in the way, the way takes no longer than that.
+// Where a route over the top of the obstacle exists, the chosen route takes no longer.
 // REQ-POINTING-15
 TEST(Route, IsNoDetour)
 {
@@ -253,9 +253,9 @@ TEST(Route, IsNoDetour)
     EXPECT_GT(checked, 1000);
 }
 
-// Story: 60 keep-outs around a target held the control tick up for 0.15 s.
-// REQ-POINTING-16a: A search ends after a fixed number of steps, also without a way, and its error names the cause.
-// With as many keep-outs as a profile may have it ends earlier.
+// Story: 60 keep-outs around a target delayed the control tick by 0.15 s.
+// REQ-POINTING-16a: A search ends after a fixed number of steps, also without a route, and its error names the cause.
+// With the largest number of keep-outs in a profile it ends earlier.
 TEST(Route, GivesUpAfterSoManySteps)
 {
     const PermittedRegion region({.keepOuts = {routeMast()}}, kRouteAzimuths, {0_deg, 90_deg});
@@ -267,7 +267,7 @@ TEST(Route, GivesUpAfterSoManySteps)
     EXPECT_TRUE(route(region, at(290, 10), at(340, 5), kSpeed, Seconds(0.5), 1000));
 }
 
-// As many as a profile may have, all around, on a mount that leans: a way is found in the steps there are.
+// With the largest number of keep-outs in a profile, all around a leaning mount, a route is found within these steps.
 // REQ-POINTING-16a
 TEST(Route, FindsItsWayAmongAsManyKeepOutsAsThereMayBe)
 {

@@ -27,7 +27,7 @@ PermittedRegion regionAround(const SkyPointing& sun, Angle radius)
                            kSunKeepOutFlipping);
 }
 
-// The direction at this distance from the Sun, at an angle from straight up around it.
+// The direction at this distance from the Sun. `around` is the angle around the Sun, from straight up.
 SkyPointing beside(const SkyPointing& sun, Angle distance, double around)
 {
     const double elevation = sun.elevation.radians();
@@ -41,9 +41,9 @@ SkyPointing beside(const SkyPointing& sun, Angle distance, double around)
 
 }  // namespace
 
-// Wherever the Sun is up, no place of the axes looks into the circle: on no turn, and not over the top.
-// REQ-POINTING-21 (SunKeepOut.*): The Sun is a keep-out: nothing looks into the circle around it, near the zenith from
-// no azimuth. There is none while it is down.
+// While the Sun is up, no permitted position of the axes points into the circle, on any wrap and over the top.
+// REQ-POINTING-21 (SunKeepOut.*): The Sun is a keep-out: no permitted position points into the circle around it, near
+// the zenith from any azimuth. There is no keep-out while the Sun is down.
 TEST(SunKeepOut, NoPlaceLooksIntoTheCircle)
 {
     std::mt19937 random(1);
@@ -65,7 +65,7 @@ TEST(SunKeepOut, NoPlaceLooksIntoTheCircle)
     }
 }
 
-// And it is no larger than it must be: each of its sides touches the circle.
+// The keep-out is as small as possible: each of its sides touches the circle.
 TEST(SunKeepOut, TouchesTheCircle)
 {
     const SkyPointing sun{.azimuth = 350_deg, .elevation = 60_deg};
@@ -92,7 +92,7 @@ TEST(SunKeepOut, NearTheZenithTakesAllAzimuths)
     }
 }
 
-// Just before the circle reaches the zenith it is wide, and the zenith is free.
+// Just before the circle reaches the zenith the keep-out is wide, and the zenith is still permitted.
 TEST(SunKeepOut, IsWideBeforeTheZenith)
 {
     const KeepOut keepOut = sunKeepOut({.azimuth = 180_deg, .elevation = 79.9_deg}, 10_deg).value();
@@ -109,7 +109,7 @@ TEST(SunKeepOut, IsNoneWhileTheSunIsDown)
     EXPECT_NEAR(low->elevationMin.degrees(), -21.0, 1e-9);
 }
 
-// A step into it is refused, a sweep across it is none, and a way leads around.
+// A step into the circle is refused, a sweep across it too, and a route leads around it.
 TEST(SunKeepOut, HoldsForStepsAndWays)
 {
     const SkyPointing sun{.azimuth = 180_deg, .elevation = 40_deg};
@@ -129,10 +129,10 @@ TEST(SunKeepOut, HoldsForStepsAndWays)
     EXPECT_FALSE(route(region, before, {.azimuth = 181_deg, .elevation = 41_deg}, {6_deg_s, 6_deg_s}));
 }
 
-// The Sun at any declination and hour angle, while it is up: what looks into the circle around it is forbidden, on a
-// mount that leans, too.
-// REQ-POINTING-21a (SunBand.*): Without a clock nothing looks into the circle around any place that the Sun can have
-// at this latitude. What the Sun never reaches stays free.
+// The Sun at any declination and hour angle, while it is up: directions in the circle around it are forbidden, on a
+// leaning mount, too.
+// REQ-POINTING-21a (SunBand.*): Without a trusted clock no permitted position points into the circle around any place
+// that the Sun can have at this latitude. What the Sun never reaches stays permitted.
 TEST(SunBand, NoPlaceLooksIntoTheCircleAtAnyTime)
 {
     std::mt19937 random(2);
@@ -169,7 +169,7 @@ TEST(SunBand, NoPlaceLooksIntoTheCircleAtAnyTime)
     EXPECT_GT(seen, 8000);
 }
 
-// Not the whole sky: in the middle north what the Sun never reaches stays free.
+// Not the whole sky is forbidden: at a middle northern latitude the part that the Sun never reaches stays permitted.
 TEST(SunBand, LeavesFreeWhereTheSunNeverIs)
 {
     const PermittedRegion region(withSun({}, sunBand(50_deg, 10_deg)), kSunKeepOutAzimuths, {0_deg, 90_deg});

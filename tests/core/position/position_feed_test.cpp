@@ -18,7 +18,7 @@ class PositionFeedTest : public testing::Test
 protected:
     PositionFeedTest() { feed.setLimits({.stale = Seconds(30.0), .fastest = 300.0}); }
 
-    // So many metres north of a place.
+    // The place this many metres north.
     [[nodiscard]] static PositionText north(double metres)
     {
         return {.site = {.latitude = Angle::fromDegrees(40.0 + metres / kMetresOfADegree),
@@ -40,8 +40,8 @@ protected:
     PositionFeed feed;
 };
 
-// REQ-POSITION-10: Between two reports it goes on as from the one before to the last, for at most 10 s. Then it stays
-// where it was taken to be.
+// REQ-POSITION-10: Between two reports the position continues with the motion from the previous report to the last one,
+// for at most 10 s. Then it stays at the computed place.
 TEST_F(PositionFeedTest, GoesOnAsBefore)
 {
     EXPECT_EQ(take(north(0.0)), "");
@@ -56,7 +56,7 @@ TEST_F(PositionFeedTest, GoesOnAsBefore)
     EXPECT_EQ(length(feed.at(clock.now()).velocity), 0.0);
 }
 
-// A receiver sends when it can, and says when the position was measured.
+// A receiver sends when it can, and states the time of the measurement.
 // REQ-POSITION-10
 TEST_F(PositionFeedTest, TheTimesOfTheReportsCount)
 {
@@ -71,7 +71,7 @@ TEST_F(PositionFeedTest, TheTimesOfTheReportsCount)
 }
 
 // REQ-POSITION-11: A jump that needs a higher speed than the profile permits is refused, and changes nothing. After a
-// silence a new way begins anywhere.
+// silence any position is accepted as a new start.
 TEST_F(PositionFeedTest, AJumpIsRefused)
 {
     EXPECT_EQ(take(north(0.0)), "");
@@ -89,7 +89,7 @@ TEST_F(PositionFeedTest, AJumpIsRefused)
     EXPECT_TRUE(feed.isFresh(clock.now()));
 }
 
-// REQ-POSITION-12: A report that came by two ways counts once.
+// REQ-POSITION-12: A report that arrives by two ways counts once.
 TEST_F(PositionFeedTest, AnEchoChangesNothing)
 {
     EXPECT_EQ(take(north(0.0)), "");
@@ -100,7 +100,7 @@ TEST_F(PositionFeedTest, AnEchoChangesNothing)
     EXPECT_NEAR(length(feed.at(clock.now()).velocity) * 1000.0, 100.0, 1.0);
 }
 
-// REQ-POSITION-15: A report that repeats the last one, and one that is older, changes neither the way nor the age.
+// REQ-POSITION-15: A report that repeats the last one, or is older, changes neither the path nor the age.
 TEST_F(PositionFeedTest, AnOldReportChangesNothing)
 {
     clock.setUtc(UtcTime(std::chrono::days(20'000)));
@@ -138,8 +138,8 @@ TEST_F(PositionFeedTest, HalfADayLaterNoReportIsOld)
     EXPECT_TRUE(feed.isFresh(clock.now()));
 }
 
-// REQ-POSITION-13: A report is not believed with the call sign of another, with a time more than 60 s from that of this
-// computer, or where it cannot be read. Midnight is no trouble.
+// REQ-POSITION-13: A report is refused if it has another call sign, if its time is more than 60 s from the clock of
+// this computer, or if it cannot be read. Midnight between the two times does no harm.
 TEST_F(PositionFeedTest, IsNotBelievedWithoutAReason)
 {
     PositionText late = north(0.0);
@@ -161,7 +161,7 @@ TEST_F(PositionFeedTest, IsNotBelievedWithoutAReason)
     EXPECT_EQ(take(named), "");
 }
 
-// REQ-POSITION-14: Without a report for the time of the profile it does not count any more.
+// REQ-POSITION-14: A position without a new report for the time in the profile does not count any more.
 TEST_F(PositionFeedTest, GetsStale)
 {
     EXPECT_EQ(textOf(feed.isFresh(clock.now()).error()), "no position was received");

@@ -17,8 +17,8 @@ PositionText read(std::string_view text)
     return position.value_or(PositionText{});
 }
 
-// REQ-POSITION-01: A position is a line of degrees north, degrees east and metres, with the time of the day behind it
-// if there is one.
+// REQ-POSITION-01: A position is a line with degrees north, degrees east and metres, optionally followed by the time of
+// day.
 TEST(PositionText, IsALine)
 {
     const PositionText plain = read("38.757,-9.117,1200");
@@ -33,9 +33,9 @@ TEST(PositionText, IsALine)
     EXPECT_EQ(read("-38.757,-9.117,-30.5,2026-11-27T23:59:59.999Z").time, 23h + 59min + 59999ms);
 }
 
-// As radiosonde_auto_rx sends it, to UDP port 55673: what is used here, and some of what is not.
+// As radiosonde_auto_rx sends it, to UDP port 55673: the fields that are used here, and some that are not.
 // REQ-POSITION-02: A position is a JSON object as radiosonde_auto_rx and Horus send it by UDP, with latitude,
-// longitude, altitude, and callsign and time if they are there. lat, lon and alt do as well.
+// longitude, altitude, and optionally callsign and time. The names lat, lon and alt are accepted as well.
 TEST(PositionText, IsAnObjectOfAutoRx)
 {
     const PositionText sonde = read(
@@ -52,8 +52,8 @@ TEST(PositionText, IsAnObjectOfAutoRx)
     EXPECT_EQ(brief, (PositionText{.site = {.latitude = 46.5_deg, .longitude = -13_deg}}));
 }
 
-// REQ-POSITION-03: What is no whole position is refused: half a line, numbers out of range, no number, another object.
-// 0, 0 is what comes without a GPS fix.
+// REQ-POSITION-03: An incomplete position is refused: half a line, numbers out of range, text in place of a number,
+// another object. 0, 0 is refused, because a receiver without a GPS fix sends it.
 TEST(PositionText, AllElseIsRefused)
 {
     for (const char* const text : {"",
@@ -92,8 +92,8 @@ TEST(PositionText, AllElseIsRefused)
     EXPECT_FALSE(readPosition("1,1,1" + std::string(kLongestPosition, ' ')));
 }
 
-// REQ-POSITION-04: An object that says of itself that it is anything but a PAYLOAD_SUMMARY is refused: programs of
-// Horus send the place of the car that follows as "GPS" to the same port.
+// REQ-POSITION-04: An object whose type is not PAYLOAD_SUMMARY is refused: Horus programs send the position of the
+// chase car as "GPS" to the same port.
 TEST(PositionText, TheCarIsNotTheBalloon)
 {
     for (const char* const type : {"\"GPS\"", "\"payload\"", "1", "null"}) {

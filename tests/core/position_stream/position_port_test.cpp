@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// With real sockets.
+// Real sockets.
 #include "core/position_stream/position_port.h"
 
 #include "tests/fakes/unused_port.h"
@@ -32,7 +32,7 @@ protected:
     {
         return std::ranges::count_if(all, [](const auto& read) { return !read; });
     }
-    // Until it listens: what is sent before is lost.
+    // Waits until it listens, because earlier datagrams are lost.
     [[nodiscard]] bool listens()
     {
         return fakes::waitUntil([this] {
@@ -47,7 +47,8 @@ protected:
     std::vector<Result<PositionText>> all;
 };
 
-// REQ-POSITION-20: A datagram is one position, a line or a JSON object. What cannot be read is told with the reason.
+// REQ-POSITION-20: A datagram is one position, as a line or a JSON object. A datagram that cannot be read is reported
+// with the reason.
 TEST_F(PositionPortTest, ADatagramIsOnePosition)
 {
     begin();
@@ -62,7 +63,7 @@ TEST_F(PositionPortTest, ADatagramIsOnePosition)
     EXPECT_EQ((*sonde)->site.latitude, 46.25_deg);
 }
 
-// REQ-POSITION-21: Whoever floods the port delays nobody: the station gets the newest 32 every 20 ms.
+// REQ-POSITION-21: A flood on the port delays nothing: the station receives the newest 32 positions every 20 ms.
 TEST_F(PositionPortTest, AFloodLeavesTheNewest)
 {
     begin();

@@ -42,7 +42,7 @@ struct Ear
         return waitUntil([this, count] { return line.state().refused >= count; });
     }
     [[nodiscard]] std::string problem() const { return line.problem().toStdString(); }
-    // The most values in one turn of the event loop.
+    // The largest number of values in one pass of the event loop.
     [[nodiscard]] int longestHelping() const { return m_longestHelping; }
 
     fakes::ManualClock clock;
@@ -129,8 +129,8 @@ TEST(PowerLine, RubbishIsOneLineThatSaysWhatCame)
     EXPECT_EQ("", ear.problem());
 }
 
-// REQ-POWER-04: Silence or rubbish for 5 s is one sentence that shows what comes, the same until a value comes. A slip
-// now and then is only counted.
+// REQ-POWER-04: Silence or unreadable data for 5 s is reported in one sentence with an example of the data, until a
+// value arrives. Occasional errors are only counted.
 TEST(PowerLine, SilenceIsSaid)
 {
     UdpEar ear;
@@ -150,7 +150,7 @@ TEST(PowerLine, LinesThatAreTooLongAreDropped)
 {
     UdpEar ear;
     ear.send(QByteArray(1000, '1') + "\n-73\n");
-    ear.send(QByteArray(5000, '2') + "\n-72\n");  // only its beginning is looked at
+    ear.send(QByteArray(5000, '2') + "\n-72\n");  // only its beginning is examined
     ear.send("-71");
     ASSERT_TRUE(ear.hears(2));
     EXPECT_EQ(-73.0, ear.values.at(0).decibels);
@@ -169,9 +169,9 @@ TEST(PowerLine, ABurstIsReadWhole)
     EXPECT_EQ(-149.0, ear.values.back().decibels);
 }
 
-// Story: a flood held up the drives for 0.37 s, for all that was there was read at once.
-// REQ-POWER-08: A flood on the line delays nobody: 4 kB or 50 datagrams are read every 10 ms on a thread of its own,
-// and the station gets the newest 32 values every 20 ms.
+// Story: a flood delayed the drives by 0.37 s, because everything that had arrived was read at once.
+// REQ-POWER-08: A flood on the line delays nothing: 4 kB or 50 datagrams are read every 10 ms on a separate thread, and
+// the station receives the newest 32 values every 20 ms.
 TEST(PowerLine, AFloodOfDatagramsIsReadInSmallHelpings)
 {
     UdpEar ear;
@@ -185,7 +185,7 @@ TEST(PowerLine, AFloodOfDatagramsIsReadInSmallHelpings)
     EXPECT_LE(ear.longestHelping(), PowerLine::kDatagramsAtOnce);
 }
 
-// REQ-POWER-06: UDP is listened for at the one address that the profile names.
+// REQ-POWER-06: UDP is received only at the one address that the profile names.
 TEST(PowerLine, OtherAddressesOfThisComputerAreNotListenedAt)
 {
     UdpEar ear;
@@ -196,8 +196,8 @@ TEST(PowerLine, OtherAddressesOfThisComputerAreNotListenedAt)
     EXPECT_EQ(-2.0, ear.values.front().decibels);
 }
 
-// REQ-POWER-05: A port that is taken, or a program that is not there or hangs up, is one sentence. It is tried again
-// after 1, 2, 4, 8, 10 s.
+// REQ-POWER-05: A port that is in use, or a program that is missing or closes the connection, is reported in one
+// sentence. The connection is tried again after 1, 2, 4, 8, 10 s.
 TEST(PowerLine, APortThatIsTakenIsSaidAndTriedAgain)
 {
     auto holder = std::make_unique<QUdpSocket>();
@@ -212,8 +212,8 @@ TEST(PowerLine, APortThatIsTakenIsSaidAndTriedAgain)
     EXPECT_EQ("", ear.problem());
 }
 
-// As a script of an operator does it.
-// REQ-POWER-07: A script of a line or two is source enough.
+// As an operator's script does it.
+// REQ-POWER-07: A script of one or two lines is enough as a source.
 TEST(PowerLine, AProgramThatSendsByUdpIsHeard)
 {
     UdpEar ear;
@@ -301,7 +301,7 @@ TEST(PowerLine, TcpConnectsAgain)
     Receiver second(port);
     QTcpSocket* const socket = second.client();
     ASSERT_NE(nullptr, socket);
-    socket->write("1\n");  // half a line of before is forgotten
+    socket->write("1\n");  // an incomplete earlier line is dropped
     ASSERT_TRUE(ear.hears(2));
     EXPECT_EQ(1.0, ear.values.at(1).decibels);
     EXPECT_EQ("", ear.problem());

@@ -14,7 +14,8 @@ std::optional<double> read(std::string_view line)
     return power ? std::optional(*power) : std::nullopt;
 }
 
-// REQ-POWER-01: A number in dB is read, alone, after a name, beside a frequency. A comma may stand for the point.
+// REQ-POWER-01: A number in dB is read alone, after a name, or beside a frequency. The decimal separator may be a
+// comma.
 TEST(PowerText, ANumberOrANameWithIt)
 {
     EXPECT_EQ(read("-73.2"), -73.2);
@@ -47,8 +48,8 @@ TEST(PowerText, TheOneInDecibelsAmongOthers)
     EXPECT_EQ(read("14074000 -73.2 dBm 5"), -73.2);
 }
 
-// The first number used to be taken for it.
-// REQ-POWER-02: What is not sure is refused with the reason and never guessed: "S7", two numbers, another unit, a
+// Story: in a line with several numbers the first one was used.
+// REQ-POWER-02: An ambiguous line is refused with the reason and never guessed: "S7", two numbers, another unit, a
 // date.
 TEST(PowerText, WhatIsNotSureIsRefused)
 {

@@ -28,11 +28,11 @@ LineSettings settingsOf(Transport transport, std::uint16_t port)
             .longestRetry = std::chrono::milliseconds(20)};
 }
 
-// The receiver's program is served without an event loop of this thread.
+// The program of the receiver is served without the event loop of this thread.
 // REQ-POWER-08 (ThreadedLine.*)
 TEST(ThreadedLine, IsServedWhileItsOwnerDoesNotRun)
 {
-    QTcpServer server;  // whose connections are accepted here, by blocking system calls
+    QTcpServer server;  // its connections are accepted here, by blocking system calls
     ASSERT_TRUE(server.listen(QHostAddress::LocalHost));
     const int listener = static_cast<int>(server.socketDescriptor());
     fakes::ManualClock clock;
@@ -63,7 +63,7 @@ TEST(ThreadedLine, TellsItsTroubles)
     EXPECT_TRUE(line.problem().contains(QStringLiteral("No connection to the program of the receiver")));
 }
 
-// Its owner takes no report meanwhile.
+// The owner of the line takes no report meanwhile.
 TEST(ThreadedLine, OfAFloodTheNewestValuesAreReportedInOneReport)
 {
     const std::uint16_t port = fakes::unusedUdpPort();

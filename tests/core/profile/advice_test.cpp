@@ -21,9 +21,9 @@ Profile with(double speed, double acceleration, double torque = 50.0)
     return profile;
 }
 
-// REQ-PROFILE-04a (Advice.*): What is permitted and hardly meant is advice with its numbers, not an error: more than
-// 3 s and 10° to stop from full speed, or full speed within 0.1 s, with the inertia that the torque could do that
-// with.
+// REQ-PROFILE-04a (Advice.*): A setting that is permitted but probably a mistake gives advice with its numbers, not an
+// error. This is a stop from full speed of more than 3 s and 10°, or full speed within 0.1 s. The advice names the
+// largest inertia for which the torque is enough.
 TEST(Advice, HasNothingOnOrdinaryMounts)
 {
     EXPECT_TRUE(adviceOn({}).empty());
@@ -31,7 +31,7 @@ TEST(Advice, HasNothingOnOrdinaryMounts)
     EXPECT_TRUE(adviceOn(with(30.0, 30.0)).empty()) << "a fast one: 18°, but within 1.2 s";
 }
 
-// Story: 0.5°/s² passed the check; the mount took 14 s and 49° to stop from 7°/s.
+// Story: 0.5°/s² passed the check. The mount took 14 s and 49° to stop from 7°/s.
 TEST(Advice, TellsOfBrakesThatAreNone)
 {
     const auto advice = adviceOn(with(7.0, 0.5));
@@ -51,7 +51,7 @@ TEST(Advice, TellsOfAnAccelerationThatNoTorqueGives)
     EXPECT_THAT(advice.front().remedy.toStdString(), HasSubstr("Lower max_acceleration_deg_s2 (300.0)"));
 }
 
-// Story: 300°/s² with 5 Nm and 30°/s passed, since full speed took just a tenth of a second.
+// Story: 300°/s² with 5 Nm and 30°/s passed the check, because full speed took just a tenth of a second.
 TEST(Advice, TellsOfATorqueThatTurnsNothing)
 {
     for (const auto& [speed, acceleration, torque] : {std::tuple(30.0, 299.0, 5.0), std::tuple(10.0, 90.0, 2.0)}) {

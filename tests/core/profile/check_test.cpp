@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the settings of a profile mean together: crossCheck() and problemsOf().
+// Checks of several settings of a profile together: crossCheck() and problemsOf().
 #include "core/profile/setting.h"
 
 #include <gtest/gtest.h>
@@ -23,9 +23,9 @@ std::vector<std::string> keysOf(const std::vector<Problem>& problems)
 
 }  // namespace
 
-// REQ-PROFILE-04: What settings mean together is checked with the rest: min below max, park inside the travel,
-// different ids, three ticks within the watchdog, jog rates in order, jerk not below acceleration per second, hints of
-// the supervision before its stops, two ticks within the reply age.
+// REQ-PROFILE-04: Settings are also checked against each other: min below max, park inside the travel, different ids,
+// three ticks within the watchdog time, jog rates in order, jerk not below acceleration per second, hints of the
+// supervision before its stops, two ticks within the reply age.
 TEST(CrossCheck, FindsEveryClashAtOnce)
 {
     Profile profile;
@@ -42,9 +42,9 @@ TEST(CrossCheck, FindsEveryClashAtOnce)
                                         "jog.normal_deg_s"}));
 }
 
-// REQ-MOUNT-06: A profile has at least one axis. What turns it is known to Boresight, and the two axes may be turned by
-// different kinds. The simple rotator, which is only simulated, is refused on a bus,
-// and each driver on a bus of another kind than its own.
+// REQ-MOUNT-06: A profile has at least one axis. Boresight knows the driver of each axis, and the two axes may have
+// different drivers. The simple rotator, which is only simulated, is refused on a bus. Each driver is refused on a bus
+// of the wrong kind.
 TEST(CrossCheck, TheDriversOfTheAxesMakeSense)
 {
     const auto found = [](AxisDriver azimuth, AxisDriver elevation, const char* bus) {
@@ -79,7 +79,7 @@ TEST(CrossCheck, TheDriversOfTheAxesMakeSense)
     EXPECT_EQ(onBus(AxisDriver::Rotctld, AxisDriver::Rotctld, "rotctld:10.0.0.7:4533"), nothing);
     EXPECT_EQ(onBus(AxisDriver::Rotctld, AxisDriver::None, "rotctld:10.0.0.7:4533"), nothing);
     EXPECT_EQ(onBus(AxisDriver::Rotctld, AxisDriver::None, "tcp:10.0.0.7:4533"), only("bus.name"));
-    // Story: Boresight connected to its own server, which answered that the mount does not answer.
+    // Story: Boresight connected to its own server, which reported that the mount does not reply.
     for (const char* const own : {"rotctld:127.0.0.1:4533", "rotctld:localhost:4533", "rotctld:[::1]:4533"}) {
         EXPECT_EQ(onBus(AxisDriver::Rotctld, AxisDriver::Rotctld, own), only("bus.name")) << own;
     }
@@ -87,7 +87,7 @@ TEST(CrossCheck, TheDriversOfTheAxesMakeSense)
     EXPECT_EQ(onBus(AxisDriver::Gs232, AxisDriver::None, "rotctld:10.0.0.7:4533"), only("bus.name"));
     EXPECT_EQ(onBus(AxisDriver::Moteus, AxisDriver::None, "rotctld:10.0.0.7:4533"), only("bus.name"));
     EXPECT_EQ(onBus(AxisDriver::Rotctld, AxisDriver::Gs232, "rotctld:10.0.0.7:4533"), only("elevation.driver"));
-    // Story: each bus was refused for the other axis, with two texts that sent the operator to and fro.
+    // Story: with each of the two buses the other axis was refused, and the two texts sent the operator back and forth.
     for (const char* const bus : {"serial:/dev/ttyUSB0", "socketcan:can0", "fdcanusb:/dev/ttyACM0"}) {
         EXPECT_EQ(onBus(AxisDriver::Gs232, AxisDriver::Moteus, bus), only("elevation.driver"));
         EXPECT_EQ(onBus(AxisDriver::Moteus, AxisDriver::Gs232, bus), only("elevation.driver"));
@@ -100,8 +100,8 @@ TEST(CrossCheck, TheDriversOfTheAxesMakeSense)
     EXPECT_EQ(keysOf(problemsOfReal(simple)), only("elevation.driver")) << "not even beside a real drive";
 }
 
-// REQ-PROFILE-960: A board that is only watched has an id from 1 to 126 and a name. No axis and no other watched board
-// has its id.
+// REQ-PROFILE-960: A board that is only watched has a name and an id from 1 to 126. No axis and no other watched board
+// has the same id.
 TEST(CrossCheck, AWatchedBoardHasAnIdOfItsOwn)
 {
     Profile profile;
@@ -154,9 +154,9 @@ TEST(CrossCheck, SupervisionHintsComeBeforeStops)
                                         "supervision.supply_low_v", "supervision.board_hot_c"}));
 }
 
-// REQ-PROFILE-05: Limits of operation leave something of the travel. Points of the horizon ascend, each azimuth once.
-// Names of keep-outs and presets are used once. 3600 points and 32 keep-outs are the most. The mount parks where
-// limits, horizon and keep-outs permit it.
+// REQ-PROFILE-05: The operating limits overlap the travel. Points of the horizon ascend, each azimuth once. Names of
+// keep-outs and presets are unique. At most 3600 points and 32 keep-outs are allowed. The mount parks where limits,
+// horizon and keep-outs permit it.
 TEST(CrossCheck, LimitsLeaveSomethingOfTheTravel)
 {
     Profile profile;
@@ -193,7 +193,7 @@ TEST(CrossCheck, TheMountParksWhereItMayBe)
     EXPECT_TRUE(crossCheck(profile).empty()) << "its edge is permitted";
 }
 
-// Parked at mechanical 0° the beam looks to 37.4°, where the mast is.
+// Parked at an axis angle of 0°, the beam points to 37.4°, where the mast is.
 // REQ-PROFILE-05a
 TEST(CrossCheck, TheMountParksWhereTheBeamMayBe)
 {
@@ -231,8 +231,8 @@ TEST(CrossCheck, RowsMakeSenseTogether)
                                   "keep_out[1].elevation_min_deg", "keep_out[2].azimuth_to_deg", "preset[3].name"}));
 }
 
-// REQ-SCHEDULE-904: The watch list of the profile has each satellite once, with its number. The schedule waits for a
-// person, and goes to a pass at least 60 s before it, unless the profile says otherwise.
+// REQ-SCHEDULE-904: The watch list of the profile has each satellite once, by its number. Unless the profile says
+// otherwise, the schedule waits for a person, and goes to the start of a pass at least 60 s before the pass.
 TEST(CrossCheck, TheWatchListHasEachSatelliteOnce)
 {
     Profile profile;
@@ -244,8 +244,8 @@ TEST(CrossCheck, TheWatchListHasEachSatelliteOnce)
     EXPECT_EQ(keysOf(crossCheck(profile)), (std::vector<std::string>{"watch[2].norad", "watch[3].norad"}));
 }
 
-// REQ-ANTENNA-920: The antennas of a profile have different names, and none is called like the main one. A satellite
-// names one of them. Another name is refused with the names that there are and what to do.
+// REQ-ANTENNA-920: The antennas of a profile have different names, and none has the name of the main antenna. A
+// satellite may name one of them. Another name is refused with the list of names and what to do.
 TEST(CrossCheck, ASatelliteNamesAnAntennaOfTheProfile)
 {
     Profile profile;
@@ -318,7 +318,7 @@ TEST(CrossCheck, APasswordNeedsAUser)
     EXPECT_TRUE(crossCheck(profile).empty());
 }
 
-// Both have one connection to the broker.
+// Sensor and position share one connection to the broker.
 // REQ-PROFILE-04
 TEST(CrossCheck, APositionHasATopicOfItsOwn)
 {
@@ -335,7 +335,7 @@ TEST(CrossCheck, APositionHasATopicOfItsOwn)
     EXPECT_TRUE(crossCheck(profile).empty()) << "nobody subscribes to it but the position";
 }
 
-// The screen makes profiles without the file's reader; nothing may be applied that could not be read again.
+// The screen makes profiles without reading a file. A profile that could not be read again must not be applied.
 // REQ-PROFILE-08
 TEST(ProblemsOf, CountRangesToo)
 {
@@ -369,7 +369,7 @@ TEST(CrossCheck, KeepOutsHaveAMaximum)
     EXPECT_EQ(problems.front().text.toStdString(), "33 keep-outs are too many. The most is 32.");
 }
 
-// REQ-PROFILE-05b: The Sun is kept away from only where the site is given.
+// REQ-PROFILE-05b: Keep-away from the Sun needs the site.
 TEST(CrossCheck, TheSunNeedsTheSite)
 {
     Profile profile;
@@ -380,7 +380,7 @@ TEST(CrossCheck, TheSunNeedsTheSite)
     EXPECT_TRUE(crossCheck(profile).empty());
 }
 
-// REQ-PROFILE-18a: The line of the received power names an address to listen at.
+// REQ-PROFILE-18a: The line for the received power names an address to listen at.
 TEST(CrossCheck, UdpIsListenedForAtAnAddress)
 {
     Profile profile;

@@ -22,8 +22,8 @@ void expectMakesSense(const Profile& profile)
     }
 }
 
-// REQ-PROFILE-17 (Commissioning.*): Each act of commissioning (another bus, motors swapped or reversed, a travel, a
-// zero) changes together what belongs together, and doubts the directions where it must.
+// REQ-PROFILE-17 (Commissioning.*): Each step of commissioning (another bus, motors swapped or reversed, a travel, a
+// zero) changes all settings that belong together, and marks the directions as unconfirmed where necessary.
 TEST(Commissioning, AnotherBusHasItsDirectionsUnconfirmedAndTakesTheIdsThatAnswer)
 {
     Profile profile;
@@ -41,8 +41,8 @@ TEST(Commissioning, AnotherBusHasItsDirectionsUnconfirmedAndTakesTheIdsThatAnswe
     expectMakesSense(profile);
 }
 
-// REQ-PROFILE-962: A rotator with a box of its own is taken for the mount in one act: driver, bus, speed of the port,
-// and the travel and the speed of a usual rotator. A bus of controllers takes it back.
+// REQ-PROFILE-962: A rotator with its own control box becomes the mount in one step: driver, bus, speed of the port,
+// and the travel and speed of a usual rotator. Choosing a bus of moteus controllers reverts this.
 TEST(Commissioning, ARotatorIsTakenInOneAct)
 {
     Profile profile;
@@ -115,7 +115,7 @@ TEST(Commissioning, ARealMountHasNoSimulatedSensor)
     EXPECT_EQ(profile.sensor.source, SensorSource::Mqtt);
 }
 
-// A real mount at another adapter is a matter of cables as a rule.
+// Another adapter for a real mount is usually only a change of cables.
 TEST(Commissioning, AnotherBusKeepsWhatWasFound)
 {
     Profile real;
@@ -130,11 +130,12 @@ TEST(Commissioning, AnotherBusKeepsWhatWasFound)
     EXPECT_EQ(real, wanted);
 }
 
-// Story: tried out on the simulated mount by an older version, north applied; the real mount connected then pointed
-// 37.4° beside. Zeros set by standing there would have been the real one's, whose ends are counted from them.
-// REQ-PROFILE-17a: What is set and found of a simulated mount is kept in files of the simulation. Nothing of it reaches
-// the profile of a real mount, nor the other way round: in the guide, in the table, by `--bus` or by a file. Ends that
-// were typed stay.
+// Story: north was applied on the simulated mount with an older version. The real mount then pointed 37.4° wrong. Zeros
+// set at the position of the simulated mount would also apply to the real one, and shift the ends that are counted from
+// them.
+// REQ-PROFILE-17a: Settings and calibrations of a simulated mount are kept in files of the simulation. None of them
+// reaches the profile of a real mount, or the other way round: in the guide, in the table, by `--bus` or by a file.
+// Ends of the travel that were typed stay.
 TEST(Commissioning, NothingFoundOfTheSimulatedMountHoldsOnARealOne)
 {
     Profile profile;
@@ -170,7 +171,7 @@ TEST(Commissioning, OneIdOrThreeTellNothing)
     EXPECT_EQ(profile.elevation.id, 2);
 }
 
-// The id of the axis that no controller turns means nothing.
+// The id of an axis without a controller has no meaning.
 TEST(Commissioning, AMountWithOneControllerTakesTheOneIdThatAnswers)
 {
     Profile profile;

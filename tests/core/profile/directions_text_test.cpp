@@ -21,8 +21,7 @@ std::string confirmed(const std::string& toml)
 
 }  // namespace
 
-// REQ-PROFILE-06b (DirectionsText.*): They are confirmed in a file without a change to anything else in it, or not at
-// all.
+// REQ-PROFILE-06b (DirectionsText.*): Directions are confirmed in a file without any other change to it, or not at all.
 TEST(DirectionsText, OnlyTheOneKeyIsChanged)
 {
     EXPECT_EQ(confirmed("# mine\nversion = 1\n[mount]\nname = \"a\"\n  directions='unconfirmed' # ask Joe\n" + kBus),

@@ -12,7 +12,7 @@ using namespace boresight::profile;
 
 namespace {
 
-// "0:10 90:20", or the error.
+// The points as "0:10 90:20", or the error.
 std::string pointsOf(std::string_view text)
 {
     const auto horizon = parseHorizon(text, QStringLiteral("h.txt"));
@@ -29,9 +29,9 @@ std::string pointsOf(std::string_view text)
 
 }  // namespace
 
-// The forms in which other programs write it.
-// REQ-PROFILE-14 (HorizonText.*): Horizons of other programs are read, with all errors by line, and written so that
-// they can read them.
+// The forms that other programs write.
+// REQ-PROFILE-14 (HorizonText.*): Horizons of other programs are read, with all errors by line. They are written in a
+// form that those programs can read.
 TEST(HorizonText, ReadsWhatOthersWrite)
 {
     EXPECT_EQ(pointsOf("# N.I.N.A.\n0 10\n90 20\n180 30\n270 20\n360 10\n"),
@@ -50,7 +50,7 @@ TEST(HorizonText, SortsByAzimuth)
     EXPECT_EQ(pointsOf("270 3\n0 1\n90 2\n"), "0.00:1.00 90.00:2.00 270.00:3.00");
 }
 
-// The side of a tower: two points above each other. The line must not lie below any of them.
+// The side of a tower: two points at the same azimuth. The horizon must not lie below either of them.
 TEST(HorizonText, OfOneAzimuthTheHighestElevationCounts)
 {
     const auto horizon = parseHorizon("10 0\n10 20\n30 20\n30 0\n0 5\n360 7\n50 1\n50 1\n", QStringLiteral("h.txt"));

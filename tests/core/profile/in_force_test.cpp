@@ -35,7 +35,7 @@ TEST(InForce, WhatWaitsForAConnectionIsWantedOnly)
     EXPECT_THAT(inForce.waitingKeys(), ElementsAre("bus.name"));
 }
 
-// The window draws one in its own thread meanwhile.
+// The window uses such a value in its own thread meanwhile.
 TEST(InForce, AValueThatWasSharedStaysAsItWas)
 {
     InForce inForce{Profile()};

@@ -29,8 +29,8 @@ struct Reference
     const char* locator;  // 8 or 10 characters
 };
 
-// Values that go round in the tests of many locator libraries: W1AW, K6WRU, Munich, Montevideo, Washington, Wellington;
-// with ten characters (centres) ARRL, Perth, Santiago.
+// Values that many locator libraries use in their tests: W1AW, K6WRU, Munich, Montevideo, Washington, Wellington. With
+// ten characters (centres): ARRL, Perth, Santiago.
 const Reference kReferences[] = {
     {41.714775, -72.727260, "FN31pr21"},
     {37.413708, -122.1073236, "CM87wj79"},

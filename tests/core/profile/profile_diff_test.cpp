@@ -13,7 +13,7 @@ namespace {
 
 using Keys = std::vector<std::string>;
 
-// A change as gtest compares it.
+// A change in the form that gtest compares.
 struct Told
 {
     std::string key;
@@ -35,8 +35,8 @@ std::vector<Told> toldBetween(const Profile& from, const Profile& to)
 
 }  // namespace
 
-// REQ-PROFILE-10 (ProfileDiff.*): Two profiles are compared key by key, with both values and when it applies. Lists
-// and the site are one line each.
+// REQ-PROFILE-10 (ProfileDiff.*): Two profiles are compared key by key, with both values and with the time when the
+// change applies. Lists and the site are one line each.
 TEST(ProfileDiff, TellsEachKeyWithBothValuesAndWhenItApplies)
 {
     const Profile from;
@@ -90,7 +90,7 @@ TEST(ProfileDiff, ListsAndTheSiteAreOneLineEach)
               (std::vector<Told>{{"limits.horizon", "2 points, 1 different", "2 points, 1 different", Applies::Now}}));
 }
 
-// Every setting is seen, and taken over by its key alone.
+// Every setting is compared, and can be copied alone by its key.
 TEST(ProfileDiff, KnowsEveryKey)
 {
     for (const Setting& setting : settings()) {
@@ -145,8 +145,8 @@ TEST(ProfileDiff, WhatIsWrittenAlikeIsTheSame)
     EXPECT_TRUE(changesBetween(from, *read).empty());
 }
 
-// REQ-PROFILE-11 (Applied.*): Of a wanted profile, what needs a reconnect waits, with what makes sense only together
-// with it.
+// REQ-PROFILE-11 (Applied.*): The changes of a wanted profile that need a reconnect wait, together with the changes
+// that are only valid with them.
 TEST(Applied, WhatNeedsAReconnectWaits)
 {
     const Profile inForce;
@@ -166,7 +166,8 @@ TEST(Applied, WhatNeedsAReconnectWaits)
     EXPECT_EQ(applied(inForce, inForce), (Application{inForce, {}}));
 }
 
-// A park place in a travel that is not in force yet would be refused by the mount; nothing else has to wait for it.
+// The mount would refuse a park position outside its present travel, so this change waits for the new travel. No other
+// change has to wait.
 TEST(Applied, WhatMakesSenseOnlyWithWhatWaitsWaitsToo)
 {
     const Profile inForce;
@@ -181,7 +182,7 @@ TEST(Applied, WhatMakesSenseOnlyWithWhatWaitsWaitsToo)
     EXPECT_TRUE(crossCheck(result.inForce).empty());
 }
 
-// The new limits exclude the old park place, and the new park place is outside the old travel.
+// The new limits exclude the old park position, and the new park position is outside the old travel.
 TEST(Applied, WhereOldAndNewDoNotGoTogetherAllWaits)
 {
     Profile inForce;

@@ -30,9 +30,9 @@ QByteArray contentOf(const QString& path)
 
 }  // namespace
 
-// A full disk left an empty profile in the place of a good one, and reported it as stored: a small file stays in the
-// buffer of QSaveFile until it is renamed.
-// REQ-PROFILE-961: On a full disk no file is replaced, whatever its size, and the reason is told.
+// Story: on a full disk an empty profile replaced a good one and was reported as stored. QSaveFile keeps a small file
+// in its buffer until it renames it.
+// REQ-PROFILE-961: On a full disk no file is replaced, whatever its size, and the reason is reported.
 TEST(ProfileFile, AFullDiskReplacesNothing)
 {
     const QTemporaryDir folder;
@@ -51,7 +51,7 @@ TEST(ProfileFile, AFullDiskReplacesNothing)
     EXPECT_TRUE(writeFile(path, "version = 1\n#\n"));
 }
 
-// REQ-PROFILE-01: The defaults are the reference mount. Azimuth 0…360° is 0…1 turn, travel -90…450°. Elevation is
+// REQ-PROFILE-01: The defaults describe the reference mount. Azimuth 0…360° is 0…1 turn, travel -90…450°. Elevation is
 // inverted, 0° is -0.25 turn, 90° is -0.5 turn, travel 0…90°.
 TEST(ProfileFile, NothingButTheVersionIsTheReferenceMount)
 {
@@ -66,7 +66,8 @@ TEST(ProfileFile, NothingButTheVersionIsTheReferenceMount)
     EXPECT_EQ(profile->rotctld.listen, (ListenAddress{"127.0.0.1", 4533}));
 }
 
-// REQ-PROFILE-08: What is written reads back as the same values. What could not be read again is not written.
+// REQ-PROFILE-08: A written profile reads back with the same values. A profile that could not be read again is not
+// written.
 TEST(ProfileFile, TheDefaultFileReadsBackAsTheDefault)
 {
     const std::string text = toToml(Profile{});
@@ -81,11 +82,11 @@ TEST(ProfileFile, TheDefaultFileReadsBackAsTheDefault)
     EXPECT_NE(text.find("# one of \"hold\" \"brake\" \"off\"; default \"hold\"; applies at once\n"), std::string::npos);
 }
 
-// Story: "profile --default" said that the directions were confirmed. With the name of a real bus in it, a mount that
-// nobody had seen turn went to its first target at 10 °/s.
-// REQ-PROFILE-06a: The directions of a real mount are unconfirmed until its file says that they are confirmed. The
-// file that the program prints for the simulated mount says nothing of them, so that another bus in it does not
-// confirm them.
+// Story: "profile --default" printed confirmed directions. With the name of a real bus in this file, an untested mount
+// went to its first target at 10°/s.
+// REQ-PROFILE-06a: The directions of a real mount are unconfirmed until its file says that they are confirmed. The file
+// that the program prints for the simulated mount does not mention them, so that another bus in it does not confirm
+// them.
 TEST(ProfileFile, TheDirectionsOfARealMountAreUnconfirmedUntilItsFileSaysSo)
 {
     const auto directionsOf = [](const std::string& toml) {
@@ -159,8 +160,8 @@ TEST(ProfileFile, EveryValueSurvivesTheRoundTrip)
     EXPECT_EQ(*again, changed);
 }
 
-// REQ-PROFILE-03: Unknown key or table, wrong type, out of range, not finite, an incomplete row or site: refused with
-// file, line, key and reason, all at once, in the order of lines.
+// REQ-PROFILE-03: An unknown key or table, a wrong type, a value out of range or not finite, an incomplete row or site
+// is refused with file, line, key and reason. All errors are reported at once, in the order of their lines.
 TEST(ProfileFile, TellsAllErrorsAtOnceInTheOrderOfTheirLines)
 {
     EXPECT_EQ(errorsOf("version = 1\n"                          // 1
@@ -244,8 +245,7 @@ TEST(ProfileFile, TellsWhichRowsCannotBeRead)
 }
 
 // REQ-ANTENNA-921: Antennas are rows of the profile: name, beam width, offsets across and up. The antenna of a
-// satellite may be left out, as in files from before there were several. What makes no sense is refused with line and
-// key.
+// satellite may be left out, as in older files with one antenna. Invalid values are refused with line and key.
 TEST(ProfileFile, AntennasAreRows)
 {
     const auto read = parseProfile(
@@ -336,7 +336,7 @@ TEST(ProfileFile, ASettingInTheWrongPlaceIsUnknown)
     EXPECT_EQ(errorsOf("version = 1\n[[bus]]\nname = \"simulated\"\n"), "m.toml:2: bus: unknown key");
 }
 
-// Found by the fuzzer: what a file says must not break the line of the error, or the terminal that shows it.
+// Found by the fuzzer: text from a file must not break the line of the error, or the terminal that shows it.
 TEST(ProfileFile, ErrorsShowNoControlCharacters)
 {
     EXPECT_EQ(errorsOf("version = 1\n\"a\\nb\" = 1\n"), "m.toml:2: a?b: unknown key");
@@ -347,9 +347,9 @@ TEST(ProfileFile, ErrorsShowNoControlCharacters)
     EXPECT_EQ(errorsOf("version = 1\n\x1b = 1\n").find('\x1b'), std::string::npos);
 }
 
-// Found by the fuzzer: TOML has no raw control characters, so a profile with one in a name was written but never read
-// again.
-// REQ-BASE-07: Names and texts of a profile hold no control characters, so that a written profile can be read.
+// Found by the fuzzer: TOML does not allow raw control characters, so a profile with one in a name was written but
+// could not be read again.
+// REQ-BASE-07: Names and texts of a profile contain no control characters, so that a written profile can be read.
 TEST(ProfileFile, RefusesControlCharacters)
 {
     EXPECT_EQ(errorsOf("version = 1\nmount.name = \"mast\\u007f\"\n"),
@@ -360,7 +360,7 @@ TEST(ProfileFile, RefusesControlCharacters)
     }
 }
 
-// Found by the fuzzer: a travel of 1e-320° was accepted but written as 0°, and then refused.
+// Found by the fuzzer: a travel of 1e-320° was accepted, written as 0°, and then refused.
 TEST(ProfileFile, ANumberHasNoMoreDecimalsThanTheFile)
 {
     EXPECT_EQ(errorsOf("version = 1\nelevation.travel_max_deg = 1e-320\n"),
@@ -388,7 +388,7 @@ TEST(ProfileFile, TheDummyLikeProfileOfTheTestsIsValid)
     EXPECT_EQ(profile->park, AxisPosition{});
 }
 
-// REQ-PROFILE-09: Saving is all or nothing. The last change can be undone, and the undo too.
+// REQ-PROFILE-09: Saving is all or nothing. The last change can be undone, and this undo too.
 TEST(ProfileFile, SavesAllOrNothing)
 {
     const QTemporaryDir folder;

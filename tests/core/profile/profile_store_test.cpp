@@ -43,14 +43,14 @@ protected:
         return profile ? profile->mount.name : textOf(profile.error());
     }
 
-    // The current one's path, or why there is none.
+    // The path of the current profile, or the reason why there is none.
     [[nodiscard]] QString current() const
     {
         const auto found = store.findCurrent();
         return found ? found->value_or(QStringLiteral("none")) : found.error().text;
     }
 
-    // "one, two (current)"
+    // The list as "one, two (current)".
     [[nodiscard]] std::string listed() const
     {
         std::string text;
@@ -71,7 +71,7 @@ protected:
 }  // namespace
 
 // REQ-PROFILE-12 (ProfileStoreTest.*): Several mounts are listed, duplicated, removed without loss, imported and
-// exported as the same file. One is the current one. No two have one name.
+// exported as the same file. One of them is the current one. No two have the same name.
 TEST_F(ProfileStoreTest, IsEmptyAtFirst)
 {
     EXPECT_EQ(listed(), "");
@@ -153,7 +153,7 @@ TEST_F(ProfileStoreTest, ABrokenPreviousVersionIsNotBroughtBack)
     EXPECT_EQ(nameIn(file), "one");
 }
 
-// What a mount remembers is kept under its name; two mounts with one name would share it.
+// The data of a mount is stored under its name, so two mounts with one name would share it.
 TEST_F(ProfileStoreTest, NoWayLeadsToTwoMountsOfOneName)
 {
     const QString one = added("one");
@@ -222,7 +222,7 @@ TEST_F(ProfileStoreTest, ExportsAndImportsTheSameFile)
     EXPECT_NE(textOf(bad.error()).find("export.toml:2: colour: unknown key"), std::string::npos);
 }
 
-// Also the version before, once there was a password in it, and a copy for others.
+// This also holds for the previous version of a file that once had a password, and for an exported copy.
 // REQ-PROFILE-19
 TEST_F(ProfileStoreTest, OnlyTheOwnerReadsAFileWithAPassword)
 {
@@ -245,7 +245,7 @@ TEST_F(ProfileStoreTest, OnlyTheOwnerReadsAFileWithAPassword)
     EXPECT_TRUE(mine(exported));
 }
 
-// REQ-PROFILE-13: The single `profile.toml` of earlier versions goes on working.
+// REQ-PROFILE-13: The single `profile.toml` of earlier versions still works.
 TEST_F(ProfileStoreTest, TakesInTheSingleProfileWithItsComments)
 {
     const QByteArray text = "# by hand\nversion = 1\nmount.name = \"old\"\n";
@@ -256,7 +256,7 @@ TEST_F(ProfileStoreTest, TakesInTheSingleProfileWithItsComments)
     (void)added("another");
     EXPECT_EQ(listed(), "another, old (current)");
 
-    // Somebody brings a new version of it, as before there were several.
+    // The operator copies a new version of profile.toml there, as with an earlier version of the program.
     ASSERT_TRUE(writeFile(path("profile.toml"), text + "park.azimuth_deg = 90\n"));
     EXPECT_EQ(current(), path("profiles/old.toml"));
     EXPECT_EQ(loadProfile(path("profiles/old.toml"))->park.azimuth, 90_deg);
@@ -274,7 +274,7 @@ TEST_F(ProfileStoreTest, ABrokenSingleProfileIsToldAndLeftAlone)
 TEST_F(ProfileStoreTest, ASingleProfileThatCannotBeMovedIsUsedWhereItIs)
 {
     ASSERT_TRUE(writeFile(path("profile.toml"), "version = 1\nmount.name = \"old\"\n"));
-    ASSERT_TRUE(writeFile(path("profiles"), "in the way"));  // a folder without permission means nothing to root
+    ASSERT_TRUE(writeFile(path("profiles"), "in the way"));  // root ignores the permissions of a folder
     EXPECT_EQ(current(), path("profile.toml"));
     EXPECT_EQ(nameIn(path("profile.toml")), "old");
 }

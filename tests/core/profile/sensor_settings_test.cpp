@@ -21,8 +21,8 @@ std::vector<std::string> keysOf(const Profile& profile)
     return keys;
 }
 
-// REQ-PROFILE-18 (SensorSettings.*): An orientation sensor is described whole or not used. Its settings that make no
-// sense together are reported.
+// REQ-PROFILE-18 (SensorSettings.*): An orientation sensor is described completely or not used. Settings of the sensor
+// that contradict each other are reported.
 TEST(SensorSettings, WithoutThemThereIsNoSensor)
 {
     EXPECT_EQ(Profile().sensor.source, SensorSource::None);

@@ -11,8 +11,8 @@
 using namespace boresight;
 using namespace boresight::profile;
 
-// REQ-PROFILE-02: Every key is described once: table, type, unit, range, text, when it applies. Its default, and the
-// ends of its range, lie in that range.
+// REQ-PROFILE-02: Every key is described once: table, type, unit, range, text, and when a change applies. Its default
+// and the ends of its range are valid values.
 TEST(Settings, AreDescribedOnceEach)
 {
     std::set<std::string> keys;
@@ -24,7 +24,7 @@ TEST(Settings, AreDescribedOnceEach)
     }
 }
 
-// What get() returns, set() takes and leaves the profile as it was: defaults are inside their own ranges.
+// A value from get() is accepted by set() and leaves the profile unchanged: defaults are inside their ranges.
 // REQ-PROFILE-02
 TEST(Settings, DefaultsAreValid)
 {
@@ -77,8 +77,8 @@ TEST(Settings, RefuseWhatIsOutOfRange)
     }
 }
 
-// REQ-HOOKS-20: A program for a moment of a pass is a list of its path, which begins with /, and its arguments, each
-// one line. An empty list is none, and that is the default.
+// REQ-HOOKS-20: A program for a moment of a pass is a list of its path, which begins with /, and its arguments, one
+// line each. An empty list means no program, and is the default.
 TEST(Settings, AProgramIsAPathAndArguments)
 {
     for (const char* const key :
@@ -121,7 +121,7 @@ TEST(Settings, ChoicesAreAllTaken)
     EXPECT_EQ(profile.recovery.supply, Retry::Never) << "nothing recovers by itself unless it is asked for";
 }
 
-// The names of a row's keys, and that they are described like every setting.
+// The names of the keys in a row. They are described like every setting.
 // REQ-PROFILE-02
 TEST(Settings, RowsAreDescribedToo)
 {
@@ -142,7 +142,7 @@ TEST(Settings, RowsAreDescribedToo)
     EXPECT_EQ(check(watchSettings()), "norad priority min_elevation_deg ");
 }
 
-// What the drives, the socket or the memory's file are set up with cannot change under a moving mount.
+// Settings that the drives, the socket or the journal file use at their start cannot change under a moving mount.
 TEST(Settings, SayWhatWaitsForAReconnect)
 {
     for (const char* key : {"mount.name", "azimuth.travel_max_deg", "elevation.id", "control.watchdog_s",
@@ -168,7 +168,7 @@ TEST(Settings, TheSiteIsKnownOnceItIsSet)
     EXPECT_EQ(profile.site.latitude, -33.5_deg);
 }
 
-// REQ-PROFILE-06: Clients are real addresses and networks. A mount locked to one client names it.
+// REQ-PROFILE-06: Clients are valid addresses and networks. A mount that is locked to one client names it.
 TEST(Settings, ClientsAreAddressesAndNetworks)
 {
     Profile profile;
@@ -189,7 +189,7 @@ TEST(Settings, ClientsAreAddressesAndNetworks)
     EXPECT_TRUE(lockedTo->set(profile, std::string()));
 }
 
-// Degrees become radians and degrees again; the ends of a range must still be inside it.
+// Degrees become radians and degrees again. The ends of a range must still be inside it.
 // REQ-PROFILE-02
 TEST(Settings, TheEndsOfARangeStayInside)
 {
@@ -204,8 +204,8 @@ TEST(Settings, TheEndsOfARangeStayInside)
     }
 }
 
-// REQ-PROFILE-05a: The terms of the pointing model are settings of their own, all but the azimuth offset of 10° at
-// most. They apply at once, and the park place is checked with them.
+// REQ-PROFILE-05a: Each term of the pointing model is a setting. All but the azimuth offset are at most 10°. They apply
+// at once, and the park position is checked with them.
 TEST(Settings, ThePointingModelAppliesAtOnce)
 {
     Profile profile;
@@ -246,8 +246,8 @@ TEST(Settings, TheBrokerIsAHostAndTopicsAreTopics)
     EXPECT_FALSE(takes("mqtt.port", "1883"));
 }
 
-// REQ-PROFILE-19: A secret is in the profile's own file only, which nobody but its owner may then read. It is neither
-// in the log's lines about changes nor in diagnostics.
+// REQ-PROFILE-19: A secret is only in the file of the profile, which then nobody but its owner may read. It appears
+// neither in the log lines about changes nor in the diagnostics.
 TEST(Settings, ThePasswordIsTheOnlySecret)
 {
     std::vector<std::string> secrets;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Real programs.
+// Real programs are started.
 #include "core/programs/program_runner.h"
 
 #include "tests/fakes/wait_until.h"
@@ -32,7 +32,7 @@ protected:
             endings.push_back(ending.text.toStdString());
         });
     }
-    // What it said at its end.
+    // The text that was reported at the end of the program.
     std::string run(const Job& job)
     {
         if (!runner) {
@@ -60,7 +60,7 @@ protected:
     bool good = false;
 };
 
-// REQ-HOOKS-01: A program gets its facts in its environment and its arguments as they are: no shell reads them.
+// REQ-HOOKS-01: A program receives its facts in its environment, and its arguments unchanged: no shell reads them.
 TEST_F(ProgramRunnerTest, FactsAreInTheEnvironmentAndNoShellReadsTheArguments)
 {
     EXPECT_THAT(run({.path = kShell,
@@ -74,8 +74,8 @@ TEST_F(ProgramRunnerTest, FactsAreInTheEnvironmentAndNoShellReadsTheArguments)
     EXPECT_TRUE(QFile::exists(path("a b;c $HOME *")));
 }
 
-// REQ-HOOKS-02: How a program ended is told with the first line of its errors. A program that cannot be started is told
-// with the reason. What it prints besides is thrown away, however much it is.
+// REQ-HOOKS-02: The end of a program is reported with the first line of its standard error. A program that cannot be
+// started is reported with the reason. All other output is discarded, whatever its size.
 TEST_F(ProgramRunnerTest, ItsEndIsToldWithTheFirstLineOfItsErrors)
 {
     EXPECT_THAT(shell(QStringLiteral("printf 'no \\033 device\\nmore\\n' >&2; exit 3")),
@@ -96,8 +96,8 @@ TEST_F(ProgramRunnerTest, ItsEndIsToldWithTheFirstLineOfItsErrors)
     EXPECT_THAT(shell(QStringLiteral("exit 0")), StartsWith("/bin/sh ended after "));
 }
 
-// REQ-HOOKS-03: A program that runs for too long is asked to end, with all that it has started. What does not listen is
-// killed.
+// REQ-HOOKS-03: A program that runs too long is asked to end, with all programs that it has started. If they do not end
+// they are killed.
 TEST_F(ProgramRunnerTest, WhatRunsForTooLongIsEnded)
 {
     begin({.longest = 100ms, .patience = 20ms});
@@ -115,7 +115,7 @@ TEST_F(ProgramRunnerTest, WhatRunsForTooLongIsEnded)
     })) << child.toStdString();
 }
 
-// REQ-HOOKS-04: Programs run beside each other, up to a number. One more is refused with the reason.
+// REQ-HOOKS-04: Programs run in parallel, up to a maximum number. One more is refused with the reason.
 TEST_F(ProgramRunnerTest, NoMoreThanSoManyRunAtOnce)
 {
     begin({.longest = 1min, .patience = 10ms, .most = 2});
@@ -126,7 +126,7 @@ TEST_F(ProgramRunnerTest, NoMoreThanSoManyRunAtOnce)
     EXPECT_THAT(endings, SizeIs(1));
 }
 
-// REQ-HOOKS-05: At the end of Boresight what runs has a short time to end, all together, and is then killed.
+// REQ-HOOKS-05: When Boresight ends, the running programs have a short time in common to end. Then they are killed.
 TEST_F(ProgramRunnerTest, ItsOwnEndEndsTheProgramsToo)
 {
     begin({.longest = 1min, .patience = 300ms});

@@ -18,7 +18,7 @@ using testing::SizeIs;
 
 constexpr int kFirst = 90'001;
 
-// Two satellites that pass over it some times a day.
+// Two satellites that pass over the site several times a day.
 RehearsalTask nightOfTwo()
 {
     const UtcTime now = fakes::ManualClock().utc();
@@ -45,9 +45,9 @@ std::string whyNot(const RehearsalTask& task)
     return night ? std::string() : textOf(night.error());
 }
 
-// REQ-SCHEDULE-940: A rehearsal runs the next day of the schedule ahead of time on a copy of the mount, from where it
-// stands. It gives the plan, the report as it would be, and the part of the cable that is used. It is faster than 60
-// times the real time.
+// REQ-SCHEDULE-940: A rehearsal runs the next day of the schedule in advance, on a copy of the mount and from its
+// present position. It gives the plan, the expected report, and the part of the cable that is used. It runs more than
+// 60 times faster than real time.
 TEST(Rehearsal, TracksEachPassOfThePlan)
 {
     RehearsalTask task = nightOfTwo();
@@ -77,7 +77,7 @@ TEST(Rehearsal, TracksEachPassOfThePlan)
     EXPECT_LE(night->mostAzimuth, task.profile.azimuth.geometry.travel.max);
 }
 
-// REQ-SCHEDULE-941: What the mount is too slow for shows as seconds beyond 3 dB.
+// REQ-SCHEDULE-941: If the mount is too slow for a pass, the rehearsal shows the seconds beyond 3 dB.
 TEST(Rehearsal, ShowsWhatASlowMountLoses)
 {
     RehearsalTask task = nightOfTwo();
@@ -88,9 +88,9 @@ TEST(Rehearsal, ShowsWhatASlowMountLoses)
         night->report.passes, [](const schedule::PassRecord& pass) { return pass.within3dB < 0.8 * pass.tracked; }));
 }
 
-// REQ-SCHEDULE-942: Each warning that the station would log is in it, with its time.
-// REQ-TRACK-913: A target that goes through a keep-out holds the mount with one line of the log.
 // Story: the first rehearsal showed a line for each 0.1° of the way through the keep-out of the Sun, and nothing else.
+// REQ-SCHEDULE-942: The rehearsal has each warning that the station would log, with its time.
+// REQ-TRACK-913: A target that crosses a keep-out holds the mount and causes one line in the log.
 TEST(Rehearsal, HasTheWarningsOfTheStation)
 {
     RehearsalTask task = nightOfTwo();
@@ -107,8 +107,8 @@ TEST(Rehearsal, HasTheWarningsOfTheStation)
     EXPECT_LT(night->remarks.size(), 10 * night->plan.chosen.size());
 }
 
-// REQ-SCHEDULE-943: A schedule that cannot be armed is not rehearsed, and the reason is that of arming. A rehearsal can
-// be stopped.
+// REQ-SCHEDULE-943: A schedule that cannot be armed is not rehearsed, with the same reason as for arming. A rehearsal
+// can be stopped.
 TEST(Rehearsal, SaysWhyItCannotBe)
 {
     RehearsalTask task = nightOfTwo();

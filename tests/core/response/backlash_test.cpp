@@ -26,7 +26,7 @@ struct Gear
     double leg = 0.3;    // degrees
 };
 
-// A motor that moves to and fro as told behind a gear with play: the load stands until it is met.
+// A motor that moves back and forth behind a gear with play. The load stands still until the motor meets it.
 std::vector<Sample> movedBy(const Gear& gear)
 {
     constexpr double kTick = 0.02;
@@ -51,7 +51,7 @@ std::vector<Sample> movedBy(const Gear& gear)
     return samples;
 }
 
-// REQ-TUNING-05: The play of a gear is measured from the torque of slow legs to and fro, with its uncertainty.
+// REQ-TUNING-05: The play of a gear is measured from the torque of slow legs back and forth, with its uncertainty.
 TEST(Backlash, IsFoundWithinItsUncertainty)
 {
     for (const double gap : {0.01, 0.02, 0.08, 0.15}) {
@@ -72,7 +72,7 @@ TEST(Backlash, TheTorquesAreThoseOfTheMotorAndOfTheLoad)
     EXPECT_NEAR(figures->loadTorque, 5.0, 0.2);
 }
 
-// REQ-TUNING-06: Where the torque does not show the play, no number is reported but the reason.
+// REQ-TUNING-06: If the torque does not show the play, the reason is reported instead of a number.
 TEST(Backlash, SaysWhenItCannotBeTold)
 {
     EXPECT_THAT(reasonOf(backlashFigures(movedBy({.gap = 0.0}))), HasSubstr("shows no gap"));

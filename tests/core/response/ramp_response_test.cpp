@@ -13,7 +13,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-// REQ-TUNING-03: A ramp is judged where its rate is constant: the lag of a second-order system is 2 z / w times the
+// REQ-TUNING-03: A ramp is evaluated where its rate is constant. The lag of a second-order system is 2 z / w times the
 // rate.
 TEST(RampResponse, LagIsThatOfTheTextbook)
 {

@@ -5,7 +5,7 @@
 
 namespace boresight::response {
 
-// Why there are no figures; empty: there are.
+// The reason why there are no figures. Empty if there are figures.
 template <class Figures>
 [[nodiscard]] std::string reasonOf(const Result<Figures>& figures)
 {

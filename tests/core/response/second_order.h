@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-// A second-order system whose answers are in every textbook: a'' = w² (wanted - a) - 2 z w a'. Sampled 50 times a
+// A second-order system with responses known from textbooks: a'' = w² (wanted - a) - 2 z w a'. Sampled 50 times a
 // second.
 namespace boresight::response {
 

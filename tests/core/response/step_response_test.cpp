@@ -14,7 +14,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-constexpr double kOmega = 5.0;  // rad/s: slow beside the samples, so that none misses the peak
+constexpr double kOmega = 5.0;  // rad/s: slow compared with the sampling, so no sample misses the peak
 
 std::vector<Sample> stepOf(double damping, double degrees = 2.0)
 {
@@ -22,7 +22,7 @@ std::vector<Sample> stepOf(double damping, double degrees = 2.0)
         kOmega, damping, 6.0, [=](double) { return degrees; }, 0.1);
 }
 
-// REQ-TUNING-01: Overshoot and settling time of a step are those of the textbook for a second-order system.
+// REQ-TUNING-01: Overshoot and settling time of a step agree with the textbook for a second-order system.
 TEST(StepResponse, OvershootIsThatOfTheTextbook)
 {
     for (const double damping : {0.2, 0.3, 0.5, 0.7}) {
@@ -56,13 +56,13 @@ TEST(StepResponse, ReadsTheSameDownwards)
     EXPECT_NEAR(down->error.peak.degrees(), 2.0, 1e-9);
 }
 
-// REQ-TUNING-02: The time to settle counts from the arrival of a set-point that moves.
+// REQ-TUNING-02: The settling time counts from the moment when a moving set-point arrives.
 TEST(StepResponse, CountsFromTheArrivalOfTheSetpoint)
 {
     const auto slow = answerOf(40.0, 1.0, 4.0, [](double time) { return std::min(time, 2.0); });
     const auto figures = stepFigures(slow, 0.04_deg);
     ASSERT_TRUE(figures && figures->settling);
-    EXPECT_LT(figures->settling->count(), 0.1);  // a lag of 0.05° that fades in some 25 ms
+    EXPECT_LT(figures->settling->count(), 0.1);  // a lag of 0.05° that fades in about 25 ms
     EXPECT_NEAR(figures->error.peak.degrees(), 2.0 / 40.0, 0.002);
 }
 

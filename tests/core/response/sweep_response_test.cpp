@@ -23,11 +23,11 @@ std::vector<Sample> swingAt(double hertz)
     const double omega = 2.0 * std::numbers::pi;
     auto samples = answerOf(omega * kFrequency, kDamping, 4.0 + 4.0 / hertz,
                             [=](double time) { return 0.3 * std::sin(omega * hertz * time) + 0.01 * time; });
-    samples.erase(samples.begin(), samples.begin() + 100);  // it swings in
+    samples.erase(samples.begin(), samples.begin() + 100);  // removes the transient at the start
     return samples;
 }
 
-// REQ-TUNING-04: Gain and phase of each frequency of a sweep are those of the textbook.
+// REQ-TUNING-04: Gain and phase of each frequency of a sweep agree with the textbook.
 TEST(SweepResponse, GainAndPhaseAreThoseOfTheTextbook)
 {
     for (const double hertz : {0.3, 0.6, 1.2, 2.4, 4.0}) {

@@ -11,7 +11,7 @@ namespace {
 
 using Progress = ReplyReader::Progress;
 
-// What came of these lines, read until they are an answer or strange. Empty: more lines are wanted.
+// The result of these lines, read until they are complete or unknown. Empty: more lines are needed.
 struct Outcome
 {
     Progress progress = Progress::More;
@@ -57,7 +57,7 @@ const std::string kPlainState =
     "1\n1\nmin_az=-180.000000\nmax_az=450.000000\nmin_el=0.000000\nmax_el=90.000000\nsouth_zero=0\nrot_type=AzEl\n"
     "done\n";
 
-// REQ-ROTCTL-03: Positions are read in both forms, as rotctld writes them.
+// REQ-ROTCTL-03: Positions are read in both forms that rotctld writes.
 TEST(ReplyReader, ReadsAPosition)
 {
     const AxisPosition there{.azimuth = Angle::fromDegrees(-12.5), .elevation = Angle::fromDegrees(5.25)};
@@ -66,7 +66,7 @@ TEST(ReplyReader, ReadsAPosition)
     EXPECT_EQ(position(Form::Plain, "370.00\n5.00\n")->azimuth, 370_deg) << "370° is not 10°";
 }
 
-// REQ-ROTCTL-04: The limits are read from the answers of all ages of rotctld.
+// REQ-ROTCTL-04: The limits are read from the replies of all versions of rotctld.
 TEST(ReplyReader, ReadsTheLimitsOfAllAges)
 {
     EXPECT_EQ(state(Form::Extended, kExtendedState), kDummy);
@@ -80,7 +80,7 @@ TEST(ReplyReader, ReadsTheLimitsOfAllAges)
     EXPECT_EQ(state(Form::Plain, azimuthOnly)->type, RotatorType::Az);
 }
 
-// REQ-ROTCTL-05: An error of Hamlib is read in place of values, and of orders.
+// REQ-ROTCTL-05: An error of Hamlib is read in place of values, and as the reply to commands.
 TEST(ReplyReader, ReadsErrors)
 {
     const auto code = [](Question question, Form form, const std::string& text) {
@@ -99,7 +99,8 @@ TEST(ReplyReader, ReadsErrors)
     }
 }
 
-// REQ-ROTCTL-06: What is no answer to the question is strange: a damaged number, another command, another server.
+// REQ-ROTCTL-06: A reply that does not belong to the query is reported as unknown: a damaged number, another command,
+// another server.
 TEST(ReplyReader, WhatIsNoAnswerIsStrange)
 {
     for (const char* const odd :
@@ -112,7 +113,7 @@ TEST(ReplyReader, WhatIsNoAnswerIsStrange)
           "10.00\n5.00\n", "RPRT 0\n", "HTTP/1.1 400 Bad Request\n", "get_pos:\nAzimuth: nan\n"}) {
         EXPECT_EQ(readAll(Question::Position, Form::Extended, odd).progress, Progress::Strange) << odd;
     }
-    // The answers of a rigctld: its port is the next one.
+    // The replies of a rigctld, whose port is the next one.
     EXPECT_EQ(readAll(Question::State, Form::Extended,
                       "dump_state:\n1\n1\n0\n150000.000000 1500000000.000000 0x1ff -1 -1 0x17e00007 0x1f\nRPRT 0\n")
                   .progress,
@@ -128,7 +129,7 @@ TEST(ReplyReader, WhatIsNoAnswerIsStrange)
     EXPECT_EQ(readAll(Question::Position, Form::Extended, endless).progress, Progress::Strange);
 }
 
-// REQ-ROTCTL-07: An answer that lost its end is not taken for one.
+// REQ-ROTCTL-07: A reply without its end is not accepted.
 TEST(ReplyReader, HalfAnAnswerIsNone)
 {
     for (const auto& [form, text] : {std::pair{Form::Extended, kExtendedState}, {Form::Plain, kPlainState}}) {

@@ -16,8 +16,8 @@ AxisPosition at(double azimuth, double elevation)
     return {.azimuth = Angle::fromDegrees(azimuth), .elevation = Angle::fromDegrees(elevation)};
 }
 
-// REQ-ROTCTL-01: Each command is one line of the protocol of rotctld, in the extended or the plain form. Positions
-// have two decimals and a point.
+// REQ-ROTCTL-01: Each command is one line of the rotctld protocol, in the extended or the plain form. Positions have
+// two decimals and a decimal point.
 TEST(RotctlCommand, IsALineOfTheProtocol)
 {
     EXPECT_EQ(askState(Form::Extended), "+\\dump_state\n");
@@ -30,7 +30,7 @@ TEST(RotctlCommand, IsALineOfTheProtocol)
     EXPECT_EQ(goTo(Form::Plain, at(-12.0, -0.001)), "P -12.00 0.00\n");
 }
 
-// REQ-ROTCTL-02: A place that no rotator reaches, and what is no number, is never sent and never clipped.
+// REQ-ROTCTL-02: A position that no rotator can reach, or that is not a number, is never sent and never clipped.
 TEST(RotctlCommand, APlaceThatIsNoneIsNoCommand)
 {
     EXPECT_TRUE(goTo(Form::Plain, at(-720.0, 360.0)));

@@ -6,7 +6,7 @@
 
 #include <string>
 
-// Every exchange recorded with Hamlib's rotctld, played through the real server on TCP.
+// Every exchange recorded with Hamlib's rotctld is played through the real server over TCP.
 namespace boresight::rotctld {
 namespace {
 
@@ -19,8 +19,8 @@ std::string play(const QJsonObject& exchange)
 class RotctldCases : public ::testing::TestWithParam<std::string>
 {};
 
-// REQ-ROTCTLD-01: Replies are Hamlib 4.5.4's, byte for byte, except for the differences that core/rotctld/HAMLIB.md
-// lists.
+// REQ-ROTCTLD-01: Replies are those of Hamlib 4.5.4, byte for byte, except for the differences listed in
+// core/rotctld/HAMLIB.md.
 TEST_P(RotctldCases, MatchHamlib)
 {
     fakes::expectGroupAsRecorded(GetParam(), fakes::rotctldDifferences(), &play);

@@ -13,8 +13,8 @@ namespace {
 
 using Event = CommandParser::Event;
 
-// What comes out of these bytes, given in pieces of this size: "p", "P(10,5)", "?" for odd, "!" for stranger, "#" for
-// a line too long.
+// The result of these bytes in pieces of this size: "p", "P(10,5)", "?" for an unknown command, "!" for a foreign
+// protocol, "#" for a line that is too long.
 std::string parsed(std::string_view bytes, std::size_t piece)
 {
     CommandParser parser;
@@ -40,7 +40,7 @@ std::string parsed(std::string_view bytes, std::size_t piece)
     return result;
 }
 
-// The rest of the protocol is shown by the recorded exchanges; here is what must not depend on packets.
+// The recorded exchanges test the rest of the protocol. These tests show what must not depend on packets.
 TEST(CommandParser, ReadsTheSameInPiecesOfAnySize)
 {
     const std::string bytes =
@@ -59,7 +59,7 @@ TEST(CommandParser, ThrowsAwayWhatFollowsAnUnknownCommand)
     EXPECT_EQ(parsed("STATS\nS;\nS\x80\n", 100), "???");
 }
 
-// Cut into packets so that an S stands at the end of one: after nonsense it has to be a word.
+// Cut into packets so that an S is at the end of one. After garbage it must be a complete word.
 TEST(CommandParser, AnSAfterNonsenseWaitsForTheEndOfItsWord)
 {
     EXPECT_EQ(parsed("S", 1), "S");

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-// The numbers are Hamlib 4.5.4's; more of them are in the recorded exchanges.
+// The values of Hamlib 4.5.4. The recorded exchanges have more of them.
 namespace boresight::rotctld {
 namespace {
 
@@ -24,7 +24,7 @@ TEST(Conversions, LocatorsOfPlacesAndBack)
     }
 }
 
-// Every square's centre lies in the square.
+// The centre of every square lies in this square.
 TEST(Conversions, LocatorOfACentreIsTheLocator)
 {
     for (const char* locator : {"AA00AA", "RR99XX", "JO22AA", "IO91WM", "QF56OD", "FN31PR"}) {

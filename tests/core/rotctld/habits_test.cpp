@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a client's habits tell about it: how often it asks, how coarsely it follows its target.
+// What the behaviour of a client shows: how often it sends, and how coarsely it tracks its target.
 #include "core/rotctld/command_rate.h"
 #include "core/rotctld/point_steps.h"
 
@@ -103,7 +103,7 @@ TEST_F(PointStepsTest, CorrectionsOfALeapDoNotHideIt)
 TEST_F(PointStepsTest, AFastTargetIsNoLeap)
 {
     for (int i = 0; i < 20; ++i) {
-        point(8.0 * i, 80.0, 1s);  // 8°/s near the zenith, said as often as can be
+        point(8.0 * i, 80.0, 1s);  // 8°/s near the zenith, sent as often as possible
     }
     EXPECT_FALSE(steps.leap());
 }

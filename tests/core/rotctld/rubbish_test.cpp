@@ -6,7 +6,7 @@
 #include <random>
 #include <string>
 
-// Nothing that is not meant for a rotator may move or stop the mount: not as it comes, not cut into packets.
+// Data that is not meant for a rotator must neither move nor stop the mount, complete or cut into packets.
 namespace boresight::rotctld {
 namespace {
 
@@ -16,7 +16,7 @@ struct Rubbish
 {
     const char* name;
     std::string bytes;
-    bool recognised;  // by its first line
+    bool recognised;  // by the first line
 };
 
 const std::vector<Rubbish>& corpus()
@@ -58,7 +58,7 @@ const std::vector<Rubbish>& corpus()
 class RotctldRubbish : public ::testing::TestWithParam<Rubbish>
 {};
 
-// REQ-ROTCTLD-03 (RotctldRubbish.*): Nothing that a browser, a port scanner or a program with another protocol sends
+// REQ-ROTCTLD-03 (RotctldRubbish.*): Nothing that a browser, a port scanner or a program with a foreign protocol sends
 // moves or stops the mount.
 TEST_P(RotctldRubbish, MovesNothing)
 {
@@ -115,7 +115,7 @@ TEST(RotctldRubbishFuzz, RandomBytesMoveNothing)
     }
 }
 
-// Damaged commands may be understood or not, but what reaches the rotator is always finite, and replies keep their
+// Damaged commands may or may not be understood. What reaches the rotator is always finite, and replies keep their
 // form.
 TEST(RotctldRubbishFuzz, DamagedCommandsStayHarmless)
 {

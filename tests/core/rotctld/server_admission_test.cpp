@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Who may connect, and how many.
+// Which clients may connect, and how many.
 #include "tests/core/rotctld/server_fixture.h"
 
 #include <arpa/inet.h>
@@ -19,7 +19,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// Every address of 127.0.0.0/8 is this computer, and another host to the server.
+// Every address of 127.0.0.0/8 is this computer, but the server takes each for a different host.
 Descriptor connectAs(const char* own, std::uint16_t port)
 {
     Descriptor socket(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0));
@@ -48,8 +48,8 @@ TEST(RotctldServer, RefusesClientsAboveItsLimit)
     EXPECT_EQ(fixture.connect()->ask("p\n", 2), "0.00\n0.00\n");
 }
 
-// Story: one computer held every slot, and the tracking program of another one could not connect.
-// REQ-ROTCTLD-09a: One host holds at most three quarters of the slots.
+// Story: one computer used every slot, and the tracking program of another computer could not connect.
+// REQ-ROTCTLD-09a: One host uses at most three quarters of the slots.
 TEST(RotctldServer, OneHostLeavesSlotsToTheOthers)
 {
     ServerFixture fixture({.host = "0.0.0.0", .maxClients = 4});
@@ -118,7 +118,7 @@ TEST(RotctldServer, QueuesConnectsBackToBack)
     ServerFixture fixture;
     std::vector<std::unique_ptr<fakes::TcpPeer>> peers;
     bool serving = false;
-    for (int i = 0; i < 128; ++i) {  // while the server is busy with something else
+    for (int i = 0; i < 128; ++i) {  // while the server is busy with another task
         peers.push_back(std::make_unique<fakes::TcpPeer>("127.0.0.1", fixture.server->port(), [&serving] {
             if (serving) {
                 ServerFixture::turn();
@@ -132,8 +132,8 @@ TEST(RotctldServer, QueuesConnectsBackToBack)
     }
 }
 
-// REQ-ROTCTLD-06: A shortage of descriptors leaves connected clients alone and new ones waiting. 32 descriptors are
-// left to the journal, the log and the bus.
+// REQ-ROTCTLD-06: When file descriptors run out, connected clients keep working and new ones wait. 32 descriptors are
+// reserved for the journal, the log and the bus.
 TEST(RotctldServer, SurvivesDescriptorShortage)
 {
     ServerFixture fixture;
@@ -143,7 +143,7 @@ TEST(RotctldServer, SurvivesDescriptorShortage)
     do {
         hoard.emplace_back(::dup(0));
     } while (hoard.back().valid());
-    hoard.resize(hoard.size() - 2);  // the failed one, and one for the next client's own end
+    hoard.resize(hoard.size() - 2);  // frees the failed one, and one for the client end of the next connection
     const auto waiting = fixture.connect();
     ASSERT_TRUE(waiting->connected());
     ServerFixture::turn();
@@ -156,7 +156,7 @@ TEST(RotctldServer, SurvivesDescriptorShortage)
     EXPECT_EQ(waiting->ask("p\n", 2), "0.00\n0.00\n");
 }
 
-// Story: with a limit of 64 descriptors the clients held all of them, and the journal could not be written any more.
+// Story: with a limit of 64 descriptors the clients used all of them, and the journal could not be written any more.
 // REQ-ROTCTLD-06
 TEST(RotctldServer, LeavesDescriptorsForTheJournal)
 {

@@ -14,8 +14,8 @@
 
 namespace boresight::rotctld {
 
-// A server on a free port of the loop-back interface with the dummy behind it and a clock that the test turns.
-// Everything runs on the test's thread; a peer's pump turns the event loop once.
+// A server on a free loopback port with the dummy behind it and a clock that the test turns. Everything runs on the
+// test's thread. The pump of a peer runs the event loop once.
 struct ServerFixture
 {
     explicit ServerFixture(ServerSettings settings = {}, DumpStateForm form = DumpStateForm::OldAndNew)
@@ -29,8 +29,8 @@ struct ServerFixture
     {
         return std::make_unique<fakes::TcpPeer>("127.0.0.1", server->port(), &ServerFixture::turn);
     }
-    // Exactly one pass of the event loop. QTest::qWait(0) makes as many as fit into a millisecond, so that what a test
-    // sees of the server's budgets would depend on the machine.
+    // Exactly one pass of the event loop. QTest::qWait(0) makes as many passes as fit into a millisecond, so the result
+    // of a test of the server's budgets would depend on the computer.
     static void turn() { QCoreApplication::processEvents(QEventLoop::AllEvents); }
     void elapse(std::chrono::milliseconds time)
     {

@@ -25,9 +25,9 @@ std::string repeated(std::string_view command, int count)
 
 // REQ-ROTCTLD-02: Each reply leaves in one write, in the order of the commands, without waiting for a drive. Default
 // replies to `p` and `P` have less than 128 bytes.
-// REQ-ROTCTLD-05 (RotctldServer.*): One client cannot harm another or the tick: one pass of the event loop runs at
-// most 96 commands. A pause, half a line, a flood, unread replies or a line without end stay with their client, which
-// is dropped with a reason where it must be.
+// REQ-ROTCTLD-05 (RotctldServer.*): One client cannot harm another client or the tick. One pass of the event loop
+// handles at most 96 commands. A pause, half a line, a flood, unread replies or an endless line affects its own client
+// only. If necessary that client is dropped with a reason.
 TEST(RotctldServer, AnswersInOneSegmentEach)
 {
     ServerFixture fixture;
@@ -41,7 +41,7 @@ TEST(RotctldServer, AnswersInOneSegmentEach)
     EXPECT_LT(std::ranges::max(peer->segments()), 128U);
 }
 
-// The best of many: who waits for a drive does so each time, what else this computer has to do not.
+// The best of many rounds: a server that waits for a drive is slow in every round, other load of this computer is not.
 // REQ-ROTCTLD-02
 TEST(RotctldServer, AnswersAtOnceWithoutDrive)
 {
@@ -87,9 +87,9 @@ TEST(RotctldServer, DropsWhoNeverReads)
     ServerFixture fixture;
     const auto deaf = fixture.connect();
     const auto other = fixture.connect();
-    deaf->send(repeated("1\n", 20'000), 200ms);  // the answer to each is a good kilobyte
+    deaf->send(repeated("1\n", 20'000), 200ms);  // the reply to each is more than a kilobyte
     for (int i = 0; i < 10'000; ++i) {
-        ServerFixture::turn();  // until the kernel takes no more
+        ServerFixture::turn();  // until the kernel accepts no more
     }
     EXPECT_EQ(other->ask("p\n", 2), "0.00\n0.00\n");
     fixture.elapse(9s);
@@ -126,11 +126,11 @@ TEST(RotctldServer, DropsHalfACommandAfterAMinute)
     fixture.elapse(2s);
     EXPECT_EQ(fixture.goneReason(), "dropped: left a command unfinished");
     fixture.elapse(1h);
-    EXPECT_EQ(idle->ask("p\n", 2), "0.00\n0.00\n");  // who says nothing may stay
+    EXPECT_EQ(idle->ask("p\n", 2), "0.00\n0.00\n");  // a silent client may stay connected
 }
 
-// It reads its answers and sends 5000 commands in each second of the hand-turned clock, in which the server gets a few
-// turns for at most eight of them each: commands wait all the time, on a fast machine as on a slow one.
+// It reads its replies and sends 5000 commands in each second of the hand-turned clock. In this second the server gets
+// a few turns with at most eight commands each. So commands wait all the time, on a fast computer as on a slow one.
 TEST(RotctldServer, DropsAFloodAfterTenSeconds)
 {
     ServerFixture fixture;
@@ -152,7 +152,7 @@ TEST(RotctldServer, DropsAFloodAfterTenSeconds)
     EXPECT_EQ(fixture.server->clients().size(), 1U);
 }
 
-// The control tick shares the event loop: one turn must stay short whatever the clients send.
+// The control tick shares the event loop: one pass must stay short whatever the clients send.
 TEST(RotctldServer, BoundsTheWorkOfOneTurn)
 {
     ServerFixture fixture;
@@ -178,9 +178,9 @@ TEST(RotctldServer, BoundsTheWorkOfOneTurn)
         turn();
     }
     EXPECT_EQ(fixture.rotator.questions, 100 * 400);
-    EXPECT_GE(most, 32);  // so that this test did see a busy turn
-    // Four commands each of 8 clients that are ready and 8 that wait, and 8 more if their timer falls into the same
-    // pass.
+    EXPECT_GE(most, 32);  // so this test did see a busy pass
+    // Four commands each of 8 clients that are ready and of 8 that wait, and of 8 more if their timer falls into the
+    // same pass.
     EXPECT_LE(most, 96);
 }
 
@@ -203,8 +203,8 @@ TEST(RotctldServer, DeliversRepliesBeforeItCloses)
     EXPECT_FALSE(fixture.rotator.lastRequest.has_value());
 }
 
-// REQ-ROTCTLD-07: `M` ends with the connection, a `P` stands. The Rotator learns of each end with its reason, within
-// 10 s also when the other computer vanished (TCP keep-alive).
+// REQ-ROTCTLD-07: `M` ends with the connection, the target of a `P` stays. The Rotator is notified of each end with its
+// reason, within 10 s even if the other computer vanished (TCP keep-alive).
 TEST(RotctldServer, TellsWhoLeftAndWhy)
 {
     ServerFixture fixture;
@@ -214,7 +214,7 @@ TEST(RotctldServer, TellsWhoLeftAndWhy)
     ServerFixture::turn();
     EXPECT_EQ(fixture.goneReason(), "closed the connection");
     fixture.elapse(1s);
-    EXPECT_TRUE(fixture.rotator.motion().movingRight);  // its last target stands
+    EXPECT_TRUE(fixture.rotator.motion().movingRight);  // its last target stays
 
     const auto resetting = fixture.connect();
     EXPECT_EQ(resetting->ask("M LEFT 50\n"), "RPRT 0\n");
@@ -243,8 +243,8 @@ TEST(RotctldServer, ListsItsClients)
     EXPECT_EQ(clients[1].oddCommands, 1U);
 }
 
-// REQ-ROTCTLD-1410: The list of the clients shows beside the last command of each why it was refused, in words, until
-// the next command.
+// REQ-ROTCTLD-1410: If the last command of a client was refused, the list of the clients shows the reason in words
+// until the next command.
 TEST(RotctldServer, ListsWhyTheLastCommandWasRefused)
 {
     ServerFixture fixture;
@@ -257,8 +257,8 @@ TEST(RotctldServer, ListsWhyTheLastCommandWasRefused)
     EXPECT_EQ(fixture.server->clients()[0].lastCommand.toStdString(), "P 12.34 5.60");
 }
 
-// REQ-ROTCTLD-1411: The list of the clients shows beside the last command what became of an accepted target where the
-// mount does not go to what the client wrote.
+// REQ-ROTCTLD-1411: If the mount does not go to exactly what the client wrote, the list of the clients shows the
+// difference beside the last command.
 TEST(RotctldServer, ListsWhatBecameOfTheLastTarget)
 {
     ServerFixture fixture;
@@ -288,8 +288,8 @@ TEST(RotctldServer, HangsUpOnOneClientOnRequest)
     EXPECT_EQ(other->ask("p\n", 2), "0.00\n0.00\n");
 }
 
-// REQ-ROTCTLD-10: Of each client the station knows which program it probably is, how often it asks, when it last asked
-// for a motion, and whether it leaps, also while it is refused.
+// REQ-ROTCTLD-10: For each client the station knows the probable program, how often it sends, when it last asked for a
+// motion, and whether its targets jump. This also holds while the client is refused.
 TEST(RotctldServer, TellsHowAClientBehaves)
 {
     ServerFixture fixture;

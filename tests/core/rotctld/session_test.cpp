@@ -30,8 +30,8 @@ struct SessionFixture : public ::testing::Test
 
 using RotctldSession = SessionFixture;
 
-// REQ-ROTCTLD-04: A position is a direction: azimuth -3600°…3600°, elevation -90°…180°. Anything else is RPRT -1 and
-// never reaches the Rotator.
+// REQ-ROTCTLD-04: A position is a direction: azimuth -3600°…3600°, elevation -90°…180°. Anything else is answered with
+// RPRT -1 and never reaches the Rotator.
 TEST_F(RotctldSession, RefusesWhatIsNoPosition)
 {
     for (const char* command :
@@ -40,7 +40,7 @@ TEST_F(RotctldSession, RefusesWhatIsNoPosition)
         EXPECT_EQ(answer(command), "RPRT -1\n") << command;
     }
     EXPECT_FALSE(rotator.lastRequest.has_value());
-    EXPECT_EQ(answer("P 1000.5 -90\n"), "RPRT -1\n");  // any turn reaches the Rotator; this one has limits
+    EXPECT_EQ(answer("P 1000.5 -90\n"), "RPRT -1\n");  // every wrap reaches the Rotator, and this one has limits
     EXPECT_NEAR(rotator.lastRequest->azimuth.degrees(), 1000.5, 1e-4);
     EXPECT_NEAR(rotator.lastRequest->elevation.degrees(), -90.0, 1e-9);
 }
@@ -58,7 +58,7 @@ TEST_F(RotctldSession, RefusedLinesKeepTheirDegreeSigns)
     EXPECT_EQ(rotator.remarks.back().find('\x1b'), std::string::npos);
 }
 
-// Found by the fuzzer: the minutes became seconds beyond the largest number, and the client was told "inf" degrees.
+// Found by the fuzzer: the minutes in seconds exceeded the largest number, and the client received "inf" degrees.
 TEST_F(RotctldSession, AnswersNoInfiniteNumber)
 {
     EXPECT_EQ(answer("E 0 1e308 0\n"), "RPRT -1\n");
@@ -86,7 +86,7 @@ TEST_F(RotctldSession, HandsTheRotatorsErrorsOn)
     EXPECT_TRUE(session.ending().isEmpty());
 }
 
-// REQ-ROTCTLD-08: Clients cannot change limits or anything else of the profile.
+// REQ-ROTCTLD-08: Clients can change neither limits nor other settings of the profile.
 TEST_F(RotctldSession, RefusesConfiguration)
 {
     for (const char* token : {"min_az", "max_az", "min_el", "max_el", "south_zero"}) {
@@ -97,7 +97,7 @@ TEST_F(RotctldSession, RefusesConfiguration)
     EXPECT_EQ(rotator.limits().maxAzimuth, 450_deg);
 }
 
-// Hamlib 4.0 … 4.5.0 takes lines 3 to 6 by position, later ones the tagged lines (core/rotctld/HAMLIB.md).
+// Hamlib 4.0 … 4.5.0 reads lines 3 to 6 by position, later versions the tagged lines (core/rotctld/HAMLIB.md).
 TEST_F(RotctldSession, DumpsItsStateForOldAndNewClients)
 {
     EXPECT_EQ(answer("\\dump_state\n"),
@@ -136,10 +136,10 @@ TEST_F(RotctldSession, CountsAndTellsOddCommands)
 {
     EXPECT_EQ(answer("Z what\n\\foo\nP nan 1\nv FOO\n"), "RPRT -1\nRPRT -1\n");
     EXPECT_EQ(session.habits().oddCommands(), 4U);
-    ASSERT_EQ(rotator.remarks.size(), 3U);  // then only counted
+    ASSERT_EQ(rotator.remarks.size(), 3U);  // further ones are only counted
     EXPECT_EQ(rotator.remarks[0], "unknown command \"Z what\"");
     EXPECT_EQ(session.habits().lastCommand().toStdString(), "v FOO");
-    EXPECT_EQ(answer("0\n0\n0\n0\n0\np\n0\n"), "0.00\n0.00\n");  // a good one in between starts the count anew
+    EXPECT_EQ(answer("0\n0\n0\n0\n0\np\n0\n"), "0.00\n0.00\n");  // a good command in between restarts the count
     EXPECT_EQ(answer("0\n0\n0\n0\n0\n0\n0\np\n"), "");
     EXPECT_EQ(session.ending().toStdString(), "sent 8 unknown commands in a row");
     EXPECT_TRUE(session.dropped());

@@ -10,7 +10,7 @@
 namespace boresight {
 namespace {
 
-// Story: a CAN adapter that got the name of an unplugged sensor was opened as that sensor.
+// Story: a CAN adapter received the device name of an unplugged sensor, and was opened as that sensor.
 TEST(StablePort, AnotherDeviceTakesItsPlaceOnlyAsASpareOne)
 {
     const QTemporaryDir folder;

@@ -43,7 +43,7 @@ TEST(AxisPlant, StaticFrictionHoldsUntilItBreaksAway)
 TEST(AxisPlant, FrictionlessPendulumKeepsItsEnergy)
 {
     PlantSettings settings = kFrictionless;
-    settings.gravityTorque = 10.0;  // zero torque a quarter turn from level: swings about 0.25
+    settings.gravityTorque = 10.0;  // no torque a quarter turn from level: the axis swings about 0.25
     AxisPlant plant(settings, 0.2);
     double most = 0.0;
     for (int i = 0; i < 60000; ++i) {
@@ -103,7 +103,7 @@ TEST(AxisPlant, LoadFollowsBehindTheBacklash)
     EXPECT_NEAR(plant.loadPosition(), plant.position() - 0.001, 1e-9) << "wind takes up the gap";
 }
 
-// REQ-TUNING-20: The simulated gear has a gap in which the motor feels no friction of the load, if it is told so.
+// REQ-TUNING-20: If configured, the simulated gear has a gap in which the motor feels no friction of the load.
 TEST(AxisPlant, TheMotorDoesNotFeelTheLoadInsideTheGap)
 {
     AxisPlant plant({.inertia = 10.0,
@@ -116,7 +116,8 @@ TEST(AxisPlant, TheMotorDoesNotFeelTheLoadInsideTheGap)
     run(plant, 2.0, {.driveTorque = 6.0});
     run(plant, 2.0, {});
     const double turned = plant.position();
-    run(plant, 5.0, {.driveTorque = -2.2});  // more than the motor's own friction, less than that of both
+    // more than the motor's own friction, less than the friction of motor and load
+    run(plant, 5.0, {.driveTorque = -2.2});
     EXPECT_NEAR(plant.position(), turned - 0.002, 3e-4) << "across the gap, and no farther";
     EXPECT_EQ(plant.velocity(), 0.0);
     run(plant, 1.0, {.driveTorque = -6.0});

@@ -12,7 +12,7 @@
 namespace boresight::sim {
 namespace {
 
-// The far side of a bus: what the server sends is kept, what the host says is put in by hand.
+// The far end of a bus. It keeps what the server sends, and the test puts in the frames of the host.
 class HeldLink final : public CanLink
 {
 public:

@@ -14,7 +14,7 @@ namespace {
 
 using moteus::Mode;
 
-// One drive by its console, behind the tunnel's back.
+// One drive by its console, without the tunnel of the bus.
 class DiagnosticConsoleTest : public testing::Test
 {
 protected:

@@ -20,8 +20,8 @@ std::string stdText(const QJsonObject& object, const char* key)
     return object.value(QLatin1String(key)).toString().toStdString();
 }
 
-// REQ-SIM-11 (FdcanusbServerGolden.*): Adapter lines are as recorded, each answered in its own style, also half lines
-// and ERR texts.
+// REQ-SIM-11 (FdcanusbServerGolden.*): The simulated adapter reads and writes lines as recorded. Each line is answered
+// in its own style. This includes half lines and ERR texts.
 TEST(FdcanusbServerGolden, ReadsTheClientsLines)
 {
     for (const QJsonValue& value : golden::vectors("serial_lines")) {
@@ -39,7 +39,7 @@ TEST(FdcanusbServerGolden, ReadsTheClientsLines)
     }
 }
 
-// The lines with flags are an adapter's; a moteus UART leaves the flags away, which the simulator never does.
+// Lines with flags come from an adapter. A moteus UART leaves the flags out, and the simulator never does.
 TEST(FdcanusbServerGolden, WritesReceivedFramesLikeTheAdapter)
 {
     int compared = 0;

@@ -16,7 +16,7 @@
 namespace boresight::sim {
 namespace {
 
-// A client of the terminal: opens the link, writes and collects, without blocking.
+// A client of the terminal: opens the link, writes, and collects the output without blocking.
 class Client
 {
 public:
@@ -64,7 +64,8 @@ protected:
     std::unique_ptr<PtyServer> server;
 };
 
-// REQ-SIM-12 (PtyServerTest.*): A client may close the terminal and come back. The link goes with the server.
+// REQ-SIM-12 (PtyServerTest.*): A client may close the terminal and come back. The symbolic link disappears with the
+// server.
 TEST_F(PtyServerTest, AnswersRealBytes)
 {
     Client client(link);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The simulated sensor at a real broker, heard by the source that hears the real one.
+// The simulated sensor at a real broker. The source for the real sensor receives it.
 #include "core/sim_sensor/sensor_publisher.h"
 
 #include "core/orientation_stream/mqtt_source.h"
@@ -38,7 +38,7 @@ protected:
         publisher->client().open(mqtt::onLoopback(broker->port()));
         ASSERT_TRUE(fakes::waitUntil([this] { return publisher->client().isConnected(); }));
     }
-    // Topics of what is published meanwhile, as the listener hears them.
+    // The topics that are published meanwhile, as the listener receives them.
     std::vector<std::string> heardIn(int seconds)
     {
         listener.messages.clear();
@@ -65,8 +65,8 @@ protected:
     std::unique_ptr<SensorPublisher> publisher;
 };
 
-// REQ-SIM-16 (SensorPublisherTest.*): The sensor publishes at a real broker on the topics, at the rates and in the
-// manner of its firmware, and comes back.
+// REQ-SIM-16 (SensorPublisherTest.*): The sensor publishes at a real broker on the topics, at the rates and in the form
+// of its firmware. It reconnects.
 TEST_F(SensorPublisherTest, PublishesThreeTopicsAtTheRatesOfTheFirmware)
 {
     begin();

@@ -114,8 +114,8 @@ private:
 class ModeSequenceGolden : public testing::TestWithParam<double>
 {};
 
-// Modes and faults must be the same; times within two steps and the 0.1 ms the vectors are rounded to.
-// REQ-SIM-02 (ModeSequenceGolden.*): Modes and fault codes are the firmware's, times within two steps.
+// Modes and faults must be the same. Times may differ by two steps and by 0.1 ms, the rounding of the vectors.
+// REQ-SIM-02 (ModeSequenceGolden.*): Modes and fault codes are those of the firmware, with times within two steps.
 TEST_P(ModeSequenceGolden, ChangesModeLikeTheFirmware)
 {
     const double dt = GetParam();
@@ -123,8 +123,8 @@ TEST_P(ModeSequenceGolden, ChangesModeLikeTheFirmware)
         const QJsonObject vector = value.toObject();
         SCOPED_TRACE(vector[QLatin1String("name")].toString().toStdString());
         const QJsonArray expected = vector[QLatin1String("transitions")].toArray();
-        // 80 ms past the last change: longer than the 50 ms watchdogs that must not act, shorter than the next one that
-        // may.
+        // 80 ms past the last change. This is longer than the 50 ms watchdogs that must not act, and shorter than the
+        // next one that may act.
         const double end = expected.last().toArray()[0].toDouble() + 0.08;
         const std::vector<Transition> seen = SequencePlayer(vector, dt).play(end);
         ASSERT_EQ(seen.size(), static_cast<std::size_t>(expected.size()));

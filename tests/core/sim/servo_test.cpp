@@ -15,7 +15,7 @@ using moteus::Mode;
 
 constexpr double kServoStep = 1e-3;
 
-// One drive and its axis, without noise, fed from a stiff 24 V.
+// One drive and its axis, without noise, with a stiff 24 V supply.
 class ServoOnPlant : public testing::Test
 {
 protected:
@@ -36,13 +36,13 @@ protected:
             lowestPower = std::min(lowestPower, out.power);
         }
     }
-    // Holds where it stands, without a watchdog unless asked.
+    // Holds its position, without a watchdog unless given.
     void hold(double watchdog = kNone)
     {
         servo.command({.mode = Mode::Position, .position = kNone, .watchdogTimeout = watchdog});
         run(0.05);
     }
-    // Three times what the friction holds.
+    // Three times the torque that friction can hold.
     void unbalance() { plant.settings().gravityTorque = 30.0; }
 
     DriveConfig config;
@@ -58,8 +58,8 @@ constexpr double degrees(double turns)
     return turns * 360.0;
 }
 
-// 30 Nm against 5.5 Nm of friction on 12 kg·m² for the 13.5 ms without power: ½·a·t² = 0.009°.
-// REQ-SIM-03: While the driver is enabled there are 13 ms without power: an unbalanced elevation sags.
+// 30 Nm against 5.5 Nm of friction on 12 kg·m² during 13.5 ms without power: ½·a·t² = 0.009°.
+// REQ-SIM-03: Enabling the driver takes 13 ms without power, in which an unbalanced elevation axis sags.
 TEST_F(ServoOnPlant, UnbalancedElevationSagsWhileTheDriverIsEnabled)
 {
     unbalance();
@@ -95,7 +95,7 @@ TEST_F(ServoOnPlant, LoadedAxisCreepsInZeroVelocity)
     EXPECT_GT(degrees(plant.position() - start), 1.0) << "down is towards positive turns";
 }
 
-// REQ-SIM-04: Time-out modes 0, 10, 12, 15 let fall, hold, creep, damp.
+// REQ-SIM-04: Time-out modes 0, 10, 12 and 15 let the axis fall, hold it, let it creep, and damp it.
 TEST_F(ServoOnPlant, TimeoutModeHoldKeepsALoadedAxis)
 {
     unbalance();
@@ -125,13 +125,13 @@ TEST_F(ServoOnPlant, TimeoutModeBrakeDampsButDoesNotHold)
     const double start = plant.position();
     run(1.0);
     EXPECT_GT(plant.position(), start);
-    // Terminal speed: what gravity leaves over friction, divided by the damping of the shorted motor.
+    // Terminal speed: gravity minus friction, divided by the damping of the shorted motor.
     const double expected = (30.0 * std::cos(std::numbers::pi / 4.0) - 5.5) / (brakeDamping(config) + 5.0);
     EXPECT_NEAR(plant.velocity() * 2.0 * std::numbers::pi, expected, 0.2 * expected);
 }
 
-// 6 °/s when the last command arrives: watchdog 0.1 s, then the default deceleration.
-// REQ-SIM-05: 0.2 s after the last command at full speed the axis has less than 0.3°/s.
+// 6°/s when the last command arrives: watchdog 0.1 s, then the default deceleration.
+// REQ-SIM-05: 0.2 s after the last command at full speed the axis is slower than 0.3°/s.
 TEST_F(ServoOnPlant, WatchdogStopsAMovingAxisWithinTwoTenths)
 {
     const ServoCommand full{.mode = Mode::Position,
@@ -150,7 +150,7 @@ TEST_F(ServoOnPlant, WatchdogStopsAMovingAxisWithinTwoTenths)
     EXPECT_LT(std::abs(degrees(plant.velocity())), 0.3);
 }
 
-// The firmware: 2·pi · kg·m² · turns/s² of its own planner.
+// As in the firmware: 2·pi · kg·m² · turns/s² of its own planner.
 TEST_F(ServoOnPlant, InertiaFeedforwardGivesTheTorqueOfThePlannedAcceleration)
 {
     config.servo.inertiaFeedforward = 20.0;
@@ -261,7 +261,7 @@ TEST_F(ServoOnPlant, PushedOutsideTheBoundsTheOutwardCurrentFades)
 }
 
 // REQ-SIM-940: A velocity without a position ends at the drive's own position bounds, as in the firmware. Only a
-// command that ignores them runs on.
+// command that ignores the bounds runs on.
 TEST_F(ServoOnPlant, AVelocityEndsAtTheBounds)
 {
     hold();
@@ -298,7 +298,7 @@ TEST_F(ServoOnPlant, StayWithinPushesBackOnlyOutside)
     EXPECT_GT(plant.position(), here - 0.015) << "and no further than it coasts";
 }
 
-// The factory leaves the integrator off: a constant load costs torque/kp.
+// The factory setting switches the integrator off: a constant load causes an error of torque/kp.
 TEST_F(ServoOnPlant, WithoutIntegratorALoadCostsAConstantError)
 {
     config.servo.gains.ilimit = 0.0;
@@ -325,7 +325,7 @@ TEST_F(ServoOnPlant, ShiftedFrameMovesNothing)
     hold();
     run(1.0);
     const double before = plant.position();
-    plant.place(before + 1.0);  // the same place, counted from elsewhere
+    plant.place(before + 1.0);  // the same position with another origin of the count
     plant.settings().stopMax += 1.0;
     plant.settings().levelAt += 1.0;
     config.positionMax += 1.0;
@@ -334,8 +334,8 @@ TEST_F(ServoOnPlant, ShiftedFrameMovesNothing)
     EXPECT_NEAR(plant.position(), before + 1.0, 1e-5);
 }
 
-// Kv 300 at 100:1: 2.76 Nm/A, so 30 A make 82.7 Nm.
-// REQ-SIM-06 (CurrentLimits.*): Limits 96…104 act and show. A blocked axis shows torque.
+// Kv 300 at 100:1 gives 2.76 Nm/A, so 30 A give 82.7 Nm.
+// REQ-SIM-06 (CurrentLimits.*): Limits 96…104 act and are reported. A blocked axis reports torque.
 TEST(CurrentLimits, TorqueFollowsKvAndRatio)
 {
     const DriveConfig config = commissionedDrive(Axis::Azimuth);

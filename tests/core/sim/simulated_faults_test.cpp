@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What goes wrong on request: the line, the drives, the supply and the axes.
+// Faults on request: of the line, the drives, the supply and the axes.
 #include "tests/core/sim/simulated_link_rig.h"
 
 namespace boresight {
@@ -9,7 +9,7 @@ using moteus::Mode;
 using moteus::Register;
 using sim::FaultKind;
 
-// REQ-SIM-10 (SimulatedLinkTest.*): Each fault comes on request, at a time, for a time, or switched live.
+// REQ-SIM-10 (SimulatedLinkTest.*): Each fault can be requested, at a time, for a duration, or switched on and off.
 TEST_F(SimulatedLinkTest, SilenceIsSilentButTheDriveActs)
 {
     const auto handle = inject(FaultKind::Silence);
@@ -94,7 +94,7 @@ TEST_F(SimulatedLinkTest, DriveFaultComesAtOnceAndReturnsOnEnabling)
     EXPECT_EQ(ask(1)->mode(), Mode::Position);
 }
 
-// Story: an injected limit put the drive into fault mode, where a real one works on and names what holds it back.
+// Story: an injected limit put the drive into fault mode. A real drive works on and reports the limit that is active.
 TEST_F(SimulatedLinkTest, ALimitIsToldWhileTheDriveWorksOn)
 {
     inject(FaultKind::DriveFault, 100.0);
@@ -108,8 +108,8 @@ TEST_F(SimulatedLinkTest, ALimitIsToldWhileTheDriveWorksOn)
     EXPECT_NEAR(*reply->value(Register::Position), 0.01, 1e-3);
 }
 
-// REQ-SIM-09: After power-up the home state is 1 and the position within half a rotor turn. An output encoder knows
-// the direction only.
+// REQ-SIM-09: After power-up the home state is 1 and the position is within half a turn of the rotor. With an output
+// encoder only the direction is known.
 TEST_F(SimulatedLinkTest, PowerCycleForgetsTheTurn)
 {
     drive(4.0, 1, moveTo(0.3));
@@ -124,7 +124,7 @@ TEST_F(SimulatedLinkTest, PowerCycleForgetsTheTurn)
     EXPECT_EQ(reply->homeState(), moteus::HomeState::Rotor);
     EXPECT_LE(std::abs(*reply->value(Register::Position)), 0.5 / 100.0 + 2e-5) << "within half a rotor turn";
     EXPECT_NEAR(link.truth(Axis::Azimuth).angle.degrees(), 200.0, 0.02);
-    // Told roughly where it is, it knows the place exactly again.
+    // After an approximate position was set, the drive knows the exact position again.
     ask(1, moteus::SetOutputNearest{200.5 / 360.0});
     EXPECT_EQ(ask(1)->homeState(), moteus::HomeState::Output);
     EXPECT_NEAR(*ask(1)->value(Register::Position) * 360.0, 200.0, 0.02);
@@ -163,8 +163,9 @@ TEST_F(SimulatedLinkTest, StallShowsAsTorque)
     EXPECT_EQ(ask(1)->fault(), static_cast<int>(sim::ActiveLimit::MaxCurrent));
 }
 
-// The drive's integrator keeps what it has gathered: an order to stay where the axis is does not end it.
-// REQ-SIM-10b: A stalled axis is pushed on by the drive's integrator when it is ordered to stay where it is.
+// The integrator of the drive keeps its value: a command to stay where the axis is does not clear it.
+// REQ-SIM-10b: The integrator of the drive keeps pushing a stalled axis when the drive is commanded to stay where the
+// axis is.
 TEST_F(SimulatedLinkTest, AStalledAxisIsPushedOnWhenItIsOrderedToStayWhereItIs)
 {
     drive(0.5, 1, moveTo(0.0));

@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-// The simulated pair of drives behind its link, asked and driven frame by frame. The clock is turned by hand.
+// The simulated pair of drives behind its link, queried and commanded frame by frame. The clock is turned by hand.
 namespace boresight {
 
 inline CanFrame encoded(const moteus::Request& request)
@@ -44,7 +44,7 @@ protected:
         QObject::connect(&link, &CanLink::frameReceived, [this](const CanFrame& frame) { received.push_back(frame); });
     }
 
-    // One exchange with one drive; empty if it stays silent.
+    // One exchange with one drive. Empty if the drive stays silent.
     std::optional<moteus::Reply> ask(std::uint8_t id, std::optional<moteus::Command> command = std::nullopt)
     {
         received.clear();

@@ -72,7 +72,7 @@ TEST_F(SimulatedLinkTest, StartOutsideTheBoundsFaults)
     EXPECT_EQ(other.truth(Axis::Azimuth).faultCode, 39);
 }
 
-// A pass crossing the zenith sector: azimuth up to 8°/s, elevation up to 1°/s, streamed at 50 Hz with rates.
+// A pass near the zenith: azimuth up to 8°/s, elevation up to 1°/s, streamed at 50 Hz with rates.
 // REQ-SIM-13
 TEST_F(SimulatedLinkTest, FollowsAStreamedPassInCalmAir)
 {
@@ -112,8 +112,8 @@ TEST_F(SimulatedLinkTest, FollowsAStreamedPassInCalmAir)
     EXPECT_LT(peak, 0.08);
 }
 
-// What the reference mount must be able to do: 12 °/s and 20 °/s² on both axes.
-// REQ-SIM-13: Both axes do 12 °/s and 20 °/s². A streamed pass is tracked within 0.02° rms of the antenna itself.
+// The performance of the reference mount: 12°/s and 20°/s² on both axes.
+// REQ-SIM-13: Both axes reach 12°/s and 20°/s². The antenna itself tracks a streamed pass within 0.02° rms.
 TEST_F(SimulatedLinkTest, BothAxesDoTwelveDegreesPerSecond)
 {
     const moteus::PositionCommand fast{.position = moteus::kKeepControlPosition,
@@ -174,8 +174,8 @@ TEST_F(SimulatedLinkTest, FactoryPairCollidesUntilAddressedByUuid)
     EXPECT_EQ(moteus::decodeReply(received[0])->value(Register::Mode), 0.0);
 }
 
-// Asking more often must not change what happens.
-// REQ-SIM-14: The same calls give the same run, however often it is asked in between.
+// More frequent queries must not change the result.
+// REQ-SIM-14: The same calls give the same run, however often the simulation is queried in between.
 TEST(SimulatedPair, RunsTheSameHoweverOftenItIsAsked)
 {
     const auto run = [](int polls) {

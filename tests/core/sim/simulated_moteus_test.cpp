@@ -50,8 +50,8 @@ protected:
     SimulatedMoteus drive{settings()};
 };
 
-// REQ-SIM-07 (SimulatedMoteusTest.*): Every readable register answers. A reply shows the state before the command.
-// Masked frames leave no trace.
+// REQ-SIM-07 (SimulatedMoteusTest.*): Every readable register answers. A reply shows the state before the command. A
+// frame for another UUID has no effect.
 TEST_F(SimulatedMoteusTest, EveryReadableRegisterAnswers)
 {
     int readable = 0;
@@ -78,7 +78,8 @@ TEST_F(SimulatedMoteusTest, IdentityWords)
     EXPECT_EQ(ask("198102"), "29810200010100") << "firmware 1.1.0";
 }
 
-// Command registers start with the device's defaults and show what was written; the state is still the one before.
+// Command registers start with the defaults of the drive and show what was written. The state in the reply is still the
+// one before.
 TEST_F(SimulatedMoteusTest, CommandRegistersReadBack)
 {
     EXPECT_EQ(ask("1d25"), "2d250000c842") << "maximum torque 100 Nm";
@@ -88,7 +89,7 @@ TEST_F(SimulatedMoteusTest, CommandRegistersReadBack)
 
 TEST_F(SimulatedMoteusTest, MaskedFrameOfAnotherDeviceLeavesNoTrace)
 {
-    // Brake first, then a mask that does not match: nothing of the frame happens and nobody answers.
+    // Brake, then a UUID mask that does not match: the frame has no effect, and there is no reply.
     EXPECT_EQ(ask("01000f09d402ffffffff1100"), "none");
     run(0.1);
     EXPECT_EQ(drive.servo().mode(), moteus::Mode::Stopped);
@@ -160,7 +161,7 @@ TEST_F(SimulatedMoteusTest, EncoderNoiseIsAboutOneCountAndCanBeSwitchedOff)
     EXPECT_EQ(silent.readRegister(Register::Velocity), 0.0);
 }
 
-// Gains are per turn of the output: a board fresh from the box counts turns of the motor.
+// Gains are per turn of the output. A board with factory settings counts turns of the motor.
 TEST_F(SimulatedMoteusTest, FactoryBoardCountsRotorTurns)
 {
     MoteusSettings factory{.plant = referenceAxis(Axis::Azimuth).plant, .position = 0.2537};
@@ -176,7 +177,7 @@ TEST_F(SimulatedMoteusTest, FactoryBoardCountsRotorTurns)
     EXPECT_EQ(fresh.servo().faultCode(), 39) << "outside the factory's bounds of 0.01";
 }
 
-// Hard work against a blocked gear warms the board, first to derating, then to the fault.
+// Hard work against a blocked gear heats the board, first to derating, then to the fault.
 // REQ-SIM-06
 TEST_F(SimulatedMoteusTest, OverloadHeatsTheBoard)
 {
@@ -192,7 +193,8 @@ TEST_F(SimulatedMoteusTest, OverloadHeatsTheBoard)
     EXPECT_GT(drive.readRegister(Register::Temperature), 50.0);
 }
 
-// Whatever somebody writes into its configuration or sends: the drive keeps answering and the mount stays a mount.
+// Whatever is written into its configuration or sent to it: the drive keeps replying, and the state of the axis stays
+// valid.
 TEST_F(SimulatedMoteusTest, SurvivesAnyConfigurationAndAnyBytes)
 {
     std::minstd_rand random(7);
@@ -200,7 +202,7 @@ TEST_F(SimulatedMoteusTest, SurvivesAnyConfigurationAndAnyBytes)
     std::vector<std::string> keys;
     DriveConfig listed;
     visitFields(listed, [&](std::string_view key, const ConfigField&) {
-        if (!key.starts_with("can.")) {  // a drive with another prefix no longer hears us
+        if (!key.starts_with("can.")) {  // a drive with another CAN prefix does not receive us any more
             keys.emplace_back(key);
         }
     });

@@ -26,7 +26,7 @@ struct SensorRig
 {
     explicit SensorRig(const SensorTruth& truth = {.noise = Angle{}}) : sensor(truth) {}
 
-    // The messages of so long, with the second of their arrival.
+    // The messages of this time, each with the second of its arrival.
     std::vector<SensorMessage> run(double seconds, const AxesAt& axes)
     {
         std::vector<SensorMessage> messages;
@@ -48,8 +48,8 @@ struct SensorRig
     std::vector<double> arrivals;
 };
 
-// REQ-SIM-15 (SimulatedSensor.*): The sensor on the antenna prints as its firmware does, averages, counts turns, is
-// steered by iron and fails on request.
+// REQ-SIM-15 (SimulatedSensor.*): The sensor on the antenna prints like its firmware, averages, counts turns, is
+// deflected by iron, and fails on request.
 TEST(SimulatedSensor, SpeaksAboutOnceASecondWhatIsRead)
 {
     SensorRig rig;
@@ -76,7 +76,7 @@ TEST(SimulatedSensor, SpeaksAboutOnceASecondWhatIsRead)
     }
 }
 
-// As the firmware was seen to print it.
+// The form that the firmware was observed to print.
 TEST(SimulatedSensor, PrintsAsTheFirmwareDoes)
 {
     const SensorMessage message{.time = UtcTime(std::chrono::milliseconds(1771493858412)),

@@ -11,7 +11,7 @@
 #include <numeric>
 #include <string>
 
-// Replies that say something else than the drive, come from somebody else, twice, or too late: as they arrive.
+// Replies with wrong content, from another sender, twice, or too late, as they arrive.
 namespace boresight::sim {
 namespace {
 
@@ -27,7 +27,7 @@ protected:
     {
         pair.faults().add({.kind = kind, .axis = axis, .value = value});
     }
-    // What arrives for one question, a tick later.
+    // What arrives for one query, a tick later.
     std::vector<moteus::Reply> ask(std::uint8_t id)
     {
         now += kTick;
@@ -57,8 +57,8 @@ protected:
 };
 
 // REQ-SIM-10a (SpoiledReplies.*): Replies come with a false, unset, infinite or missing position, without voltage or
-// temperatures, under another id, exchanged, doubled, stale. A share of them is edited at random by the seed alone. An
-// encoder slips.
+// temperatures, under another id, exchanged, doubled, or stale. A part of the replies is changed at random, determined
+// by the seed alone. An encoder slips.
 TEST_F(SpoiledReplies, AFalsePositionIsInTheReplyOnly)
 {
     inject(FaultKind::FalsePosition, 90.0);
@@ -162,7 +162,7 @@ TEST_F(SpoiledReplies, AShareIsEditedInEveryWay)
                : std::abs(*position * 360.0 - 100.0) > 0.009        ? "false"
                                                                     : "as it was"];
     }
-    const int asItWas = seen["as it was"] - kQuestions / 100;  // the stale ones of an axis that stands
+    const int asItWas = seen["as it was"] - kQuestions / 100;  // the stale replies of an axis that stands still
     EXPECT_NEAR(asItWas, 0.9 * kQuestions, 200);
     for (const auto& [kind, count] : seen) {
         EXPECT_GT(count, 130) << kind;

@@ -12,11 +12,11 @@
 namespace boresight::sim {
 namespace {
 
-constexpr double kFactoryAcceleration = 50.0;  // the configured default the vectors were made with
+constexpr double kFactoryAcceleration = 50.0;  // the configured default with which the vectors were made
 constexpr double kFactoryMaxVelocity = 500.0;
-constexpr double kCount = 1.0 / 65536.0;  // the device counts positions, the vectors show it
+constexpr double kCount = 1.0 / 65536.0;  // the drive counts positions, and the vectors show the counts
 
-// What the servo makes of the limits of a command.
+// The limits that the servo derives from a command.
 TrajectoryLimits limitsOf(const QJsonObject& command)
 {
     const double velocity = golden::number(command, "velocity_limit", NAN);
@@ -109,7 +109,7 @@ private:
             m_played.doneAt = time;
         }
     }
-    // The device's sample is taken within its own short step: compare with the nearer end of ours.
+    // The drive's sample is taken within its own short step, so the nearer end of the simulator's step is compared.
     void compare(double time, const ControlState& before)
     {
         while (m_sample < m_samples.size() && m_samples[m_sample].toArray()[0].toDouble() < time + m_dt - 1e-9) {
@@ -138,13 +138,14 @@ private:
     Played m_played;
 };
 
-// At the device's own rate and at the simulator's coarse one. The vectors suggest 0.002 turns, acceleration times step
-// and 10 ms; position is held four times closer here. The device overshoots a target by about one count and turns
-// back: that is worth sqrt(2·a·count) of velocity for a few sqrt(2·count/a) of time.
+// At the drive's own rate and at the coarse rate of the simulator. The vectors suggest 0.002 turns, acceleration times
+// step and 10 ms. Here the position tolerance is four times smaller. The drive overshoots a target by about one count
+// and turns back. This causes a velocity of sqrt(2·a·count) for a few sqrt(2·count/a) of time.
 class TrajectoryGolden : public testing::TestWithParam<double>
 {};
 
-// REQ-SIM-01 (TrajectoryGolden.*): Control trajectories are the firmware's within 0.0005 turns at 30 kHz and at 1 kHz.
+// REQ-SIM-01 (TrajectoryGolden.*): Control trajectories agree with the firmware within 0.0005 turns, at 30 kHz and at 1
+// kHz.
 TEST_P(TrajectoryGolden, FollowsTheFirmware)
 {
     const double dt = GetParam();
@@ -174,7 +175,7 @@ TEST_P(TrajectoryGolden, FollowsTheFirmware)
 INSTANTIATE_TEST_SUITE_P(Rates, TrajectoryGolden, testing::Values(1.0 / 30000.0, 1.0 / 1000.0),
                          [](const auto& rate) { return rate.param < 1e-3 ? "At30kHz" : "At1kHz"; });
 
-// Rest to rest takes d/v + v/a.
+// From standstill to standstill takes d/v + v/a.
 TEST(TrajectoryPlanner, CoarseStepsKeepTheClosedFormTime)
 {
     for (const double dt : {1.0e-2, 1.0e-3, 1.0e-4}) {
@@ -204,10 +205,10 @@ TEST(TrajectoryPlanner, TheLineStartsWhenTheCommandArrived)
     EXPECT_NEAR(planner.state().position, 0.1 * 1.0008, kCount);
 }
 
-// Numbers of the firmware's own planner (commit db1a7623) with the same orders: 5.3 °/s² rms, at the limit for 12 % of
-// the time. The distance in whole counts decides: without it this is 14.5 °/s².
-// REQ-SIM-300: A planner that gets a position and a velocity each 20 ms, half a millisecond early or late, switches its
-// acceleration as the firmware does.
+// The values of the firmware's own planner (commit db1a7623) with the same commands: 5.3°/s² rms, at the limit for 12 %
+// of the time. Rounding the distance to whole counts is essential: without it this is 14.5°/s².
+// REQ-SIM-300: A planner that gets a position and a velocity every 20 ms, half a millisecond early or late, switches
+// its acceleration as the firmware does.
 TEST(TrajectoryPlanner, OrdersEarlyOrLateMakeItSwitchAsTheFirmware)
 {
     constexpr double kDegree = 1.0 / 360.0;

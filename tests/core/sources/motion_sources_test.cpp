@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What every source of motion promises. The tests go through the list of sources and through all requests, so a new
-// source is judged without a line here. It needs a sample below if its default request does not move the mount.
+// The promises of every source of motion. The tests go through the list of sources and through all requests, so a new
+// source is tested without a change here. A sample is needed below only if its default request does not move the mount.
 #include "core/sources/motion_sources.h"
 
 #include "tests/core/control/station_rig.h"
@@ -22,7 +22,7 @@ constexpr AxisRates kSlowly{.azimuth = AngularRate::fromDegrees(1.0), .elevation
 const QString kOtherRotator = QStringLiteral("rotctld:10.0.0.7:4533");
 constexpr SkyPointing kUp{.azimuth = Angle::fromDegrees(20.0), .elevation = Angle::fromDegrees(30.0)};
 
-// One that moves the mount, where the default value does not.
+// A request that moves the mount, for types whose default value does not.
 template <class Wanted>
 Request sampleOf()
 {
@@ -48,7 +48,7 @@ Request sampleOf<request::Follow>()
 {
     return request::Follow{.direction = kUp, .what = QStringLiteral("Sun")};
 }
-// Over the equator, as seen from the site below.
+// A satellite above the equator, as seen from the site below.
 template <>
 Request sampleOf<request::Track>()
 {
@@ -98,7 +98,7 @@ const std::vector<Request>& allRequests()
     return all;
 }
 
-// A mount that stands beside home and its park position, and its sources.
+// A mount that stands away from home and from its park position, and its sources.
 struct SourcesRig
 {
     SourcesRig()
@@ -153,12 +153,12 @@ std::string nameOf(const MotionSource& source)
 
 struct Taken
 {
-    std::size_t source;  // its place in the list
+    std::size_t source;  // index in the list
     const Request& request;
     const Source& by;
 };
 
-// Which source takes which request of whom.
+// Which source accepts which request of which client.
 std::vector<Taken> findTaken()
 {
     std::vector<Taken> taken;
@@ -181,7 +181,7 @@ const std::vector<Taken>& allTaken()
     return taken;
 }
 
-// Each of them meets an obstacle on a mount of its own, and nothing moves.
+// Each request meets an obstacle on a separate mount, and nothing moves.
 void expectRefusals(const std::function<bool(StationRig&)>& putInTheWay, const Source& by)
 {
     int judged = 0;
@@ -223,7 +223,7 @@ TEST(MotionSources, WithoutThemNothingMoves)
     EXPECT_FALSE(rig.moving());
 }
 
-// Else the refusals below would mean nothing.
+// Without this the refusals below would prove nothing.
 TEST(MotionSources, EachMovesTheMount)
 {
     std::set<std::size_t> moved;

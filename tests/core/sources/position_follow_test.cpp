@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A balloon that reports its position, and the mount that follows it.
+// A balloon reports its position, and the mount follows it.
 #include "core/sources/position_follow.h"
 
 #include "core/units/angle_between.h"
@@ -32,7 +32,7 @@ class PositionFollowTest : public testing::Test
 protected:
     PositionFollowTest() { rig.run(Seconds(0.2)); }
 
-    // Rises 5 m/s and drifts 25 m/s to the north, from 12 km north and 15 km east of the mount.
+    // It rises at 5 m/s and drifts at 25 m/s to the north. It starts 12 km north and 15 km east of the mount.
     [[nodiscard]] Site balloon(Seconds time) const
     {
         return {.latitude = kField.latitude + Angle::fromDegrees((12'000.0 + 25.0 * time.count()) / 111'000.0),
@@ -49,7 +49,7 @@ protected:
     {
         (void)rig.control.receive(position::PositionText{.site = balloon(flown()), .name = QStringLiteral("B1")});
     }
-    // With a report each second.
+    // The balloon flies, with a report each second.
     void fly(
         Seconds time, const std::function<void()>& each = [] {})
     {
@@ -73,7 +73,7 @@ protected:
         fly(Seconds(40.0));
         ASSERT_LT(off(), 0.05_deg);
     }
-    // Of the beam as measured.
+    // Error of the measured beam.
     [[nodiscard]] Angle off() const
     {
         return angleBetween(rig.control.status().actual.value_or(SkyPointing{}), trueDirection());
@@ -92,8 +92,8 @@ private:
     SteadyTime m_launched = rig.clock.now();
 };
 
-// REQ-POSITION-30: The mount follows what reports its position, between the reports on the way that it had. With a
-// report each second the beam is within 0.05° of a balloon 19 km away.
+// REQ-POSITION-30: The mount follows an object that reports its position. Between two reports it continues the motion.
+// With a report each second the beam is within 0.05° of a balloon 19 km away.
 TEST_F(PositionFollowTest, KeepsTheBeamOnABalloon)
 {
     follow();
@@ -109,8 +109,8 @@ TEST_F(PositionFollowTest, KeepsTheBeamOnABalloon)
     EXPECT_EQ(status.targetText, QStringLiteral("track B1"));
 }
 
-// REQ-POSITION-31: Without a report for the time of the profile the mount stands still, with an alarm. It goes on by
-// itself for two minutes if one comes. Then the tracking ends.
+// REQ-POSITION-31: Without a report for the time in the profile the mount stands still, with an alarm. For two minutes
+// it resumes by itself if a report arrives. Then the tracking ends.
 TEST_F(PositionFollowTest, StandsStillWithoutReports)
 {
     follow();
@@ -139,8 +139,8 @@ TEST_F(PositionFollowTest, StandsStillWithoutReports)
     EXPECT_FALSE(isRaised("position.ended"));
 }
 
-// REQ-POSITION-34: What comes back after a silence more than 10° from its last direction may be another one: the
-// tracking ends, with an alarm, and the mount holds.
+// REQ-POSITION-34: If after a silence a report is more than 10° from the last direction, it may be a different object:
+// the tracking ends with an alarm, and the mount holds.
 TEST_F(PositionFollowTest, WhatComesBackElsewhereIsNotFollowed)
 {
     follow();
@@ -149,7 +149,7 @@ TEST_F(PositionFollowTest, WhatComesBackElsewhereIsNotFollowed)
     ASSERT_TRUE(isRaised("position.stale"));
     const auto place = rig.control.status().actual;
     Site other = balloon(flown());
-    other.longitude = kField.longitude;  // to the north of the mount
+    other.longitude = kField.longitude;  // north of the mount
     EXPECT_TRUE(rig.control.receive(position::PositionText{.site = other}));
     fly(Seconds(5.0));
     EXPECT_LT(angleBetween(*place, *rig.control.status().actual), 0.02_deg);
@@ -161,7 +161,7 @@ TEST_F(PositionFollowTest, WhatComesBackElsewhereIsNotFollowed)
     EXPECT_THAT(ended->what.toStdString(), HasSubstr("no longer tracked: the new position is "));
 }
 
-// REQ-POSITION-32: Nothing is followed without a report, without the site, while STOP is latched, or for a client.
+// REQ-POSITION-32: Following is refused without a report, without the site, while STOP is latched, and for a client.
 // STOP, Hold, a jog and another target end it.
 TEST_F(PositionFollowTest, PassesTheGatesOfAGoTo)
 {
@@ -190,7 +190,8 @@ TEST_F(PositionFollowTest, PassesTheGatesOfAGoTo)
     EXPECT_EQ(ask(), "No position to track: the site of the mount is not set");
 }
 
-// REQ-POSITION-35: A change of what is believed, or of where the positions come from, forgets what was known at once.
+// REQ-POSITION-35: Changing the source of the positions, or the rules for accepting them, drops the known position at
+// once.
 TEST_F(PositionFollowTest, AChangeOfTheProfileForgetsThePosition)
 {
     const auto isForgottenBy = [this](const auto& change) {
@@ -214,7 +215,7 @@ TEST_F(PositionFollowTest, AChangeOfTheProfileForgetsThePosition)
     EXPECT_TRUE(rig.control.status().position.age);
 }
 
-// REQ-POSITION-33: A position that jumps, and one that cannot be read, move nothing and are counted.
+// REQ-POSITION-33: A position that jumps or cannot be read moves nothing and is counted.
 TEST_F(PositionFollowTest, AJumpMovesNothing)
 {
     follow();

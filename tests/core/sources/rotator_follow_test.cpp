@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Another rotator, and the mount that follows it.
+// The mount follows another rotator.
 #include "core/sources/rotator_follow.h"
 
 #include "core/units/angle_between.h"
@@ -22,7 +22,7 @@ class RotatorFollowTest : public testing::Test
 protected:
     RotatorFollowTest() { rig.run(Seconds(0.2)); }
 
-    // Turns by 0.5 °/s, and is read four times a second.
+    // The other rotator turns by 0.5°/s, and is read four times a second.
     [[nodiscard]] SkyPointing direction() const
     {
         const Angle turned = Angle::fromDegrees(0.5 * Seconds(rig.clock.now() - m_start).count());
@@ -71,7 +71,8 @@ private:
     SteadyTime m_start = rig.clock.now();
 };
 
-// REQ-ROTATORFOLLOW-20: The mount points where another rotator points, and goes on with it. The header names it.
+// REQ-ROTATORFOLLOW-20: The mount points where another rotator points, and moves with it. The header names that
+// rotator.
 TEST_F(RotatorFollowTest, PointsWhereTheOtherPoints)
 {
     follow();
@@ -88,7 +89,7 @@ TEST_F(RotatorFollowTest, PointsWhereTheOtherPoints)
 }
 
 // REQ-ROTATORFOLLOW-21: Without a position for 6 s the tracking ends with an alarm, and the mount holds. It does not
-// begin again by itself.
+// resume by itself.
 TEST_F(RotatorFollowTest, ASilenceEndsIt)
 {
     follow();
@@ -105,8 +106,8 @@ TEST_F(RotatorFollowTest, ASilenceEndsIt)
     EXPECT_EQ(alarm(), "");
 }
 
-// REQ-ROTATORFOLLOW-24: Who reads the positions says why there are no more. What comes back more than 10° away after a
-// gap ends it, too: the mount does not run there.
+// REQ-ROTATORFOLLOW-24: The reader of the positions reports why there are no more. A position that is more than 10°
+// away after a gap ends the tracking, too, and the mount does not go there.
 TEST_F(RotatorFollowTest, EndsWithTheReason)
 {
     follow();
@@ -124,7 +125,8 @@ TEST_F(RotatorFollowTest, EndsWithTheReason)
     EXPECT_LT(angleBetween(*place, *rig.control.status().actual), 1_deg);
 }
 
-// REQ-ROTATORFOLLOW-25: Another rotator is asked for meanwhile: its position is not taken for that of the followed one.
+// REQ-ROTATORFOLLOW-25: If another rotator is queried meanwhile, its position is not taken for that of the followed
+// rotator.
 TEST_F(RotatorFollowTest, AnotherOneIsNotTakenForIt)
 {
     follow();
@@ -141,8 +143,8 @@ TEST_F(RotatorFollowTest, AnotherOneIsNotTakenForIt)
     EXPECT_FALSE(report()) << "the one before is not wanted any more";
 }
 
-// REQ-ROTATORFOLLOW-22: It passes the gates of every motion: not without a position, for a client, or behind STOP. What
-// else moves the mount ends it.
+// REQ-ROTATORFOLLOW-22: The rules of every motion apply: following is refused without a position, for a client, and
+// while STOP is latched. Any other motion ends it.
 TEST_F(RotatorFollowTest, PassesTheGates)
 {
     EXPECT_EQ(ask(), "No position of rotctld:10.0.0.7:4533 was received");
@@ -165,7 +167,7 @@ TEST_F(RotatorFollowTest, PassesTheGates)
     EXPECT_EQ(alarm(), "") << "it was ended by hand";
 }
 
-// REQ-ROTATORFOLLOW-23: The limits of this mount hold, wherever the other rotator goes.
+// REQ-ROTATORFOLLOW-23: The limits of this mount hold, wherever the other rotator points.
 TEST(RotatorFollow, TheLimitsHold)
 {
     profile::Profile profile;

@@ -37,8 +37,8 @@ std::vector<QString> busesOf(const std::vector<Adapter>& adapters)
     return buses;
 }
 
-// REQ-CAN-21 (Adapters.*): The adapters of this computer are listed under their stable names, those made for the
-// drives first.
+// REQ-CAN-21 (Adapters.*): The adapters of this computer are listed under their stable names. Those made for the drives
+// come first.
 TEST(Adapters, WhatIsMadeForTheDrivesComesFirstAndTheSimulatedMountIsAlwaysThere)
 {
     EXPECT_THAT(
@@ -71,11 +71,11 @@ TEST(Adapters, AnAdapterIsKnownByItsNumbersToo)
                             .product = 0x2323};
     EXPECT_TRUE(adaptersOf({mjcanfd}, {}).front().recognised);
     EXPECT_EQ(adaptersOf({mjcanfd}, {}).front().bus, QStringLiteral("fdcanusb:/dev/ttyACM0"));
-    mjcanfd.product = 0x0001;  // the vendor's number is shared by many makers
+    mjcanfd.product = 0x0001;  // many makers share the vendor number
     EXPECT_FALSE(adaptersOf({mjcanfd}, {}).front().recognised);
 }
 
-// Story: a scan of a mistyped port sent its questions to a radio.
+// Story: the operator mistyped a port, and the scan sent its queries to a radio.
 // REQ-CAN-24: A scan sends nothing to a USB device that is not known to be an adapter.
 TEST(Adapters, AnotherUsbDeviceIsNotScanned)
 {
@@ -95,7 +95,7 @@ TEST(Adapters, AnotherUsbDeviceIsNotScanned)
     EXPECT_FALSE(mayBeScanned(nameless).has_value());
 }
 
-// A moteus at a soldered port, a pseudo-terminal of `boresightctl simulate`, a CAN interface: named by the operator.
+// The operator names a moteus at a soldered port, a pseudo-terminal of `boresightctl simulate`, or a CAN interface.
 // REQ-CAN-24
 TEST(Adapters, WhatIsNoUsbDeviceMayBeScanned)
 {
@@ -105,8 +105,9 @@ TEST(Adapters, WhatIsNoUsbDeviceMayBeScanned)
     EXPECT_TRUE(mayBeScanned(QStringLiteral("simulated")).has_value());
 }
 
-// REQ-CAN-1650: A port that is soldered to the board is offered for the box of a rotator, and never as an adapter of
-// drives. What is made for drives is not offered for a box. The line to a box is in no list of adapters of drives.
+// REQ-CAN-1650: A port that is soldered to the board is offered for the control box of a rotator, and never as an
+// adapter of drives. An adapter made for drives is not offered for a control box. The serial line of a control box is
+// in no list of adapters.
 TEST(Adapters, APortThatIsSolderedToTheBoardIsOfferedForABoxOnly)
 {
     const SerialPortFacts onBoard{.device = QStringLiteral("/dev/ttyS0"),
@@ -177,8 +178,8 @@ TEST(Adapters, TheseOfThisComputerAreFound)
     EXPECT_EQ(findAdapters().back().bus, QStringLiteral("simulated"));
 }
 
-// REQ-CAN-300: A bus whose drives a program makes is marked as simulated. The bus that somebody has named is listed,
-// too.
+// REQ-CAN-300: A bus with drives that are simulated by another program is marked as simulated. A bus that the operator
+// has named is listed, too.
 TEST(Adapters, WhatAProgramMakesIsMarkedAsSimulated)
 {
     const auto all = adaptersOf({kFdcanusb}, {{QStringLiteral("can0"), true}, {QStringLiteral("vcan0"), true}});

@@ -46,8 +46,8 @@ protected:
     ClockGuard guard{clock, log, alarms};
 };
 
-// REQ-STATION-230: A clock that somebody sets is a line of the log and an alarm, with the seconds. A small correction
-// and time that passes are not.
+// REQ-STATION-230: Setting the clock is a line in the log and an alarm, with the seconds. A small correction and the
+// normal progress of time are not reported.
 TEST_F(ClockGuardTest, AClockThatIsSetIsReported)
 {
     clock.stepUtc(Seconds(0.3));
@@ -63,7 +63,8 @@ TEST_F(ClockGuardTest, AClockThatIsSetIsReported)
     EXPECT_THAT(lines(), ElementsAre(testing::_, "the clock of this computer was set by -3600.0 s"));
 }
 
-// REQ-STATION-231: A computer that slept says for how long, and does not take that for a clock that was set.
+// REQ-STATION-231: After a suspend of this computer Boresight reports its length, and does not report it as a clock
+// that was set.
 TEST_F(ClockGuardTest, AComputerThatSleptIsReported)
 {
     clock.sleep(Seconds(20.0));
@@ -73,7 +74,7 @@ TEST_F(ClockGuardTest, AComputerThatSleptIsReported)
     EXPECT_THAT(alarmsShown(), ElementsAre("This computer was suspended for 20.0 s."));
 }
 
-// REQ-STATION-232: The state of the clock is asked for once a second.
+// REQ-STATION-232: The state of the clock is queried once a second.
 TEST_F(ClockGuardTest, TheErrorOfTheClockIsPublished)
 {
     EXPECT_TRUE(guard.status().synchronised);

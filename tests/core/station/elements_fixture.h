@@ -12,12 +12,12 @@
 
 namespace boresight {
 
-// Made up.
+// Invented elements.
 inline const QByteArray kFirst =
     "FIRST\n"
     "1 90001U 26001A   26001.50000000  .00001000  00000-0  20000-4 0   104\n"
     "2 90001  51.6000 100.0000 0010000  90.0000 270.0000 15.50000000000016\n";
-// With a cache of its own.
+// The test has its own cache folder.
 class StationElementsTest : public ::testing::Test
 {
 protected:

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-// A whole Station on a link that the test plays, with two ideal drives behind it.
+// A whole Station on a link that the test controls, with two ideal drives behind it.
 namespace boresight {
 
 inline profile::Profile anyPort()

@@ -18,9 +18,10 @@ namespace {
 
 constexpr Simulation kSimple{.on = true, .driver = profile::AxisDriver::Simple};
 
-// Story: switched to a stored profile of a simple rotator, the program took two moteus on its bus for that one.
-// REQ-STATION-49: The bus of a real mount is not opened with a profile that is only fit for a simulation. The alarm
-// says why.
+// Story: the program switched to a stored profile of a simple rotator, and took two moteus drives on its bus for that
+// rotator.
+// REQ-STATION-49: A profile that is only fit for a simulation does not open the bus of a real mount. The alarm gives
+// the reason.
 TEST(MountFactory, AProfileForASimulationOpensNoBus)
 {
     profile::Profile profile;
@@ -39,7 +40,8 @@ TEST(MountFactory, AProfileForASimulationOpensNoBus)
     EXPECT_TRUE(what.contains(QStringLiteral("only simulated"))) << what.toStdString();
 }
 
-// Story: beside the simple rotator the sensor went on showing the two moteus, which nobody moved, and disagreed.
+// Story: with the simple rotator the sensor still showed the two moteus drives, which nobody moved, and disagreed with
+// the axes.
 TEST(MountFactory, TheSimulatedSensorIsOnTheTwoMoteusOnly)
 {
     fakes::ManualClock clock;
@@ -59,7 +61,7 @@ TEST(MountFactory, TheSimulatedSensorIsOnTheTwoMoteusOnly)
     EXPECT_FALSE(mounts.sensors(profile, Simulation::Reference)(profile, broker));
 }
 
-// A simulated mount of these drivers, with its line.
+// A simulated mount with these drivers, and its line.
 class Made
 {
 public:
@@ -75,7 +77,7 @@ public:
 
     [[nodiscard]] MountDriver& driver() { return m_mount->driver(); }
     [[nodiscard]] Capabilities can() { return driver().capabilities(); }
-    // As the station serves it.
+    // Serves the mount as the station does.
     void run(Seconds time)
     {
         constexpr Seconds kTick{0.02};
@@ -117,8 +119,8 @@ private:
 
 using profile::AxisDriver;
 
-// REQ-STATION-50: The mount has the axes of the profile, each with its own driver. In a simulation a drive is on the
-// bus for each axis that has one, so that none is a stranger.
+// REQ-STATION-50: The mount has the axes of the profile, each with its own driver. In a simulation the bus has exactly
+// one drive for each axis that needs one, so no drive is reported as unknown.
 TEST(MountFactory, OneDriveIsAMountWithOneAxis)
 {
     for (const Axis axis : kAxes) {

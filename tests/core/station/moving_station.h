@@ -25,7 +25,7 @@ struct MovingStation
             answers.insert(answers.end(), update.answers.begin(), update.answers.end());
         });
         station->openAll();
-        run(Seconds(4.0));  // the drives are checked
+        run(Seconds(4.0));  // until the drive check is done
     }
 
     void run(Seconds time)
@@ -36,7 +36,7 @@ struct MovingStation
             station->tick();
         }
     }
-    // Of the request of this number, once the station has answered it.
+    // The answer to the request with this number, once the station has answered.
     std::optional<Answer> answerTo(std::uint64_t id)
     {
         const auto found = [&] { return std::ranges::find(answers, id, &Answer::requestId); };

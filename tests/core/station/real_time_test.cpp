@@ -20,7 +20,7 @@ bool isReal()
     return policy == SCHED_FIFO || policy == SCHED_RR;
 }
 
-// From here on this thread is an ordinary user's, as the service's is: root may change any scheduling.
+// From here on this thread has the rights of an ordinary user, like the service. Root may change any scheduling.
 void becomeOrdinary()
 {
     __user_cap_header_struct header{.version = _LINUX_CAPABILITY_VERSION_3, .pid = 0};
@@ -37,9 +37,10 @@ double cpuSeconds()
     return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
 }
 
-// Whatever this machine allows, what is said is what is so; and a thread that never pauses gives the computer back.
+// Whatever this computer allows, the report agrees with the kernel. A thread that never pauses must not block the
+// computer.
 // REQ-STATION-06b (RealTime.*, tests/bench/stalls): The thread of the control ticks asks for real-time scheduling. The
-// status shows what was granted. A thread that computes for 0.1 s without a pause gives it back.
+// status shows what the kernel granted. A thread that computes for 0.1 s without a pause gives it back.
 TEST(RealTime, SaysWhatTheKernelDoes)
 {
     std::thread([] {

@@ -29,8 +29,8 @@ SkyPointing readMoon(const QString& path)
     return text ? text->moon : SkyPointing{};
 }
 
-// REQ-AZEL-919: The station looks at the file of the profile four times a second from its opening on, beside its
-// thread, also at the file of a changed profile.
+// REQ-AZEL-919: From its start the station reads the file of the profile four times a second, outside its own thread.
+// After a change of the profile it reads the new file.
 TEST(StationAzelTest, LooksAtTheFileOfTheProfile)
 {
     const QTemporaryDir folder;
@@ -61,7 +61,8 @@ TEST(StationAzelTest, LooksAtTheFileOfTheProfile)
     EXPECT_EQ(last->path, folder.filePath(QStringLiteral("none.dat")));
 }
 
-// REQ-AZEL-920: From the file to the mount: what WSJT-X writes is in the status, and FollowAzel moves the mount.
+// REQ-AZEL-920: The whole way from the file to the mount: the status shows what WSJT-X writes, and FollowAzel moves the
+// mount.
 TEST(StationAzelTest, TheStationFollowsTheFile)
 {
     const QTemporaryDir folder;
@@ -81,7 +82,7 @@ TEST(StationAzelTest, TheStationFollowsTheFile)
             station.tick();
         }
     };
-    run(Seconds(4.0));  // the drives are checked
+    run(Seconds(4.0));  // until the drive check is done
     fakes::AzelWriter writer(
         {.latitude = profile.site.latitude, .longitude = profile.site.longitude, .heightMetres = 80.0});
     for (int i = 0; i < 2; ++i) {

@@ -69,7 +69,7 @@ protected:
     {
         return fakes::waitUntil([this] { return station->status().broker.connected; });
     }
-    // Runs the station until somebody reads this, and tells all that was read since the last time.
+    // Runs the station until a message of this topic contains `part`. Returns everything received since the last call.
     std::vector<QByteArray> heardUntil(const QString& topic, const QByteArray& part)
     {
         const auto isIt = [&](const mqtt::Message& message) {
@@ -119,7 +119,7 @@ TEST_F(StationBrokerTest, TellsWhatTheMountDoes)
     EXPECT_THAT(heardUntil(kAvailability, "line"), ElementsAre("offline"));
 }
 
-// Story: the last place that was measured went on being told, for ever, after the drives had lost their power.
+// Story: after the drives had lost their power, the last measured position was still published for ever.
 TEST_F(StationBrokerTest, AnOldPositionIsNone)
 {
     build(publishing(broker->port()));
@@ -200,8 +200,8 @@ TEST_F(StationBrokerTest, IsSwitchedOnAndOffWithoutAReconnectOfTheMount)
     EXPECT_FALSE(station->status().broker.wanted);
 }
 
-// REQ-STATION-48: Broker and power line have threads of their own. The station gets a bounded number of values every
-// 20 ms, the newest.
+// REQ-STATION-48: Broker and power line have their own threads. Every 20 ms the station receives the newest values, at
+// most a fixed number of them.
 // REQ-MQTT-09e
 TEST_F(StationBrokerTest, AMessageThatIsTooLargeIsALineInTheLog)
 {
@@ -224,7 +224,7 @@ TEST_F(StationBrokerTest, AMessageThatIsTooLargeIsALineInTheLog)
     EXPECT_EQ(log.size(), 2U) << "one line, and the connection goes on";
 }
 
-// For the sensor alone nothing is published.
+// If only the sensor uses the broker, nothing is published.
 TEST_F(StationBrokerTest, TheSensorGetsTheSameConnection)
 {
     EventLog events(clock);
@@ -247,9 +247,8 @@ TEST_F(StationBrokerTest, TheSensorGetsTheSameConnection)
     EXPECT_EQ(broker->count("New client connected"), 3) << "the logger, without a will, with one";
 }
 
-// REQ-POSITION-24: By MQTT a message of the topic is one position, and the mount follows it. One that the broker has
-// kept is of some time before and does not count. What cannot be read is a line in the log. A broker that is gone is
-// reported.
+// REQ-POSITION-24: By MQTT each message of the topic is one position, and the mount follows it. A retained message is
+// old and does not count. An unreadable message is a line in the log. A lost broker is reported.
 TEST_F(StationBrokerTest, APositionOfTheTopicIsFollowed)
 {
     const QString topic = QStringLiteral("balloon/position");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The bus of a Station: it does not open, is lost, or belongs to another program.
+// The bus of a Station does not open, is lost, or belongs to another program.
 #include "tests/core/station/linked_station.h"
 
 #include <QSignalSpy>
@@ -44,7 +44,8 @@ TEST(Station, ALostAdapterIsShownAtOnceAndReopened)
     EXPECT_EQ(rig.link->openings, 2);
 }
 
-// Story: each try closed the link first, without a text: the alarm went blank and came back unacknowledged each second.
+// Story: each attempt first closed the link, without a text. Every second the alarm went blank and came back
+// unacknowledged.
 TEST(Station, ABusThatIsTriedAgainKeepsItsAlarm)
 {
     Rig rig;
@@ -56,9 +57,9 @@ TEST(Station, ABusThatIsTriedAgainKeepsItsAlarm)
     EXPECT_TRUE(rig.station->status().alarms.front().active);
 }
 
-// Story: a second program took the journal, and with it the turn of each axis, from the one that moved the mount.
-// REQ-STATION-43b: A mount that another program controls is left alone: no bus, no clients, and an alarm with the name
-// of that program.
+// Story: a second program took the journal, and with it the wrap of each axis, from the program that moved the mount.
+// REQ-STATION-43b: A mount that another program controls is left alone. Boresight opens no bus, serves no clients, and
+// raises an alarm with the name of that program.
 TEST(Station, AMountThatAnotherProgramControlsIsLeftAlone)
 {
     profile::Profile profile = anyPort();
@@ -87,7 +88,7 @@ TEST(Station, AMountThatAnotherProgramControlsIsLeftAlone)
     EXPECT_EQ(second.status().alarms.front().severity, Severity::Alarm);
 }
 
-// Story: an adapter that had refused frames for a moment was never asked again.
+// Story: an adapter that had refused frames for a moment received no query ever again.
 TEST(Station, KeepsSendingWhileTheBusIsDown)
 {
     Rig rig;

@@ -12,8 +12,8 @@ namespace {
 
 using StationDownloads = StationElementsTest;
 
-// REQ-ELEMENTWEB-09: The station downloads the addresses of the profile and uses them as files. Without a network it
-// starts with what the cache has. What is wrong is in the log once, and in the status as long as it is so.
+// REQ-ELEMENTWEB-09: The station downloads the addresses of the profile and uses them like files. Without a network it
+// starts with the cache. A problem is in the log once, and in the status while it lasts.
 TEST_F(StationDownloads, DownloadsTheAddressesOfTheProfile)
 {
     fakes::CannedWeb server;
@@ -40,7 +40,7 @@ TEST_F(StationDownloads, DownloadsTheAddressesOfTheProfile)
     EXPECT_TRUE(waitFor(later, 1)) << "from the cache";
 }
 
-// A profile with addresses only does not fall back on Gpredict while nothing is downloaded.
+// A profile that has only addresses does not use the files of Gpredict while nothing is downloaded.
 TEST_F(StationDownloads, WithoutAnAnswerThereAreNoSatellites)
 {
     fakes::CannedWeb server;

@@ -14,14 +14,14 @@
 namespace boresight {
 namespace {
 
-// Made up. The sum of its first line is wrong.
+// Invented elements. The checksum of the first line is wrong.
 const QByteArray kBroken =
     "BROKEN\n"
     "1 90002U 26001B   26001.50000000  .00001000  00000-0  20000-4 0   106\n"
     "2 90002  51.6000 100.0000 0010000  90.0000 270.0000 15.50000000000017\n";
 
-// REQ-TRACK-908: The station reads the element files of the profile at its start, with a change of the profile and when
-// a file changes. The good sets are used. What is wrong with the others is in the log once, with file and line.
+// REQ-TRACK-908: The station reads the element files of the profile at its start, after a change of the profile, and
+// when a file changes. Good sets are used. Errors in the others are in the log once, with file and line.
 TEST_F(StationElementsTest, ReadsTheFilesOfTheProfileAndTellsWhatIsWrong)
 {
     write(kFirst + kBroken);
@@ -50,10 +50,10 @@ TEST_F(StationElementsTest, ReadsAgainWhenAFileOrTheProfileChanges)
     ASSERT_TRUE(waitFor(elements, 0));
 }
 
-// Story: a downloader removed the file and wrote it anew two seconds later. The schedule had no satellites meanwhile,
-// and nobody read the new file.
-// REQ-TRACK-909: Satellites that are missing because a file is broken or gone stay as they were read before, with a
-// warning. A file that comes back is found again.
+// Story: a downloader removed the file and wrote the new one two seconds later. Meanwhile the schedule had no
+// satellites, and nobody read the new file.
+// REQ-TRACK-909: Satellites whose file is broken or missing keep their last elements, with a warning. A file that comes
+// back is read again.
 TEST_F(StationElementsTest, KeepsWhatItKnowsWhileAFileIsGoneOrBroken)
 {
     write(kFirst);

@@ -36,8 +36,8 @@ protected:
     fakes::PlayingRotctld other;
 };
 
-// REQ-STATION-960: The request is answered when the other rotator has reported where it is. Then the mount follows it.
-// When its rotctld is gone, the mount holds, and does not go on when it is back.
+// REQ-STATION-960: The request is answered when the other rotator has reported its position. Then the mount follows it.
+// When its rotctld is gone the mount holds, and does not resume when the rotctld is back.
 TEST_F(StationFollowTest, TheMountFollowsAnotherRotator)
 {
     other.answer = "20.000000\n25.000000\n";
@@ -56,8 +56,8 @@ TEST_F(StationFollowTest, TheMountFollowsAnotherRotator)
     EXPECT_LT(angleBetween(*rig.station->status().actual, {24_deg, 27_deg}), 0.5_deg);
 }
 
-// REQ-STATION-961: A name that is none, the station's own server and a rotctld that does not answer are refused with
-// the reason. Hold ends the waiting, and the following.
+// REQ-STATION-961: An invalid name, the station's own server and a rotctld that does not answer are refused with the
+// reason. Hold ends the waiting and the following.
 TEST_F(StationFollowTest, RefusesWithTheReason)
 {
     EXPECT_THAT(refusalOf(1, QStringLiteral("rotctld:nowhere")), HasSubstr("names no rotctld"));
@@ -85,7 +85,7 @@ TEST_F(StationFollowTest, RefusesWithTheReason)
     EXPECT_FALSE(rig.station->status().tracked);
 }
 
-// REQ-STATION-964: A request for another rotator that comes to nothing leaves the followed one followed.
+// REQ-STATION-964: If a request for another rotator fails, the mount keeps following the present one.
 TEST_F(StationFollowTest, ARefusedOneChangesNothing)
 {
     other.answer = "20\n25\n";
@@ -98,7 +98,7 @@ TEST_F(StationFollowTest, ARefusedOneChangesNothing)
     EXPECT_TRUE(isAt({23_deg, 26_deg}));
 }
 
-// REQ-STATION-962: The station does not follow itself, whatever it is called.
+// REQ-STATION-962: The station does not follow itself under any of its names.
 TEST(OwnServer, IsKnownByEachOfItsNames)
 {
     const auto own = [](const char* bus, const char* listens) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// With real programs.
+// The hooks start real programs.
 #include "core/station/station_hooks.h"
 
 #include "tests/fakes/manual_clock.h"
@@ -28,7 +28,7 @@ profile::Profile running(const profile::PassHooks& hooks)
 struct HooksRig
 {
     explicit HooksRig(const profile::PassHooks& wanted) : inForce(running(wanted)) {}
-    // As the log has the end of the program.
+    // Reports the moment, and returns the log line about the end of the program.
     std::string tell(const schedule::PassMoment& moment)
     {
         const std::uint64_t before = log.lastNumber();
@@ -47,8 +47,9 @@ struct HooksRig
     bool warned = false;
 };
 
-// REQ-HOOKS-14: The program of the moment gets the facts as BORESIGHT_EVENT and so on. What does not apply is empty.
-// How it ended is one line of the log, a warning if it did not end well. Without a program nothing is started.
+// REQ-HOOKS-14: The program of a moment receives the facts in variables such as BORESIGHT_EVENT. A fact that does not
+// apply is empty. The end of the program is one line in the log, as a warning if the program failed. Without a program
+// nothing is started.
 TEST(StationHooks, RunTheProgramOfTheMoment)
 {
     const QTemporaryDir folder;

@@ -40,7 +40,7 @@ struct ListenersRig : StationRig
         return std::make_unique<fakes::TcpPeer>("127.0.0.1", static_cast<std::uint16_t>(std::stoi(port)),
                                                 [] { QCoreApplication::processEvents(QEventLoop::AllEvents); });
     }
-    // Of the one with this text; empty: none.
+    // The alarm with this text, or an empty text if there is none.
     [[nodiscard]] QString alarm(const char* text) const
     {
         const auto alarms = control.status().alarms;
@@ -54,8 +54,8 @@ struct ListenersRig : StationRig
                              nullptr};
 };
 
-// REQ-LISTENERS-04 (StationListeners.*): Several listeners serve at once. Their clients have numbers of their own and
-// are in the list with their protocol. They move the mount by the rule that holds for rotctld clients.
+// REQ-LISTENERS-04 (StationListeners.*): Several listeners serve at the same time. Each client has its own number and
+// is in the list with its protocol. These clients move the mount by the same rule as rotctld clients.
 TEST(StationListeners, SeveralServeAtOnce)
 {
     ListenersRig rig({"gs232a drive tcp:127.0.0.1:0", "gs232b drive tcp:127.0.0.1:0"});
@@ -81,7 +81,7 @@ TEST(StationListeners, SeveralServeAtOnce)
     EXPECT_FALSE(rig.further.disconnect(1, QStringLiteral("by the operator")));
 }
 
-// REQ-LISTENERS-05: A listener with the right "read" answers positions and stops the mount. It refuses every motion,
+// REQ-LISTENERS-05: A listener with the right "read" reports positions and stops the mount. It refuses every motion,
 // and the operator cannot give control to its clients.
 TEST(StationListeners, OneThatReadsMovesNothing)
 {
@@ -106,7 +106,7 @@ TEST(StationListeners, OneThatReadsMovesNothing)
     EXPECT_FALSE(rig.control.followsClient()) << "it has stopped the mount";
 }
 
-// An EasyComm client passes what all clients pass.
+// An EasyComm client passes the tests that all clients pass.
 TEST(StationListeners, EasycommIsOneOfThem)
 {
     ListenersRig rig(
@@ -134,7 +134,7 @@ TEST(StationListeners, EasycommIsOneOfThem)
     EXPECT_EQ(first->ask("GS\n"), "GS8\n");
 }
 
-// A path as place, and the bearing from the site of the profile.
+// The listener has a path as its place, and computes the bearing from the site of the profile.
 TEST(StationListeners, PairsComeByASocketInTheFileSystem)
 {
     const QTemporaryDir folder;
@@ -162,8 +162,8 @@ TEST(StationListeners, PairsComeByASocketInTheFileSystem)
     EXPECT_TRUE(ask("60\n").starts_with("error: "));
 }
 
-// REQ-LISTENERS-06: A listener that cannot be opened is an alarm with the place and the reason. The others serve. A
-// listener that other computers reach without a list of addresses is an advisory.
+// REQ-LISTENERS-06: A listener that cannot be opened raises an alarm with the place and the reason. The other listeners
+// serve. A listener that other computers can reach without a list of addresses raises an advisory.
 TEST(StationListeners, APlaceThatIsTakenIsAnAlarm)
 {
     const ListenersRig first({"gs232a drive tcp:127.0.0.1:0"});

@@ -9,8 +9,8 @@
 namespace boresight {
 namespace {
 
-// REQ-POSITION-23: A position that is refused is a line in the log, at most one each second. One of another call sign
-// is none: others fly, too.
+// REQ-POSITION-23: A refused position is a line in the log, at most one each second. A position with another call sign
+// is not logged, because other stations use the same channel.
 TEST(StationPosition, AnotherCallSignIsNotLogged)
 {
     fakes::ManualClock clock;

@@ -34,7 +34,7 @@ profile::Profile withConvention(profile::AzimuthConvention convention)
     return profile;
 }
 
-// While nobody listens: under our eyes it would be a jump of the encoder.
+// Turns the axis by hand while the drive is silent. With replies it would be a jump of the encoder.
 void turnByHand(RotatorRig& rig, double degrees)
 {
     rig.run(Seconds(0.2));
@@ -91,8 +91,8 @@ TEST(StationRotator, MoveRunsAtAShareOfTheFastestJogRate)
     EXPECT_FALSE(rig.rotator.motion().movingRight);
 }
 
-// REQ-EASYCOMMSERVER-07: A client that turns at a rate of its own turns at no more than the fastest jog rate, and the
-// list of clients says so.
+// REQ-EASYCOMMSERVER-07: A client that turns the mount at its own rate turns at most at the fastest jog rate. The list
+// of clients shows this.
 TEST(StationRotator, MoveAtARateIsNoFasterThanTheJog)
 {
     RotatorRig rig;
@@ -108,7 +108,7 @@ TEST(StationRotator, MoveAtARateIsNoFasterThanTheJog)
     EXPECT_NEAR(rig.control.status().azimuth.commandedRate->degrees(), rig.profile.jog.fast.degrees(), 1e-6);
 }
 
-// Story: a client that the operator had made read-only still chose how fast the other one moved.
+// Story: the operator had made a client read-only, and it still set the speed for the motions of another client.
 // REQ-CONTROL-23a
 TEST(StationRotator, OnlyWhoMayMoveSetsTheSpeed)
 {
@@ -159,7 +159,8 @@ TEST(StationRotator, ResetRearmsAfterAFaultAndIsHarmlessElse)
     EXPECT_EQ(rig.state(), StationState::Standby);
 }
 
-// Story: one port scanner used up the lines of the second, and why another client was dropped was never written.
+// Story: one port scanner used up the log lines of the second. The reason why another client was dropped was never
+// logged.
 TEST(StationRotator, ComingAndGoingDoesNotHideWhyAClientWasDropped)
 {
     RotatorRig rig;
@@ -219,8 +220,8 @@ std::string becameOf(RotatorRig& rig, double azimuthDegrees, double elevationDeg
     return answer ? answer->toStdString() : "refused";
 }
 
-// REQ-ROTCTLD-1412: What became of a client's target is said in words where the mount does not go to what the client
-// wrote: another turn, another side of the zenith, or the nearest permitted place, with the reason.
+// REQ-ROTCTLD-1412: If the mount does not go to exactly what the client wrote, a text describes the difference: another
+// wrap, the other side of the zenith, or the nearest permitted place with the reason.
 TEST(StationRotator, SaysWhatBecameOfATarget)
 {
     RotatorRig rig;
@@ -263,7 +264,7 @@ TEST(StationRotator, StopOfTheOperatorRefusesTheClient)
     EXPECT_TRUE(rig.rotator.position(kRotatorGpredict));
 }
 
-// A stream that rises by 0.5 °/s and ceases, while some client goes on reading the position every 0.8 s.
+// A stream that rises by 0.5°/s and ends, while one client goes on reading the position every 0.8 s.
 StationState afterSilence(RotatorRig& rig, const rotctld::Client& reader)
 {
     for (int i = 0; i < 10; ++i) {
@@ -277,7 +278,7 @@ StationState afterSilence(RotatorRig& rig, const rotctld::Client& reader)
     return rig.state();
 }
 
-// REQ-CONTROL-12: A client that reads the position keeps its own stream alive, and nobody else's.
+// REQ-CONTROL-12: A client that reads the position keeps its own stream alive, and no other stream.
 TEST(StationRotator, AClientThatReadsOnIsContentWithThePathOfItsStream)
 {
     RotatorRig rig;

@@ -20,7 +20,7 @@ namespace {
 
 using testing::HasSubstr;
 
-// The socket is named by the port of the rotctld server.
+// The name of the socket contains the port of the rotctld server.
 QString socketOf(const StationStatus& status, const QTemporaryDir& runtime)
 {
     return local::socketPath(runtime.path(), status.listening.section(QLatin1Char(':'), -1).toUShort());
@@ -48,9 +48,9 @@ std::string logOf(LinkedStation& rig)
     return lines.join(u'\n').toStdString();
 }
 
-// REQ-STATION-200: A command of the local socket is a request of the operator, named "shell" in the log: take and
-// release change who has the control, stop latches at once, reset-stop ends the latch. A refusal is answered and
-// logged.
+// REQ-STATION-200: A command of the local socket is a request of the operator, with the name "shell" in the log. take
+// and release change the control authority, stop latches at once, and reset-stop ends the latch. A refusal is answered
+// and logged.
 TEST(StationShell, AsksAsTheOperator)
 {
     const QTemporaryDir runtime;
@@ -79,7 +79,7 @@ TEST(StationShell, AsksAsTheOperator)
     EXPECT_THAT(log, HasSubstr("shell: release refused: STOP is latched"));
 }
 
-// A mount that may be moved, and the shell beside it.
+// A mount that may move, and the shell that controls it.
 struct ShellRig : StationRig
 {
     ShellRig()
@@ -102,7 +102,7 @@ struct ShellRig : StationRig
 
     static constexpr std::uint16_t kPort = 4533;
     QTemporaryDir runtime;
-    QString asked;  // a file, or a rotctld
+    QString asked;  // the name of a file or a rotctld
     StationTables::Then answer;
     StationFollow::Then found;
     TransmitStatus transmit;
@@ -130,8 +130,8 @@ struct ShellRig : StationRig
                        nullptr};
 };
 
-// REQ-STATION-940: The shell lets the station track a target by the rule of a go-to: not while STOP is latched, and not
-// while a client has the control. Then take comes first. The operator has the control afterwards.
+// REQ-STATION-940: The shell lets the station track a target by the rules of a go-to. It is refused while STOP is
+// latched, and while a client has control. Then `take` must come first. Afterwards the operator has control.
 TEST(StationShell, TracksWhereAClientOfThisComputerCouldMoveTheMount)
 {
     ShellRig rig;
@@ -157,8 +157,8 @@ TEST(StationShell, TracksWhereAClientOfThisComputerCouldMoveTheMount)
     EXPECT_THAT(rig.answerTo("track azel 20,30\n"), HasSubstr("error: STOP is latched"));
 }
 
-// REQ-ANTENNA-941: The shell lists the antennas with their beams, and lets the station use one. A refusal has its
-// reason.
+// REQ-ANTENNA-941: The shell lists the antennas with their beams, and lets the station use one of them. A refusal gives
+// its reason.
 TEST(StationShell, ListsAntennasAndUsesOne)
 {
     ShellRig rig;
@@ -183,8 +183,8 @@ TEST(StationShell, ALockedMountIsNotItsOwn)
     EXPECT_EQ(rig.answerTo("track azel 20,30\n"), "error: The mount is locked to 10.0.0.7. Take the control first.\n");
 }
 
-// REQ-STATION-941: The shell gets the satellites that the station knows, and tracks them by their names. The reason why
-// not is that of the station.
+// REQ-STATION-941: The shell lists the satellites that the station knows, and tracks them by name. A refusal gives the
+// reason of the station.
 TEST(StationShell, ListsTheSatellites)
 {
     ShellRig rig;
@@ -192,8 +192,8 @@ TEST(StationShell, ListsTheSatellites)
     EXPECT_EQ(rig.answerTo("track iss\n"), "error: The site of the mount is not set. Enter it in the profile.\n");
 }
 
-// REQ-STATION-942: The shell lets the station track the table of a file, and is answered when the file is read. Whether
-// it may is asked before and again then.
+// REQ-STATION-942: The shell lets the station track the table of a file, and is answered when the file has been read.
+// Permission is checked before and after the reading.
 TEST(StationShell, TracksTheTableOfAFile)
 {
     ShellRig rig;
@@ -228,8 +228,8 @@ TEST(StationShell, TracksTheTableOfAFile)
     EXPECT_FALSE(locked.answer) << "nothing is read in vain";
 }
 
-// REQ-STATION-201: A station without a local socket works, and its log says why it has none. Where the rotctld server
-// does not listen there is none either.
+// REQ-STATION-201: A station without a local socket works, and its log gives the reason. Without a rotctld server there
+// is no local socket.
 TEST(StationShell, TheStationWorksWithoutIt)
 {
     LinkedStation rig;
@@ -251,7 +251,7 @@ TEST(StationShell, TheStationWorksWithoutIt)
     EXPECT_FALSE(QFile::exists(runtime.filePath(QStringLiteral("boresight"))));
 }
 
-// REQ-SCHEDULE-916: The shell lists, arms, disarms and reports. Arming is judged and refused as for the operator.
+// REQ-SCHEDULE-916: The shell lists, arms, disarms and reports the schedule. Arming follows the rules for the operator.
 TEST(StationShell, HasTheSchedule)
 {
     const QTemporaryDir runtime;
@@ -272,7 +272,7 @@ TEST(StationShell, HasTheSchedule)
     EXPECT_EQ(rig.station->status().authority, Authority::Clients) << "nothing was taken";
 }
 
-// REQ-AZEL-923: "track azel.dat" follows the Moon of WSJT-X, by the rule of any other target.
+// REQ-AZEL-923: "track azel.dat" tracks the Moon of WSJT-X, by the rules of any other target.
 TEST(StationShell, TracksTheMoonOfWsjtx)
 {
     ShellRig rig;
@@ -289,8 +289,8 @@ TEST(StationShell, TracksTheMoonOfWsjtx)
     EXPECT_NE(rig.control.status().azel.phase, AzelPhase::Off);
 }
 
-// REQ-STATION-963: "track rotctld:HOST:PORT" is answered when that rotctld has reported a position. Whether the shell
-// may is asked before and again then.
+// REQ-STATION-963: "track rotctld:HOST:PORT" is answered when that rotctld has reported a position. Permission is
+// checked before and after the waiting.
 TEST(StationShell, FollowsAnotherRotator)
 {
     ShellRig rig;
@@ -317,7 +317,7 @@ TEST(StationShell, FollowsAnotherRotator)
     EXPECT_THAT(other.readAll().toStdString(), HasSubstr("Take the control first.\n"));
 }
 
-// REQ-POSITION-41: "track position" asks for what reports its position, by the rule of any other target.
+// REQ-POSITION-41: "track position" tracks the object that reports its position, by the rules of any other target.
 TEST(StationShell, TracksWhatReportsItsPosition)
 {
     ShellRig rig;
@@ -333,7 +333,8 @@ TEST(StationShell, TracksWhatReportsItsPosition)
 }
 
 // Story: while the mount tracked the Moon at 0.004°/s, boresightctl reported NOT MOVING.
-// REQ-STATION-943: The shell reports the state, its reason and the motion as the header of the window shows them.
+// REQ-STATION-943: The shell reports the state, its reason and the motion with the same words as the header of the
+// window.
 TEST(StationShell, ReportsTheStateOfTheWindow)
 {
     ShellRig rig;
@@ -346,7 +347,7 @@ TEST(StationShell, ReportsTheStateOfTheWindow)
     EXPECT_THAT(rig.answerTo("status\n"), HasSubstr("\"state\":\"STOPPED\""));
 }
 
-// REQ-TRANSMIT-31: The shell reports whether the transmit output is on, and what keeps it off. Without an output the
+// REQ-TRANSMIT-31: The shell reports whether the transmit output is on, or what keeps it off. Without an output the
 // answer is an empty object.
 TEST(StationShell, ReportsTheTransmitOutput)
 {

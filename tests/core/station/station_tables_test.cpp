@@ -29,7 +29,7 @@ protected:
         file.write(text);
         return file.fileName();
     }
-    // Rows from a time on, 4° apart, for three minutes.
+    // Rows from `start` on, 4° apart, for three minutes.
     static QByteArray rowsFrom(UtcTime start)
     {
         QByteArray text;
@@ -43,7 +43,7 @@ protected:
     QTemporaryDir folder;
 };
 
-// What a reading came to.
+// The result of a reading.
 struct Outcome
 {
     std::optional<Result<targets::Target>> table;
@@ -55,8 +55,8 @@ struct Outcome
     [[nodiscard]] std::string problem() const { return table && !*table ? textOf(table->error()) : std::string(); }
 };
 
-// REQ-STATION-950: The file of a table is read beside the station thread, and who waits is answered once: with the
-// table, or with the file, the line and the reason. A relative path is refused.
+// REQ-STATION-950: The file of a table is read outside the station thread. The caller is answered once: with the table,
+// or with the file, the line and the reason. A relative path is refused.
 TEST_F(TableFolder, IsReadBesideTheStation)
 {
     StationTables tables(nullptr);
@@ -77,8 +77,8 @@ TEST_F(TableFolder, IsReadBesideTheStation)
     EXPECT_EQ(relative.problem(), "\"way.txt\" is not the whole path of a file. It must begin with /.");
 }
 
-// REQ-STATION-951: A command for the mount that comes while a file is read ends the waiting, so that nothing begins to
-// move behind it. So does another file. Who only looks ends nothing.
+// REQ-STATION-951: A command for the mount ends the waiting for a file, so that no motion starts later by surprise. A
+// request for another file ends it too. A request that only reads does not end it.
 TEST_F(TableFolder, AnotherCommandEndsTheWaiting)
 {
     const QString path = write("way.txt", rowsFrom(UtcTime(std::chrono::hours(480'000))));
@@ -100,8 +100,8 @@ TEST_F(TableFolder, AnotherCommandEndsTheWaiting)
     EXPECT_FALSE(held.table) << "answered once";
 }
 
-// REQ-STATION-953: The waiting for a file also ends when the mount has another errand, and after 30 s: a file may lie
-// in a folder that hangs.
+// REQ-STATION-953: The waiting for a file also ends when the mount starts another motion, and after 30 s, because the
+// folder of a file may hang.
 TEST_F(TableFolder, AnotherErrandAndTimeEndTheWaiting)
 {
     const QString path = write("way.txt", rowsFrom(UtcTime(std::chrono::hours(480'000))));
@@ -124,8 +124,8 @@ TEST_F(TableFolder, AnotherErrandAndTimeEndTheWaiting)
     tables.tick(9, start + std::chrono::seconds(31));
 }
 
-// REQ-STATION-952: From the file to the mount: the operator's request is answered when the file is read. Then the
-// station tracks the table, or says what is wrong with it and moves nothing.
+// REQ-STATION-952: The whole way from the file to the mount: the operator's request is answered when the file is read.
+// Then the station tracks the table, or reports the error and moves nothing.
 TEST_F(TableFolder, TheStationTracksAFile)
 {
     MovingStation rig(folder.path());

@@ -21,7 +21,7 @@ namespace {
 
 using Rig = LinkedStation;
 
-// On the simulated mount, with drives that were surveyed and may move.
+// A station on the simulated mount, with drives that passed the drive check and may move.
 struct SurveyedRig
 {
     SurveyedRig()
@@ -55,8 +55,8 @@ constexpr int kStationSurvey = 200;  // ticks; it takes 2.4 s
 
 const request::PointSky kFarAway{{.azimuth = 200_deg, .elevation = 60_deg}};
 
-// REQ-STATION-17: A stalled screen gets the newest status and no queue. STOP does not wait for a tick. A bus or port
-// that does not open is an alarm, and the rest works.
+// REQ-STATION-17: A stalled screen receives the newest status and no queue. STOP does not wait for a tick. A bus or
+// port that does not open raises an alarm, and everything else works.
 TEST(Station, AStalledScreenGetsTheNewestStatusAndNoQueue)
 {
     Rig rig;
@@ -73,8 +73,8 @@ TEST(Station, AStalledScreenGetsTheNewestStatusAndNoQueue)
     EXPECT_EQ(rig.updates.back().status.tick, 105U);
 }
 
-// REQ-STATION-22: Each tick is sampled once, the set-point beside the answer to it. A tick without an answer gives no
-// sample. A stalled screen misses what is older than 10 s.
+// REQ-STATION-22: Each tick gives one sample: the set-point and the reply to it. A tick without a reply gives no
+// sample. A stalled screen misses samples older than 10 s.
 TEST(Station, EveryTickIsSampledOnceWithTheAnswerToIt)
 {
     SurveyedRig rig;
@@ -96,7 +96,7 @@ TEST(Station, EveryTickIsSampledOnceWithTheAnswerToIt)
         }
         const AxisSample& azimuth = samples[2].axes[0];
         ASSERT_TRUE(azimuth.commanded && azimuth.actual && azimuth.torque && azimuth.current && azimuth.busVoltage);
-        // At 2°/s and more a place of the tick before would be 0.04° away.
+        // At 2°/s and more the position of the previous tick would be 0.04° away.
         EXPECT_NEAR(azimuth.commanded->degrees(), azimuth.actual->degrees(), 0.03);
         EXPECT_GT(*azimuth.actual, 1_deg);
     }
@@ -181,7 +181,7 @@ TEST(Station, StopDoesNotWaitForTheNextTick)
     EXPECT_EQ(rig.station->status().state, StationState::Stopped);
 }
 
-// REQ-STATION-43c: A port for every computer without a list of who may connect is an advisory.
+// REQ-STATION-43c: A port that every computer can reach, without a list of permitted clients, raises an advisory.
 TEST(Station, APortForEveryComputerIsAnAdvisory)
 {
     profile::Profile profile = anyPort();
@@ -247,7 +247,7 @@ TEST(Station, SaysThatItHasStartedWhenThereIsAPositionOrNoneToExpect)
     EXPECT_EQ(started.size(), 1);
 }
 
-// Story: the axis that the mount does not have counted as one that answers, so the start waited for the drive check.
+// Story: an axis that the mount does not have counted as a drive that replies, so the start waited for the drive check.
 TEST(Station, SaysThatItHasStartedWhereTheOnlyDriveIsSilent)
 {
     fakes::ManualClock clock;
@@ -353,7 +353,7 @@ TEST(Station, ReconnectToARealMountRefusesAProfileForASimulation)
     EXPECT_EQ(rig.station->status().state, StationState::Standby) << "the mount of before stays connected";
 }
 
-// The disk has its own time, whatever the clock says.
+// The disk has its own speed, independent of the test clock.
 bool ticksUntil(Rig& rig, const std::function<bool()>& condition)
 {
     const QDeadlineTimer limit(std::chrono::seconds(10));

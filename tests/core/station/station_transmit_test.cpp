@@ -35,7 +35,7 @@ profile::Profile held(const std::string& output)
     return profile;
 }
 
-// What the test plays for an output: it answers when the test says so.
+// A transmit output that the test controls: it answers when the test says so.
 class PlayedOutput final : public transmit::TransmitOutput
 {
 public:
@@ -64,7 +64,7 @@ private:
     std::vector<std::string>& m_calls;
 };
 
-// Before a control that the test plays: on its target, 40° up.
+// A control that the test plays: the mount is on its target, at 40° elevation.
 class StationTransmitTest : public testing::Test
 {
 protected:
@@ -118,8 +118,8 @@ protected:
     StationStatus status;
 };
 
-// REQ-TRANSMIT-20: The output is off from the start, and on only while the mount is aimed at a target and the beam is
-// near it. It is set again each second.
+// REQ-TRANSMIT-20: The output is off from the start. It is on only while the mount is aimed at a target and the beam is
+// near the target. It is set again each second.
 TEST_F(StationTransmitTest, IsOffFromTheStart)
 {
     status.aimed = false;
@@ -138,14 +138,14 @@ TEST_F(StationTransmitTest, IsOffFromTheStart)
     EXPECT_EQ(transmit.status().whyOff, QString());
 }
 
-// REQ-TRANSMIT-21: It is off in the tick in which the beam leaves, STOP is latched, a fault comes, the target sets or
-// is outside the limits, its file is stale, or the position is older than 0.5 s.
+// REQ-TRANSMIT-21: The output goes off in the same tick when the beam leaves the target, STOP is latched, a fault
+// occurs, the target sets or leaves the limits, its file becomes stale, or the position is older than 0.5 s.
 TEST_F(StationTransmitTest, IsOffInTheTickInWhichSomethingIsInTheWay)
 {
     const auto whyOffWith = [this](const auto& change) {
         const StationStatus before = status;
         begin();
-        clock.advance(Seconds(20.0));  // the log leaves out what comes too fast
+        clock.advance(Seconds(20.0));  // the log drops lines that come too fast
         tick();
         calls.clear();
         change();
@@ -166,7 +166,7 @@ TEST_F(StationTransmitTest, IsOffInTheTickInWhichSomethingIsInTheWay)
               "off: The target is below the horizon.");
     EXPECT_EQ(whyOffWith([this] {
                   status.limited = true;
-                  status.actual = status.target;  // that of the nearest permitted place
+                  status.actual = status.target;  // of the nearest permitted place
               }),
               "off: The target is outside the limits of the mount.");
     EXPECT_EQ(whyOffWith([this] { status.azel.phase = AzelPhase::Stale; }), "off: The mount has no target.");
@@ -176,8 +176,8 @@ TEST_F(StationTransmitTest, IsOffInTheTickInWhichSomethingIsInTheWay)
     EXPECT_EQ(whyOffWith([this] { status.actual.reset(); }), "off: The mount reports no position.");
 }
 
-// REQ-TRANSMIT-22: An output that fails is an alarm and counts as off. It is off for 10 s, then it is tried again. The
-// alarm ends when the output is what it should be.
+// REQ-TRANSMIT-22: An output that fails raises an alarm and counts as off. It is left off for 10 s, then it is tried
+// again. The alarm ends when the output has the wanted state.
 TEST_F(StationTransmitTest, AnOutputThatFailsCountsAsOff)
 {
     begin();
@@ -228,8 +228,8 @@ TEST_F(StationTransmitTest, AnOutputThatDoesNotAnswerHasFailed)
     EXPECT_FALSE(transmit.status().on);
 }
 
-// REQ-TRANSMIT-24: A change of the profile switches it off, and it settles anew. Another output begins when the one
-// before is off. At the end of the program it is off.
+// REQ-TRANSMIT-24: A change of the profile switches the output off, and its settling time starts again. Another output
+// starts when the old one is off. At the end of the program it is off.
 TEST_F(StationTransmitTest, AChangeOfTheProfileSwitchesItOff)
 {
     const auto apply = [this](const profile::Profile& next) {
@@ -248,7 +248,7 @@ TEST_F(StationTransmitTest, AChangeOfTheProfileSwitchesItOff)
     tick(2);
     EXPECT_THAT(take(), ElementsAre("on"));
     EXPECT_EQ(transmit.status().within, 2_deg);
-    next.mqtt.host = "elsewhere";  // which a serial port does not use
+    next.mqtt.host = "elsewhere";  // a serial port does not use this setting
     apply(next);
     EXPECT_THAT(take(), ElementsAre("off"));
 
@@ -268,8 +268,8 @@ TEST_F(StationTransmitTest, AChangeOfTheProfileSwitchesItOff)
     EXPECT_EQ(calls.front(), "off");
 }
 
-// REQ-TRANSMIT-28: An output that still has a program or a call under way is not ended before that has ended, so that
-// nobody waits for it.
+// REQ-TRANSMIT-28: An output with a running program or call is deleted only after that has ended, so that nobody waits
+// for it.
 TEST_F(StationTransmitTest, AnOutputIsNotEndedWhileSomethingRuns)
 {
     begin();
@@ -318,7 +318,7 @@ TEST_F(StationTransmitTest, ASimulatedMountSwitchesNothing)
     EXPECT_THAT(simulated.status().whyOff.toStdString(), HasSubstr("simulated"));
 }
 
-// A whole station with the simulated mount, and a file.
+// A whole station with the simulated mount, and a file as its transmit output.
 class TransmitFileTest : public testing::Test
 {
 protected:
@@ -354,7 +354,7 @@ protected:
             return file.open(QIODevice::ReadOnly) && file.readAll() == line;
         });
     }
-    // Until the decision is there, which the file then follows.
+    // Runs until the decision is made and the file follows it.
     [[nodiscard]] bool becomes(bool on, double seconds = 60.0)
     {
         for (int i = 0; i < static_cast<int>(seconds * 50.0); ++i) {
@@ -374,8 +374,8 @@ protected:
     std::unique_ptr<Station> station;
 };
 
-// REQ-TRANSMIT-26: With the mount: on when a go-to arrives, off as soon as it leaves. Parking, a jog, home, an
-// unwrapped cable and a held mount are no target.
+// REQ-TRANSMIT-26: With the mount: the output is on when a go-to arrives, and off as soon as the mount leaves. Parking,
+// a jog, home, an unwrapped cable and a held mount are no target.
 TEST_F(TransmitFileTest, FollowsTheMount)
 {
     EXPECT_TRUE(fileSays("off\n"));
@@ -398,7 +398,8 @@ TEST_F(TransmitFileTest, FollowsTheMount)
     EXPECT_TRUE(fileSays("off\n"));
 }
 
-// The limit was that of a beam of 10°, whatever the profile said: a transmitter was permitted 2.5° beside a beam of 2°.
+// Story: the limit was that of a 10° beam, whatever the profile said. With a 2° beam a transmitter was permitted 2.5°
+// beside the target.
 // REQ-TRANSMIT-29: The limit is a part of the beam width of the antenna in use.
 TEST_F(TransmitFileTest, GoesByTheBeamInUse)
 {
@@ -408,7 +409,7 @@ TEST_F(TransmitFileTest, GoesByTheBeamInUse)
     EXPECT_EQ(station->status().transmit.within, 5_deg);
 }
 
-// REQ-TRANSMIT-27: STOP, a silent drive, and the end of the program switch it off.
+// REQ-TRANSMIT-27: STOP, a silent drive and the end of the program switch the output off.
 TEST_F(TransmitFileTest, StopSwitchesItOff)
 {
     ask(request::PointSky{{.azimuth = 60_deg, .elevation = 30_deg}});

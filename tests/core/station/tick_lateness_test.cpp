@@ -20,7 +20,7 @@ TEST(TickLateness, PercentilesOfKnownDelays)
     EXPECT_NEAR(lateness.percentile(0.999).count(), 0.005, 0.00011);
 }
 
-// Story: after a stall of 12 s the longest lateness was said to be 100 ms.
+// Story: after a stall of 12 s the longest lateness was reported as 100 ms.
 TEST(TickLateness, LongStallsAreShownAsLongAsTheyWere)
 {
     TickLateness lateness(Seconds(0.02));

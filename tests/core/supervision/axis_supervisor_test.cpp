@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is hard to do to a simulated mount, by hand-made observations.
+// Hand-made observations of cases that are hard to cause on a simulated mount.
 #include "core/supervision/axis_supervisor.h"
 
 #include "core/supervision/place_belief.h"
@@ -20,7 +20,7 @@ class AxisSupervisorTest : public ::testing::Test
 protected:
     AxisSupervisorTest() { seen.received = seen.now; }
 
-    // One tick; the axis goes on at `rate` with its set-point, if it is engaged.
+    // One tick. An engaged axis moves at `rate` with its set-point.
     std::vector<Observed> tick(AngularRate rate = {}, Seconds period = Seconds(0.02))
     {
         seen.now += std::chrono::duration_cast<SteadyTime::duration>(period);
@@ -32,7 +32,7 @@ protected:
         last = supervisor.observe(believed());
         return last;
     }
-    // As DriveWatch makes it: `seen.actual` is what the drive reports.
+    // The observation as DriveWatch makes it: `seen.actual` is the position that the drive reports.
     AxisObservation believed()
     {
         belief.take({.asked = seen.now, .received = seen.received, .place = turns(seen.actual)});
@@ -82,7 +82,7 @@ protected:
 TEST_F(AxisSupervisorTest, ASetpointThatIsPutSomewhereElseIsNoMotion)
 {
     ticks(50);
-    seen.actual -= 2.5_deg;  // in small steps, the drive was away for a while
+    seen.actual -= 2.5_deg;  // in small steps while the drive was silent
     seen.commanded = seen.actual;
     belief.forget();
     supervisor.forgetMotion();
@@ -97,7 +97,7 @@ TEST_F(AxisSupervisorTest, ASetpointThatIsPutSomewhereElseIsNoMotion)
     EXPECT_TRUE(last.empty());
 }
 
-// A motor with exchanged phases gives all its torque, too, and gets faster and faster.
+// A motor with exchanged phases gives full torque, too, and turns faster and faster.
 TEST_F(AxisSupervisorTest, AnAxisThatGetsFasterAgainstItsCommandIsTheWrongWayWhateverItsDriveReports)
 {
     ticks(50);
@@ -105,15 +105,16 @@ TEST_F(AxisSupervisorTest, AnAxisThatGetsFasterAgainstItsCommandIsTheWrongWayWha
     AngularRate rate;
     for (int i = 0; i < 20 && !stops(Symptom::WrongWay); ++i) {
         rate += 3_deg_s;
-        seen.actual -= rate * Seconds(0.02) + 5_deg_s * Seconds(0.02);  // tick() takes it along with its set-point
+        seen.actual -= rate * Seconds(0.02) + 5_deg_s * Seconds(0.02);  // tick() moves it along with its set-point
         tick(5_deg_s);
     }
     EXPECT_TRUE(stops(Symptom::WrongWay));
     EXPECT_LT((100_deg - seen.actual).degrees(), 1.0);
 }
 
-// Story: without it a re-arm would be followed at once by the alarm that it has just acknowledged.
-// REQ-SUPERVISION-13: Re-arming and engaging are new beginnings. A set-point that is put somewhere else is no motion.
+// Story: without this the alarm that was just acknowledged followed at once after a re-arm.
+// REQ-SUPERVISION-13: Supervision starts again after a re-arm and when a drive is engaged. A set-point that is put
+// somewhere else is no motion.
 TEST_F(AxisSupervisorTest, ReArmingForgetsWhatWasFoundInTheMotion)
 {
     ticks(50);
@@ -157,7 +158,7 @@ TEST_F(AxisSupervisorTest, StopsComeFirstAndEachKindOnce)
 TEST_F(AxisSupervisorTest, ALateReplyIsNoJumpOfTheEncoder)
 {
     ticks(50, 10_deg_s);
-    for (int i = 0; i < 5; ++i) {  // 0.1 s without a reply, then all that was missed at once
+    for (int i = 0; i < 5; ++i) {  // 0.1 s without a reply, then all missed replies at once
         seen.now += std::chrono::milliseconds(20);
         seen.fresh = false;
         seen.commanded += 10_deg_s * Seconds(0.02);
@@ -181,14 +182,15 @@ TEST_F(AxisSupervisorTest, ATurnThatIsSetIsNoJumpOfTheEncoder)
     belief.expectAnother();
     ticks(100);
     EXPECT_TRUE(last.empty());
-    seen.actual += 36_deg;  // a turn that is corrected
+    seen.actual += 36_deg;  // a wrap that is corrected
     belief.expectAnother();
     supervisor.forgetMotion();
     ticks(100);
     EXPECT_TRUE(last.empty());
 }
 
-// Story: a drive whose power blinked while it was enabled woke up on another turn, and the mount went there.
+// Story: the power of a drive failed for a moment while the drive was enabled. It woke up on another turn, and the
+// mount went there.
 TEST_F(AxisSupervisorTest, AJumpWhileEnablingStops)
 {
     seen.engaged = false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// For each finding a cause that is really put into the simulated mount, and the time until it is found.
+// Each finding is caused for real on the simulated mount, and the time until it is found is measured.
 #include "tests/core/supervision/supervised_mount.h"
 
 #include <gmock/gmock.h>
@@ -19,7 +19,7 @@ constexpr AxisPosition kMiddle{.azimuth = 180.0_deg, .elevation = 45.0_deg};
 class InjectedCause : public ::testing::Test
 {
 protected:
-    // Runs until the finding comes; how long after `since`.
+    // Runs until the finding comes. Returns the time since `since`.
     [[nodiscard]] Seconds timeTo(Symptom symptom, Weight weight, Seconds limit, std::optional<Seconds> since = {})
     {
         const Seconds from = since.value_or(mount.now());
@@ -42,15 +42,15 @@ protected:
 struct StallCase
 {
     double rate;      // °/s
-    double maxError;  // ° between set-point and axis when it is found
+    double maxError;  // ° between set-point and axis when the finding comes
 };
 
 class StallAt : public InjectedCause, public ::testing::WithParamInterface<StallCase>
 {};
 
-// A moving axis that something stops: found within a second, at any rate from 0.5 °/s to the fastest.
-// REQ-SUPERVISION-02 (StallAt.*): An axis that is commanded and does not move stops the mount within 1.0 s from 0.5
-// °/s on, at any tick rate. Slower motion does when 0.3° are missing.
+// A moving axis is blocked: this is found within a second, at any rate from 0.5°/s to the fastest.
+// REQ-SUPERVISION-02 (StallAt.*): An axis that is commanded at 0.5°/s or more and does not move stops the mount within
+// 1.0 s, at any tick rate. At a slower rate the mount stops when the axis is 0.3° behind.
 TEST_P(StallAt, IsFoundWithinASecond)
 {
     mount.engage();
@@ -85,7 +85,7 @@ TEST_F(InjectedCause, AJamInASlewStopsTheMount)
     mount.end(jam);
 }
 
-// An axis that is blocked before it was told to move at all.
+// An axis that is blocked before its first command.
 // REQ-SUPERVISION-02
 TEST_F(InjectedCause, ABlockedAxisIsFoundWhenItIsFirstCommanded)
 {
@@ -98,13 +98,13 @@ TEST_F(InjectedCause, ABlockedAxisIsFoundWhenItIsFirstCommanded)
     EXPECT_FALSE(mount.first(Symptom::MovesUncommanded, Weight::Stop));
 }
 
-// REQ-SUPERVISION-01: A following error of 1.5° for 0.5 s is a hint, 3° for 0.5 s stops. 0.05 s of the commanded rate
-// are allowed.
+// REQ-SUPERVISION-01: A following error of 1.5° for 0.5 s is a hint. At 3° for 0.5 s the mount stops. In addition the
+// axis may lag by what it travels in 0.05 s at the commanded rate.
 TEST_F(InjectedCause, WindAtTheLimitOfTheTorqueIsAFollowingError)
 {
     mount.engage();
     mount.run(Seconds(1.0));
-    mount.inject(FaultKind::Wind, Axis::Azimuth, -46.0);  // leaves 4 Nm, of which friction takes 3
+    mount.inject(FaultKind::Wind, Axis::Azimuth, -46.0);  // leaves 4 Nm, and friction takes 3 Nm of it
     mount.turn(Axis::Azimuth, 10_deg_s);
     std::optional<Seconds> beyond;
     mount.onTick = [&] {
@@ -120,8 +120,8 @@ TEST_F(InjectedCause, WindAtTheLimitOfTheTorqueIsAFollowingError)
     EXPECT_THAT(text(Symptom::FollowingError, Weight::Stop), HasSubstr("away from its set-point for 0.50 s"));
 }
 
-// REQ-SUPERVISION-03: Motion of 0.5° against the command stops. An axis that slows down while its drive reports a
-// limit is only reversing.
+// REQ-SUPERVISION-03: Motion of 0.5° against the command stops the mount. An axis that slows down while its drive
+// reports a limit is only reversing.
 TEST_F(InjectedCause, AnAxisDrivenBackIsMovingTheWrongWay)
 {
     mount.engage();
@@ -135,8 +135,8 @@ TEST_F(InjectedCause, AnAxisDrivenBackIsMovingTheWrongWay)
     EXPECT_THAT(text(Symptom::WrongWay, Weight::Stop), HasSubstr("the azimuth moves the wrong way"));
 }
 
-// REQ-SUPERVISION-04: An axis that was to hold and moved by 1° stops the mount. An axis whose drive is off gives a
-// hint.
+// REQ-SUPERVISION-04: An axis that should hold and has moved by 1° stops the mount. An axis with its drive switched off
+// gives a hint.
 TEST_F(InjectedCause, AStormTurnsAnAxisThatHolds)
 {
     mount.engage();
@@ -165,8 +165,8 @@ TEST_F(InjectedCause, WindTurnsAnAxisThatIsOffAndThatIsAHint)
     EXPECT_EQ(mount.report(), "") << "engaging there is a new beginning";
 }
 
-// REQ-SUPERVISION-05: An angle that has jumped (`PlaceBelief`) stops. A wrap that is set is no jump. A reply that was
-// false is a hint.
+// REQ-SUPERVISION-05: A jump of the angle (`PlaceBelief`) stops the mount. Setting a wrap is no jump. A false reply is
+// a hint.
 TEST_F(InjectedCause, AnotherProgramShiftsTheAngleOfADrive)
 {
     mount.engage();
@@ -179,8 +179,8 @@ TEST_F(InjectedCause, AnotherProgramShiftsTheAngleOfADrive)
     EXPECT_THAT(text(Symptom::EncoderJump, Weight::Stop), HasSubstr("jumped by"));
 }
 
-// REQ-SUPERVISION-06 (OutsideTravel.*): Outside the travel is a hint from 0.5°, a stop from 1.5° while moving farther
-// out. The way back is free. It is not judged while the wrap is unknown.
+// REQ-SUPERVISION-06 (OutsideTravel.*): Outside the travel is a hint from 0.5° on. From 1.5° on the mount stops if it
+// moves farther out. The way back is free. While the wrap is unknown this is not checked.
 TEST(OutsideTravel, IsAHintAtRestAndOnTheWayBack)
 {
     SupervisedMount mount(sim::commissionedPair({.azimuth = 452_deg, .elevation = -0.4_deg}));
@@ -216,7 +216,7 @@ TEST(OutsideTravel, StopsWhileMovingFartherOut)
                 HasSubstr("moves farther out"));
 }
 
-// REQ-SUPERVISION-07: A reply older than 0.1 s is a hint. Silence, 0.2 s, is judged by the station.
+// REQ-SUPERVISION-07: A reply older than 0.1 s is a hint. Silence of 0.2 s is handled by the station.
 TEST_F(InjectedCause, AReplyThatIsLateIsToldWhenItComes)
 {
     mount.inject(FaultKind::Silence, Axis::Elevation, {}, Seconds(0.2));
@@ -224,8 +224,8 @@ TEST_F(InjectedCause, AReplyThatIsLateIsToldWhenItComes)
     EXPECT_EQ(mount.found().size(), 1U) << "the other axis is heard";
 }
 
-// REQ-SUPERVISION-08: The supply gives hints below 20 V and above 42 V, and a stop below 12 V while the drives still
-// can. A battery that runs empty is reported up to 5 minutes ahead.
+// REQ-SUPERVISION-08: The supply gives hints below 20 V and above 42 V, and a stop below 12 V while the drives can
+// still brake. A battery that runs empty is reported up to 5 minutes ahead.
 TEST_F(InjectedCause, ASupplyThatSags)
 {
     mount.engage();
@@ -244,7 +244,7 @@ TEST_F(InjectedCause, ASupplyThatIsTooHigh)
     EXPECT_FALSE(mount.stopped());
 }
 
-// A battery that runs empty by 0.6 V per minute: told minutes before the absolute limit.
+// A battery that loses 0.6 V a minute is reported minutes before the absolute limit.
 // REQ-SUPERVISION-08
 TEST_F(InjectedCause, ABatteryThatRunsEmpty)
 {
@@ -260,9 +260,9 @@ TEST_F(InjectedCause, ABatteryThatRunsEmpty)
     RecordProperty("what", text(Symptom::SupplyLow, Weight::Hint));
 }
 
-// Three quarters of the torque all the time: the board warms up, which is told before it is hot.
-// REQ-SUPERVISION-09: Temperatures give hints at 60 °C (board) and 80 °C (motor), and up to 5 minutes before a limit
-// is reached.
+// At three quarters of the torque the board warms up slowly. This is reported before the board is hot.
+// REQ-SUPERVISION-09: Temperatures give hints at 60 °C (board) and 80 °C (motor), and up to 5 minutes before a limit is
+// reached.
 TEST(BoardHot, IsToldBeforeItIsHot)
 {
     profile::Profile strong;
@@ -280,8 +280,9 @@ TEST(BoardHot, IsToldBeforeItIsHot)
     RecordProperty("what", what);
 }
 
-// REQ-SUPERVISION-10: 70 % of the torque for 2 s is a hint. So is 40 % of an axis that stands: more than weight and
-// friction explain, reported in Nm. 40 % while the wrap is unknown stops: a cable may be pulling.
+// REQ-SUPERVISION-10: 70 % of the torque for 2 s is a hint. For an axis that stands still 40 % is a hint, reported in
+// Nm, because it is more than weight and friction explain. While the wrap is unknown 40 % stops the mount, because the
+// cable may be pulling.
 TEST_F(InjectedCause, WindThatTakesMuchOfTheTorque)
 {
     mount.engage();
@@ -293,8 +294,8 @@ TEST_F(InjectedCause, WindThatTakesMuchOfTheTorque)
     EXPECT_FALSE(mount.stopped()) << mount.report();
 }
 
-// Story: 0.2° before its target an axis stood against an obstacle with all its torque, and nothing was said: too little
-// was asked to call it blocked.
+// Story: an axis stood 0.2° before its target and pushed against an obstacle with all its torque. Nothing was reported,
+// because the missing angle was too small to count as blocked.
 // REQ-SUPERVISION-02a: An axis that stands 0.05° beside its set-point while its drive gives 90 % of its torque for 2 s
 // is blocked, too.
 TEST_F(InjectedCause, AnAxisThatPushesJustBeforeItsTargetIsBlocked)
@@ -321,8 +322,8 @@ TEST_F(InjectedCause, WindOnAStandingAxisIsToldFromASmallerTorqueOn)
 }
 
 // REQ-SUPERVISION-02
-// REQ-SUPERVISION-03a: A limit that the drive reported within the last 0.5 s (torque 102, velocity 96) is named with a
-// following error and a blocked axis.
+// REQ-SUPERVISION-03a: A following error and a blocked axis name the limit that the drive reported within the last 0.5
+// s (torque 102, velocity 96).
 TEST_F(InjectedCause, ABlockedAxisIsToldWithTheLimitOfItsDrive)
 {
     mount.engage();
@@ -334,7 +335,7 @@ TEST_F(InjectedCause, ABlockedAxisIsToldWithTheLimitOfItsDrive)
                 HasSubstr("limit 102 of the drive: Limited by the maximum torque of the command"));
 }
 
-// A cable that comes tight during the guided unwind pulls harder and harder.
+// A cable that becomes tight during the guided unwinding pulls harder and harder.
 // REQ-SUPERVISION-10 (TorqueGuard.*)
 TEST(TorqueGuard, StopsAnUnwindThatPullsTheCableTight)
 {

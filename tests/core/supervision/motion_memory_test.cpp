@@ -9,7 +9,7 @@ namespace {
 class MotionMemoryTest : public ::testing::Test
 {
 protected:
-    // Goes on for `time`; set-point and axis each at their own rate.
+    // Continues for `time`, with set-point and axis each at its own rate.
     template <class Memory>
     void go(Memory& memory, Seconds time, AngularRate commanded, AngularRate actual)
     {
@@ -27,7 +27,8 @@ protected:
     AxisObservation seen{.now = SteadyTime(std::chrono::hours(1)), .engaged = true};
 };
 
-// Story: after minutes of rest an axis that needed 0.2 s to break away counted as blocked since it last moved.
+// Story: an axis stood still for minutes and then needed 0.2 s to break away. It counted as blocked since its last
+// motion.
 // REQ-SUPERVISION-02 (MotionMemoryTest.*)
 TEST_F(MotionMemoryTest, TimeAtRestIsNotTimeUnderCommand)
 {
@@ -69,8 +70,8 @@ TEST_F(MotionMemoryTest, MotionAgainstTheCommandIsMeasured)
     EXPECT_NEAR(progress.against().degrees(), 0.5, 0.03);
 }
 
-// Story: of ten replies one was false. When that was by less than can be doubted just as the axis was to set off, it
-// counted as the place where it set off, and the mount was stopped: "does not move".
+// Story: one of ten replies was false. A reply with an error too small to be doubted came just when the axis was about
+// to start. It counted as the starting position, and the mount was stopped: "does not move".
 // REQ-SUPERVISION-19
 TEST_F(MotionMemoryTest, AReplyThatIsFalseByLittleIsNotWhereTheMotionBegan)
 {
@@ -126,7 +127,7 @@ TEST_F(MotionMemoryTest, AnAxisThatCoastsHasNotComeToStand)
     EXPECT_NEAR(standing.moved()->degrees(), 3.0, 0.1);
 }
 
-// An elevation that sinks slowly by its own weight never comes to stand, and is told all the same.
+// An elevation axis that sinks slowly by its own weight never stands still, and is reported all the same.
 // REQ-SUPERVISION-04
 TEST_F(MotionMemoryTest, AnAxisThatCreepsIsMeasuredFromTheLongestStop)
 {

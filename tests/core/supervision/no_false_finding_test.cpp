@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a healthy mount does in ordinary weather, and that it finds nothing wrong.
+// The normal motions of a healthy mount in ordinary weather cause no finding.
 #include "tests/core/supervision/supervised_mount.h"
 
 #include <gtest/gtest.h>
@@ -12,8 +12,8 @@ namespace {
 
 using sim::FaultKind;
 
-// REQ-SUPERVISION-11 (NoFalseFinding.*): A healthy mount finds nothing: standing, slews at full speed, jogs and
-// reversals, sidereal crawl, steps of 0.1°, gusts of 150 % and 300 % of the tracking torque, one lost reply in a
+// REQ-SUPERVISION-11 (NoFalseFinding.*): A healthy mount causes no finding: standing still, slews at full speed, jogs
+// and reversals, sidereal tracking, steps of 0.1°, gusts of 150 % and 300 % of the tracking torque, one lost reply in a
 // hundred, a whole pass.
 TEST(NoFalseFinding, StandingStillForTwentyMinutes)
 {
@@ -55,8 +55,8 @@ TEST(NoFalseFinding, JogsAndReversalsAtAnyRate)
     EXPECT_EQ(mount.report(), "");
 }
 
-// Story: 300°/s² with 50 Nm. Each reversal overshot, and the operator was told not to re-arm before the motor had been
-// calibrated.
+// Story: with 300°/s² and 50 Nm each reversal overshot. The operator was advised not to re-arm before the motor had
+// been calibrated.
 // REQ-SUPERVISION-03
 TEST(NoFalseFinding, AReversalWithTooLittleTorqueIsNoWrongWay)
 {
@@ -83,7 +83,7 @@ TEST(NoFalseFinding, CrawlsAndStepsOfATenthOfADegree)
 {
     SupervisedMount mount;
     mount.engage();
-    mount.turn(Axis::Azimuth, AngularRate::fromDegrees(0.004));  // with the stars
+    mount.turn(Axis::Azimuth, AngularRate::fromDegrees(0.004));  // sidereal rate
     mount.turn(Axis::Elevation, AngularRate::fromDegrees(0.03));
     mount.run(Seconds(300.0));
     for (int i = 1; i < 60; ++i) {
@@ -136,7 +136,7 @@ TEST(NoFalseFinding, OneReplyInAHundredIsLost)
     EXPECT_EQ(mount.report(), "");
 }
 
-// Gusts of one and a half times the torque of tracking, and in all directions.
+// Gusts of one and a half times the tracking torque, in all directions.
 TEST(NoFalseFinding, GustsDoNotStopTheMount)
 {
     SupervisedMount mount(sim::commissionedPair({.azimuth = 0_deg, .elevation = 45_deg}));
@@ -156,7 +156,7 @@ TEST(NoFalseFinding, GustsDoNotStopTheMount)
     RecordProperty("tracking_torque_nm", std::to_string(tracking));
 }
 
-// The guided unwind, against a gust.
+// The guided unwinding against a gust.
 // REQ-SUPERVISION-10
 TEST(NoFalseFinding, JoggingSlowlyWithAnUnknownTurn)
 {

@@ -19,7 +19,7 @@ MotorTurns degrees(double value)
     return MotorTurns::fromTurns(value / 360.0);
 }
 
-// A drive that is asked every 20 ms and answers a millisecond later. Degrees, 10 °/s at most.
+// A drive that is queried every 20 ms and replies a millisecond later. In degrees, at most 10°/s.
 class PlaceBeliefTest : public ::testing::Test
 {
 protected:
@@ -48,10 +48,11 @@ protected:
     double rate = 0.0;
 };
 
-// Story: five replies in a row were false alike after the bus was taken back. The drive was still on, and got their
-// place to hold.
-// REQ-SUPERVISION-15: A place is believed if the axis can have got there since the last believed one. Else it is
-// doubted, until six replies in a row agree with each other: then the angle has jumped. A first place needs as many.
+// Story: after the bus was taken back five replies in a row had the same false position. The drive was still on, and
+// was commanded to hold there.
+// REQ-SUPERVISION-15: A position is believed if the axis can have got there since the last believed position. Otherwise
+// it is doubted, until six replies in a row agree with each other: then the angle has jumped. A first position also
+// needs six such replies.
 TEST_F(PlaceBeliefTest, TheFirstPlaceIsBelievedWhenSixRepliesAgree)
 {
     reply(100.0);
@@ -123,8 +124,8 @@ TEST_F(PlaceBeliefTest, EverySecondReplyMayBeFalse)
     EXPECT_FALSE(belief.takeJump());
 }
 
-// Story: a slip of 2° in mid-slew was within what a reply can be late.
-// REQ-SUPERVISION-16: A slip of 1° between two replies, in either direction and at any speed up to 10 °/s, is a jump.
+// Story: a slip of 2° during a slew was within the tolerance for late replies.
+// REQ-SUPERVISION-16: A slip of 1° between two replies is a jump, in either direction and at any speed up to 10°/s.
 TEST_F(PlaceBeliefTest, ASlipOfOneDegreeIsAJumpAtAnySpeed)
 {
     for (const double speed : {0.0, 1.0, 5.0, 10.0, -10.0}) {
@@ -144,7 +145,7 @@ TEST_F(PlaceBeliefTest, ASlipOfOneDegreeIsAJumpAtAnySpeed)
     }
 }
 
-// Something hard stops the axis, and its encoder slips: two degrees are more than the stop explains.
+// The axis hits something hard and its encoder slips: two degrees are more than the stop explains.
 TEST_F(PlaceBeliefTest, ASlipOfTwoDegreesJustAfterAHardStopIsAJump)
 {
     for (const double slip : {2.0, -2.0}) {
@@ -184,8 +185,9 @@ TEST_F(PlaceBeliefTest, ASlipOfTwoDegreesIsAJumpWithRepliesLostOrFalseAfterIt)
     }
 }
 
-// REQ-SUPERVISION-18: After three replies in a row without a place that is believed the next one needs three that
-// agree, one other between two of them allowed. After 0.2 s without there is no place.
+// REQ-SUPERVISION-18: After three replies in a row without a believed position the next position needs three replies
+// that agree. One other reply between two of them is allowed. After 0.2 s without a believed position there is no
+// position.
 TEST_F(PlaceBeliefTest, ADriveWithoutAPlaceHasNoneAfterAFifthOfASecond)
 {
     replies(10);
@@ -212,10 +214,10 @@ TEST_F(PlaceBeliefTest, ADriveWithoutAPlaceHasNoneAfterAFifthOfASecond)
     EXPECT_TRUE(belief.takeJump()) << "farther than it can have gone meanwhile";
 }
 
-// Story: of ten replies one was false. Two in a row, each by less than can be doubted, were believed; then the true
-// ones counted as a jump.
-// REQ-SUPERVISION-19: A reply that continues the course of one of the last four believed places is believed: one or
-// two that were false by too little to be doubted do no harm.
+// Story: one of ten replies was false. Two in a row, each with an error too small to be doubted, were believed. Then
+// the true replies counted as a jump.
+// REQ-SUPERVISION-19: A reply that continues the path of one of the last four believed positions is believed. So one or
+// two replies with an error too small to be doubted do no harm.
 TEST_F(PlaceBeliefTest, AfterTwoRepliesThatAreFalseByLittleTheTrueOnesAreBelieved)
 {
     for (const double speed : {0.0, -2.0, 10.0}) {
@@ -234,8 +236,8 @@ TEST_F(PlaceBeliefTest, AfterTwoRepliesThatAreFalseByLittleTheTrueOnesAreBelieve
     }
 }
 
-// Story: of ten replies one was false. Three in a row left the axis without a place; then single ones kept it so, and
-// the drive counted as blind.
+// Story: one of ten replies was false. Three in a row left the axis without a position. Then single false replies kept
+// it so, and the drive counted as blind.
 // REQ-SUPERVISION-18
 TEST_F(PlaceBeliefTest, AfterThreeRepliesWithoutAPlaceOneMoreDoesNotBreakTheRow)
 {
@@ -256,7 +258,7 @@ TEST_F(PlaceBeliefTest, AfterThreeRepliesWithoutAPlaceOneMoreDoesNotBreakTheRow)
     }
 }
 
-// After replies without a place the axis can have gone two degrees; every second reply says that it has.
+// After replies without a position the axis can have moved by two degrees, and every second reply claims this.
 TEST_F(PlaceBeliefTest, AFalsePlaceThatAlternatesWithTheTrueOneIsNotBelieved)
 {
     for (const bool falseFirst : {true, false}) {
@@ -294,7 +296,7 @@ TEST_F(PlaceBeliefTest, WhatIsForgottenIsNoJump)
     EXPECT_FALSE(belief.takeFalsePlace());
 }
 
-// A reply of some ticks ago, and one that is false by little, are believed or not; the true ones after it are.
+// A late reply, or one with a small error, may be believed or not. The true replies after it are believed.
 // REQ-SUPERVISION-17
 TEST_F(PlaceBeliefTest, AReplyThatIsALittleOffIsNoJump)
 {
@@ -328,7 +330,7 @@ TEST_F(PlaceBeliefTest, AnAxisThatIsStoppedAtOnceIsNotDoubted)
     }
 }
 
-// What is measured at `at` and known to the host at `arrives`.
+// A value measured at `asked`, which Boresight receives at `arrives`.
 struct Sample
 {
     double asked;
@@ -336,7 +338,7 @@ struct Sample
     double place;
 };
 
-// A profile of speeds with jerky starts and stops, read by a host whose bus and ticks are late at random.
+// A speed profile with jerky starts and stops. The bus and the ticks that read it are late at random.
 class HealthyAxis : public PlaceBeliefTest, public ::testing::WithParamInterface<double>
 {
 protected:
@@ -355,7 +357,7 @@ protected:
         }
     }
 
-    // Speeds change by at most the emergency braking of a drive: from full speed to rest in 0.08 s.
+    // Speeds change by at most the emergency braking of a drive: from full speed to standstill in 0.08 s.
     [[nodiscard]] std::vector<double> placesEveryMillisecond() const
     {
         std::vector<double> places;
@@ -372,8 +374,9 @@ protected:
     }
 };
 
-// REQ-SUPERVISION-17 (HealthyAxis.*): A healthy axis is never doubted: full speed, reversals as hard as a drive
-// brakes, something in its way, replies up to 30 ms late, ticks up to 0.12 s late, one reply in fifty lost.
+// REQ-SUPERVISION-17 (HealthyAxis.*): A healthy axis is never doubted: at full speed, in reversals at the full braking
+// of a drive, at an obstacle, with replies up to 30 ms late, with ticks up to 0.12 s late, and with one reply in fifty
+// lost.
 TEST_P(HealthyAxis, IsNeverDoubted)
 {
     belief.setLimits({.allowance = degrees(0.5), .speed = degrees(GetParam()) / Seconds(1.0)});
@@ -385,7 +388,7 @@ TEST_P(HealthyAxis, IsNeverDoubted)
     std::vector<Sample> waiting;
     double time = 0.1;
     while (time < 59.0) {
-        // As Drive::judge() has it: the oldest question without an answer.
+        // As in Drive::judge(): the oldest query without a reply.
         asked = replied || !asked ? time : *asked;
         replied = false;
         const double latency = chance(0.02) ? 0.03 : std::uniform_real_distribution(0.0005, 0.008)(random);
@@ -396,7 +399,7 @@ TEST_P(HealthyAxis, IsNeverDoubted)
         const double next =
             time + (chance(0.01) ? 0.12 : kTick + std::uniform_real_distribution(-0.004, 0.004)(random));
         while (!waiting.empty() && waiting.front().arrives < next) {
-            // After a stall replies are stamped when they are read.
+            // After a stall, replies get the time when they are read.
             const double stamp = next - time > 0.1 ? next - 0.0001 : waiting.front().arrives;
             const auto steady = [](double seconds) {
                 return SteadyTime(std::chrono::duration_cast<SteadyTime::duration>(Seconds(seconds)));

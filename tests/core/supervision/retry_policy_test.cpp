@@ -32,14 +32,15 @@ struct KeptProfile
     profile::InForce inForce{profile::Profile()};
 };
 
-// A policy with these settings in force.
+// A policy with these settings in effect.
 struct PolicyBy : KeptProfile, RetryPolicy
 {
     explicit PolicyBy(const profile::RecoverySettings& settings) : KeptProfile(settings), RetryPolicy(inForce) {}
 };
 
-// REQ-SUPERVISION-20: Nothing is re-armed without a person unless the profile says so, and never after encoder,
-// configuration, driver or motion faults, a release by another program or a stop of our own.
+// REQ-SUPERVISION-20: Nothing is re-armed without a person unless the profile says so. It is never re-armed
+// automatically after encoder, configuration, driver or motion faults, after another program released the drive, or
+// after a stop by Boresight itself.
 TEST(RetryPolicy, NothingIsRetriedByDefault)
 {
     for (int loss = 0; loss <= static_cast<int>(LossClass::Bus); ++loss) {
@@ -89,7 +90,7 @@ TEST(RetryPolicy, EachClassHasItsOwnSetting)
     EXPECT_FALSE(supply.nextTry());
 }
 
-// REQ-SUPERVISION-23: "interval" tries again, each time so long after the loss or the last attempt.
+// REQ-SUPERVISION-23: "interval" tries again, each time this long after the loss or the last attempt.
 TEST(RetryPolicy, IntervalGoesOnForEver)
 {
     PolicyBy policy(always(Retry::Interval));
@@ -105,7 +106,8 @@ TEST(RetryPolicy, IntervalGoesOnForEver)
     EXPECT_FALSE(policy.nextTry()) << "nothing is lost";
 }
 
-// REQ-SUPERVISION-22: "once" is once per episode. A person's re-arm or an hour of health begins a new one.
+// REQ-SUPERVISION-22: "once" means once in an episode. A re-arm by a person or an hour without a loss starts a new
+// episode.
 TEST(RetryPolicy, OnceIsOncePerEpisode)
 {
     PolicyBy policy(always(Retry::Once));
@@ -158,7 +160,7 @@ TEST(RetryPolicy, TwoTimesHalfAnHourIsNoHourOfHealth)
     EXPECT_FALSE(policy.nextTry());
 }
 
-// REQ-SUPERVISION-24: Of several losses the strictest decides.
+// REQ-SUPERVISION-24: Of several losses the strictest rule decides.
 TEST(RetryPolicy, TheStrictestLossDecides)
 {
     PolicyBy policy(always(Retry::Interval));
@@ -181,22 +183,22 @@ protected:
     profile::SupervisionSettings settings;
 };
 
-// REQ-SUPERVISION-25 (ClearRefusal.*): A re-arm is refused with value and limit while the heat or the supply that led
-// to the stop is still there, whatever the loss is called. The heat is gone 5 °C below fault and limit of the part
-// that was hot. The motor must be below `motor_hot_c` in any case.
+// REQ-SUPERVISION-25 (ClearRefusal.*): A re-arm is refused with value and limit while the heat or the supply voltage
+// that caused the stop is still there, whatever class the loss has. The heat is gone 5 °C below the fault temperature
+// and the limit of the part that was hot. The motor must be below `motor_hot_c` in any case.
 TEST_F(ClearRefusal, ABoardMustCoolDownByFiveDegrees)
 {
     const DriveConditions hot{.voltage = 24.0, .boardTemperature = 76.0};
     EXPECT_EQ(refusal(LossClass::OverTemperature, hot, {.voltage = 24.0, .boardTemperature = 70.6}),
               "The drive board is still at 71 °C. It must cool down to 70 °C.");
     EXPECT_EQ(refusal(LossClass::OverTemperature, hot, {.voltage = 24.0, .boardTemperature = 70.0}), "");
-    // A drive whose own limit is lower, and no sensor in the motor.
+    // A drive with a lower limit of its own, and a motor without a sensor.
     const DriveConditions strict{.voltage = 24.0, .boardTemperature = 60.0};
     EXPECT_NE(refusal(LossClass::OverTemperature, strict, {.voltage = 24.0, .boardTemperature = 56.0}), "");
     EXPECT_EQ(refusal(LossClass::OverTemperature, strict, {.voltage = 24.0, .boardTemperature = 55.0}), "");
 }
 
-// Story: a board at 32 °C never cools down by five degrees on a warm day; it was the motor that was too hot.
+// Story: a board at 32 °C never cools down by five degrees on a warm day. The motor was the hot part.
 TEST_F(ClearRefusal, AMotorMustCoolDownIfItWasTheMotor)
 {
     const DriveConditions hot{.voltage = 24.0, .boardTemperature = 32.0, .motorTemperature = 90.0};
@@ -206,14 +208,14 @@ TEST_F(ClearRefusal, AMotorMustCoolDownIfItWasTheMotor)
     EXPECT_EQ(
         refusal(LossClass::OverTemperature, hot, {.voltage = 24.0, .boardTemperature = 33.0, .motorTemperature = 79.9}),
         "");
-    // A motor whose limit is lower than what the profile calls hot.
+    // A motor with a limit below the hot temperature of the profile.
     const DriveConditions small{.voltage = 24.0, .boardTemperature = 32.0, .motorTemperature = 70.0};
     EXPECT_EQ(refusal(LossClass::OverTemperature, small,
                       {.voltage = 24.0, .boardTemperature = 32.0, .motorTemperature = 66.0}),
               "The motor is still at 66 °C. It must cool down to 65 °C.");
 }
 
-// Story: a motor at 95 °C went on warming up after its drive had switched off, and was re-armed as if that was over.
+// Story: a motor at 95 °C became hotter after its drive had switched off. The re-arm was accepted all the same.
 TEST_F(ClearRefusal, AMotorThatIsHotNowIsNotReArmed)
 {
     const DriveConditions both{.voltage = 24.0, .boardTemperature = 76.0, .motorTemperature = 78.0};
@@ -225,7 +227,7 @@ TEST_F(ClearRefusal, AMotorThatIsHotNowIsNotReArmed)
               "");
 }
 
-// Story: a mount that Boresight had stopped at 11 V was re-armed at 11 V.
+// Story: Boresight had stopped a mount at 11 V, and at 11 V it was re-armed.
 TEST_F(ClearRefusal, ASupplyThatStoppedTheMountMustBeBackWhateverTheLossWasCalled)
 {
     const DriveConditions low{.voltage = 11.8, .boardTemperature = 30.0};
@@ -251,7 +253,7 @@ TEST_F(ClearRefusal, TheSupplyMustBeBack)
     EXPECT_EQ(refusal(LossClass::Supply, cut, {.voltage = 24.0}), "");
 }
 
-// Story: a temperature that was no number counted as 0 °C, and the hot motor was re-armed.
+// Story: a temperature that was not a number counted as 0 °C, and the hot motor was re-armed.
 TEST_F(ClearRefusal, WhatIsNotToldIsNotCool)
 {
     const DriveConditions hot{.voltage = 24.0, .boardTemperature = 76.0, .motorTemperature = 90.0};
@@ -275,8 +277,8 @@ TEST_F(ClearRefusal, OtherLossesHaveNothingToWaitFor)
     }
 }
 
-// REQ-SUPERVISION-26 (StandingRefusal.*): A re-arm is refused while either drive measures what would stop the mount
-// again at once: board or supply beyond their limits.
+// REQ-SUPERVISION-26 (StandingRefusal.*): A re-arm is refused while either drive measures a value that would stop the
+// mount again at once: board temperature or supply beyond their limits.
 TEST(StandingRefusal, WhatWouldStopTheMountAgainAtOnce)
 {
     const profile::SupervisionSettings settings;

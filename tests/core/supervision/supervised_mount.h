@@ -14,11 +14,11 @@
 #include <string>
 #include <vector>
 
-// The loop of a station in small: two supervised axes on the simulated pair with all its physics, ticked at 50 Hz by
-// hand. It obeys no finding, so that a test sees each of them; time is in seconds since it was made.
+// The loop of a station on a small scale: two supervised axes on the simulated pair with all its physics, ticked by
+// hand at 50 Hz. It ignores the findings, so that a test sees all of them. Times are seconds since its construction.
 namespace boresight::supervision {
 
-// When a finding first came with that weight.
+// The first time of a finding with this weight.
 struct Found
 {
     Seconds at{0.0};
@@ -35,11 +35,11 @@ public:
                              const profile::Profile& profile = {});
 
     void run(Seconds time);
-    // Set-points from where the axes stand; both axes rest until told otherwise.
+    // Set-points start at the positions of the axes. Both axes stand still until they are commanded.
     void engage();
-    void release();  // drives off
+    void release();  // switches the drives off
     void goTo(Axis axis, Angle target);
-    void turn(Axis axis, AngularRate rate);  // 0: comes to rest
+    void turn(Axis axis, AngularRate rate);  // with rate 0 the axis comes to a standstill
     void send(Axis axis, const moteus::Command& command);
 
     sim::FaultSchedule::Handle inject(sim::FaultKind kind, Axis axis, std::optional<double> value = {},
@@ -53,7 +53,7 @@ public:
 
     [[nodiscard]] const std::vector<Found>& found() const { return m_found; }
     [[nodiscard]] std::optional<Found> first(Symptom symptom, Weight weight) const;
-    [[nodiscard]] bool stopped() const;        // any finding that stops
+    [[nodiscard]] bool stopped() const;        // whether there is any finding that stops the mount
     [[nodiscard]] std::string report() const;  // for a failed test
     void clearFound() { m_found.clear(); }
 

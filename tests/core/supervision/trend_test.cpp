@@ -9,7 +9,7 @@
 namespace boresight::supervision {
 namespace {
 
-// As it comes at 50 Hz in steps of 0.1, the resolution of the reply.
+// The values arrive at 50 Hz in steps of 0.1, the resolution of the reply.
 Trend after(Seconds time, const std::function<double(double)>& value)
 {
     Trend trend;
@@ -20,7 +20,7 @@ Trend after(Seconds time, const std::function<double(double)>& value)
     return trend;
 }
 
-// REQ-SUPERVISION-14 (Trend.*): Only values along a line are a trend: steps and swings of the load are none.
+// REQ-SUPERVISION-14 (Trend.*): Only values along a line are a trend. Steps and swings of the load are no trend.
 TEST(Trend, FindsARampWithinATwentiethOfIt)
 {
     const auto line = after(Seconds(61.0), [](double t) { return 42.0 + 6.0 * t / 60.0; }).line();
@@ -53,7 +53,7 @@ TEST(Trend, StepsAndSwingsAreNoTrend)
         EXPECT_FALSE(after(Seconds(120.0), [when](double t) { return t < when ? 24.0 : 22.5; }).line()) << when;
     }
     EXPECT_FALSE(after(Seconds(120.0), [](double t) { return t < 80.0 ? 24.0 : t < 100.0 ? 23.0 : 22.0; }).line());
-    for (const double period : {5.0, 20.0, 40.0, 60.0}) {  // slew and rest, slew and rest
+    for (const double period : {5.0, 20.0, 40.0, 60.0}) {  // the mount slews and stands still in turns
         const auto swing = [period](double t) { return std::fmod(t, period) < period / 2.0 ? 24.0 : 22.5; };
         EXPECT_FALSE(after(Seconds(120.0), swing).line()) << period;
     }

@@ -14,7 +14,7 @@ constexpr WatchLimits kLimits{
 class WatchTest : public ::testing::Test
 {
 protected:
-    // The value stays for so long; looked at every 20 ms.
+    // The value stays for this time and is checked every 20 ms.
     void stay(double value, Seconds time)
     {
         for (Seconds passed{0.0}; passed < time; passed += Seconds(0.02)) {
@@ -29,8 +29,8 @@ protected:
     SteadyTime now{std::chrono::hours(1)};
 };
 
-// REQ-SUPERVISION-12 (WatchTest.*): No alarm flickers. A text keeps its numbers until it becomes a stop or has
-// doubled.
+// REQ-SUPERVISION-12 (WatchTest.*): No alarm flickers. The text of an alarm keeps its numbers until the alarm becomes a
+// stop or the value has doubled.
 TEST_F(WatchTest, BeginsAfterItsTimeAndEndsWhenQuiet)
 {
     stay(1.1, Seconds(0.48));

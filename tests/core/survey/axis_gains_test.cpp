@@ -68,7 +68,7 @@ struct GainsRig
     bool silent = false;
 };
 
-// REQ-TUNING-07: The gains of a drive are read over its console, each with the bounds in which it may be changed.
+// REQ-TUNING-07: The gains of a drive are read over its console, each with the bounds for changing it.
 TEST(AxisGains, AreReadWithTheirBounds)
 {
     GainsRig rig;
@@ -90,7 +90,7 @@ TEST(AxisGains, AreReadWithTheirBounds)
     EXPECT_FALSE(rig.gains.isOnTrial());
 }
 
-// REQ-TUNING-08: A gain is written within its bounds, read back, and is on trial until it is stored or put back.
+// REQ-TUNING-08: A gain is written within its bounds and read back. It is on trial until it is stored or restored.
 TEST(AxisGains, AreWrittenReadBackAndPutBack)
 {
     GainsRig rig;
@@ -104,7 +104,7 @@ TEST(AxisGains, AreWrittenReadBackAndPutBack)
     EXPECT_NEAR(rig.drive().servo.gains.kp, found / 2.0, 0.1);
     EXPECT_TRUE(rig.gains.isOnTrial());
     EXPECT_THAT(rig.gains.takeNotes(), testing::SizeIs(1));
-    // The bounds stay about what is stored.
+    // The bounds stay relative to the stored value.
     EXPECT_NEAR(rig.line(Gain::Stiffness).least, found / 4.0, 0.1);
 
     EXPECT_THAT(rig.gains.toPutBack(), testing::ElementsAre(Gain::Stiffness));
@@ -115,7 +115,7 @@ TEST(AxisGains, AreWrittenReadBackAndPutBack)
     EXPECT_THAT(rig.gains.toPutBack(), testing::IsEmpty());
 }
 
-// REQ-TUNING-09: Only an act of its own stores gains: before it a power cycle brings back what was stored.
+// REQ-TUNING-09: Gains are stored only by a separate request. Until then a power cycle brings back the stored values.
 TEST(AxisGains, AreKeptWithoutPowerOnlyWhenStored)
 {
     GainsRig rig;
@@ -135,11 +135,11 @@ TEST(AxisGains, AreKeptWithoutPowerOnlyWhenStored)
     rig.pair.drive(Axis::Azimuth).setPowered(false);
     rig.pair.drive(Axis::Azimuth).setPowered(true);
     EXPECT_NEAR(rig.drive().servo.gains.kd, found * 1.5, 0.01);
-    // What was found first can still be put back.
+    // The first value found can still be restored.
     EXPECT_THAT(rig.gains.toPutBack(), testing::ElementsAre(Gain::Damping));
 }
 
-// REQ-TUNING-10: What a drive did not take, or did not answer to, is reported, and the gains count as unknown.
+// REQ-TUNING-10: A gain that a drive did not accept or confirm is reported, and the gains count as unknown.
 TEST(AxisGains, WhatWasInterruptedIsNotBelieved)
 {
     GainsRig rig;

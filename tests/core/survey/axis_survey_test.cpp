@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A drive whose console does what the simulated one never does: unknown keys, and settings that do not stick.
+// A drive with a console that behaves unlike the simulated one: unknown keys, and settings that are not kept.
 #include "core/survey/axis_survey.h"
 
 #include "core/moteus/frame_server.h"
@@ -39,7 +39,7 @@ public:
     }
 
     std::map<std::string, std::string> settings;
-    std::string garbled;  // a key whose new value is never understood
+    std::string garbled;  // a key whose new value always arrives garbled
     bool canStore = true;
     std::vector<std::string> heard;
 

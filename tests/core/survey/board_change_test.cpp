@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One setting of one board, on the simulated pair as the factory sends it: both boards with one id.
+// One setting of one board, on the simulated pair with factory settings: both boards have the same id.
 #include "core/survey/board_change.h"
 
 #include "core/sim/drive_config.h"
@@ -18,7 +18,7 @@ using testing::HasSubstr;
 
 constexpr Seconds kChangeTick{0.02};
 
-// The id of the board of the elevation becomes 2.
+// Changes the id of the elevation board to 2.
 class BoardChangeTest : public testing::Test
 {
 protected:
@@ -38,7 +38,7 @@ protected:
     {
         return SteadyTime(std::chrono::hours(1)) + std::chrono::duration_cast<SteadyTime::duration>(elapsed);
     }
-    // Until it has ended. `meanwhile` is called before each tick.
+    // Runs until the change has ended. `meanwhile` is called before each tick.
     std::string change(
         const BoardOrder& order, const std::function<void()>& meanwhile = [] {})
     {
@@ -80,8 +80,8 @@ protected:
     std::vector<CanFrame> sent;
 };
 
-// REQ-SURVEY-950: The only board on the bus gets another id. It is set, found again by its UUID under the new id, read
-// back and stored. Nothing that is sent moves an axis.
+// REQ-SURVEY-950: The only board on the bus receives another id. It is set, the board is found again by its UUID under
+// the new id, and the id is read back and stored. Nothing that is sent moves an axis.
 TEST_F(BoardChangeTest, TheOnlyBoardGetsAnotherIdThatIsStored)
 {
     EXPECT_EQ(change(newId), "");
@@ -107,8 +107,8 @@ TEST_F(BoardChangeTest, LostFramesAreRepeated)
     EXPECT_EQ(idOf(Axis::Elevation), 2);
 }
 
-// REQ-SURVEY-951: Nothing is changed while two boards with one id are connected, or another board than the one that was
-// confirmed, or none.
+// REQ-SURVEY-951: Nothing is changed while two boards with the same id are connected, or a board other than the
+// confirmed one, or none.
 TEST_F(BoardChangeTest, TwoBoardsWithOneIdAreLeftAsTheyAre)
 {
     pair.setFitted(Axis::Azimuth, true);
@@ -133,7 +133,8 @@ TEST_F(BoardChangeTest, WithoutABoardNothingIsSentToAny)
     EXPECT_THAT(change(newId), HasSubstr("No board with the id 1 answers"));
 }
 
-// REQ-SURVEY-952: Nothing is stored unless the same board answers under the new id, alone, and reads back what was set.
+// REQ-SURVEY-952: Nothing is stored unless the same board alone answers under the new id and reads back the value that
+// was set.
 TEST_F(BoardChangeTest, AnotherBoardThatComesMeanwhileEndsItUnstored)
 {
     const auto plugIn = [this] { pair.setFitted(Axis::Azimuth, idOf(Axis::Elevation) == 2); };
@@ -156,7 +157,7 @@ TEST_F(BoardChangeTest, ABoardThatLosesItsPowerMeanwhileKeepsItsOldId)
     EXPECT_EQ(idOf(Axis::Elevation), 1);
 }
 
-// Story: text that is no number counts as 0, without an error: an order may be garbled on its way to the console.
+// Story: text that is not a number counts as 0, without an error. A command may be garbled on its way to the console.
 // REQ-SURVEY-952
 TEST_F(BoardChangeTest, WhatReadsBackOtherwiseIsNotStored)
 {
@@ -167,7 +168,7 @@ TEST_F(BoardChangeTest, WhatReadsBackOtherwiseIsNotStored)
                      .value = 0.01,
                      .what = QStringLiteral("the gear ratio")};
     bool spoiled = false;
-    const auto spoil = [&] {  // somebody else writes at the same time
+    const auto spoil = [&] {  // another tool writes at the same time
         const std::string text = "conf set motor_position.rotor_to_output_ratio 0.5\n";
         if (!spoiled && pair.drive(Axis::Elevation).driveConfig().motorPosition.rotorToOutputRatio == 0.01) {
             pair.drive(Axis::Elevation)
@@ -198,8 +199,8 @@ TEST_F(BoardChangeTest, AGearRatioIsStored)
     EXPECT_EQ(pair.drive(Axis::Azimuth).driveConfig().motorPosition.rotorToOutputRatio, 1.0);
 }
 
-// REQ-SURVEY-957: With the gear the gains follow that count output turns. They are read, set, read back and stored with
-// it. What an older firmware does not have is left out.
+// REQ-SURVEY-957: When the gear ratio changes, the gains that depend on output turns are converted: read, set, read
+// back and stored with it. Gains that older firmware does not have are left out.
 TEST_F(BoardChangeTest, GainsFollowTheGear)
 {
     const double before = pair.drive(Axis::Elevation).driveConfig().servo.gains.kp;
@@ -221,7 +222,7 @@ TEST_F(BoardChangeTest, GainsFollowTheGear)
     EXPECT_NEAR(pair.drive(Axis::Elevation).driveConfig().motorPosition.rotorToOutputRatio, 0.01, 1e-8);
 }
 
-// Story: the answer to `conf write` was lost, and the operator was told that nothing was stored.
+// Story: the answer to `conf write` was lost, and the operator read that nothing was stored.
 // REQ-SURVEY-952
 TEST_F(BoardChangeTest, WhatWasPerhapsStoredIsCalledUnknown)
 {
@@ -233,9 +234,9 @@ TEST_F(BoardChangeTest, WhatWasPerhapsStoredIsCalledUnknown)
     EXPECT_THAT(change(newId, fallSilent), HasSubstr("It is unknown whether the board stored them"));
 }
 
-// REQ-SIM-950: Two different answers under one id destroy each other, or arrive one after the other, as often as the
-// settings say. Destroyed ones count as errors of the bus.
-// REQ-SURVEY-954: Two boards with one id are noticed in both cases.
+// REQ-SIM-950: Two different replies under the same id destroy each other or arrive one after the other, with the
+// frequency that the settings give. Destroyed replies count as bus errors.
+// REQ-SURVEY-954: Two boards with the same id are detected in both cases.
 TEST_F(BoardChangeTest, APairWhoseAnswersBothArriveIsNoticedToo)
 {
     sim::PairSettings lucky = sim::factoryPair();

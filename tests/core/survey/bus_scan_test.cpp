@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The scan by hand-turned time. In real time and with faults: tests/app/link_scan_test.cpp.
+// The scan in hand-turned time. tests/app/link_scan_test.cpp has it in real time and with faults.
 #include "core/survey/bus_scan.h"
 
 #include "core/sim/simulated_pair.h"
@@ -61,7 +61,7 @@ TEST(BusScan, FindsTheLastId)
     EXPECT_EQ(ended.found[1].id, 126);
 }
 
-// Their answers to "is anybody there" are the same bits; all others destroy each other.
+// Their replies to the scan query are identical bits. All other replies destroy each other.
 TEST(BusScan, NoticesTwoBoardsWithOneId)
 {
     const Ended ended = scan(sim::factoryPair(), Seconds(0.02));

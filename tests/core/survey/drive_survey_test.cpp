@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The survey on the simulated pair: reading, refusing, retrying.
+// The drive check on the simulated pair: reading, refusing, retrying.
 #include "core/survey/drive_survey.h"
 
 #include "tests/core/survey/survey_rig.h"
@@ -18,8 +18,8 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::UnorderedElementsAre;
 
-// REQ-SURVEY-01: The reference mount is right in every line. A complete drive check takes less than 3 s at a tick of
-// 20 ms (2.6 s on the simulated pair), with at most one frame for each drive and tick.
+// REQ-SURVEY-01: On the reference mount every line of the drive check is right. A complete check takes less than 3 s at
+// a tick of 20 ms (2.6 s on the simulated pair), with at most one frame for each drive and tick.
 TEST(DriveSurvey, TheReferenceMountIsRightInEveryLine)
 {
     SurveyRig rig;
@@ -64,8 +64,8 @@ TEST(DriveSurvey, TellsWhoTheDrivesAre)
     EXPECT_NEAR(sinceBoot.count(), rig.elapsed().count() + 60.0, 0.005);
 }
 
-// Writes of registers are motion commands, all but the mask that addresses a board by its UUID.
-// REQ-SURVEY-02: Nothing that the drive check sends is a motion command.
+// Every register write is a motion command, except the mask that addresses a board by its UUID.
+// REQ-SURVEY-02: The drive check sends no motion command.
 TEST(DriveSurvey, NeverCommandsAnything)
 {
     SurveyRig rig(freshFromTheBox());
@@ -83,7 +83,7 @@ TEST(DriveSurvey, NeverCommandsAnything)
     EXPECT_EQ(rig.pair.truth(Axis::Azimuth).mode, moteus::Mode::Stopped);
 }
 
-// REQ-SURVEY-03: The factory's settings are refused with what each would do.
+// REQ-SURVEY-03: Factory settings are refused, and the text says what each of them would do.
 TEST(DriveSurvey, SaysWhatTheFactorySettingsWouldDo)
 {
     SurveyRig rig(freshFromTheBox());
@@ -106,8 +106,8 @@ TEST(DriveSurvey, SaysWhatTheFactorySettingsWouldDo)
     EXPECT_THAT(obstacle(rig.drives), HasSubstr("4 settings of the azimuth drive are unsafe"));
 }
 
-// REQ-SURVEY-04: Two boards with one id, a missing, swapped, replaced or third board, and an unknown register map are
-// told apart.
+// REQ-SURVEY-04: The drive check distinguishes two boards with the same id, a missing, swapped, replaced or third
+// board, and an unknown register map.
 TEST(DriveSurvey, NoticesTwoBoardsWithOneId)
 {
     SurveyRig rig(sim::factoryPair());
@@ -178,8 +178,8 @@ TEST(DriveSurvey, NoticesASilentBus)
 }
 
 // Story: the page changed between "not read", "looking" and "reading …" every two seconds.
-// REQ-SURVEY-13: While it repeats itself, because a drive is missing, it is `NotDone` with one text. Unknown boards
-// are listed.
+// REQ-SURVEY-13: While the drive check repeats because a drive is missing, its state is `NotDone` with one text.
+// Unknown boards are listed.
 TEST(DriveSurvey, RepeatsItselfWithOneTextAndListsStrangers)
 {
     profile::Profile profile;
@@ -235,8 +235,8 @@ TEST(DriveSurvey, WarnsOfAnotherBoardThanBefore)
     EXPECT_EQ(obstacle(rig.drives), "") << "a warning only";
 }
 
-// REQ-SURVEY-05: A tenth of all replies or orders lost, late replies, and telemetry or half a line of another tool do
-// not change the result.
+// REQ-SURVEY-05: One in ten replies or commands lost, late replies, and telemetry or half a line of another tool do not
+// change the result.
 TEST(DriveSurvey, LostFramesDoNotBreakAReading)
 {
     for (const FaultKind kind : {FaultKind::LostReply, FaultKind::LostCommand}) {
@@ -278,8 +278,8 @@ TEST(DriveSurvey, TelemetryOfAnotherToolIsStoppedFirst)
     EXPECT_EQ(obstacle(rig.drives), "");
 }
 
-// REQ-SURVEY-06: A drive that falls silent ends the drive check with a reason. The check is repeated until the drive
-// is back.
+// REQ-SURVEY-06: A drive that falls silent ends the drive check with a reason. The check is repeated until the drive is
+// back.
 TEST(DriveSurvey, ADriveThatFallsSilentEndsTheReadingUntilItIsBack)
 {
     SurveyRig rig;
@@ -309,8 +309,8 @@ TEST(DriveSurvey, ForgettingLeavesNothingKnown)
     EXPECT_THAT(rig.sent, IsEmpty()) << "silent until begin()";
 }
 
-// REQ-SURVEY-09: What another tool changed is reported, also when the bus was lost in between, and apart from what Fix
-// wrote.
+// REQ-SURVEY-09: Changes by another tool are reported, also if the bus was lost in between, and separately from what
+// Fix wrote.
 TEST(DriveSurvey, TellsWhatAnotherToolChanged)
 {
     SurveyRig rig;
@@ -335,9 +335,9 @@ moteus::CountOrigin originOf(const SurveyRig& rig, Axis axis)
     return facts && facts->origin.origin ? *facts->origin.origin : moteus::CountOrigin{.beginning = 0};
 }
 
-// Whoever sets a drive's position leaves this trace, and no motion does.
-// REQ-SURVEY-14: What a drive's position counts from is reported after every reading, and again on request. No motion
-// changes it, every setting does.
+// Setting the position of a drive changes this origin, and no motion changes it.
+// REQ-SURVEY-14: The origin of a drive's position is reported after every reading, and on request. No motion changes
+// it, and every setting of the position does.
 TEST(DriveSurvey, TellsWhatThePositionCountsFrom)
 {
     SurveyRig rig;
@@ -386,7 +386,7 @@ TEST(DriveSurvey, SaysWhatItDoes)
                 testing::MatchesRegex("reading .* of azimuth, reading .* of elevation"));
 }
 
-// Replies to us with likely beginnings, and now and then any frame at all.
+// Replies with plausible first bytes, and sometimes an arbitrary frame.
 CanFrame rubbish(std::minstd_rand& random)
 {
     const auto below = [&](std::uint32_t end) {
@@ -401,7 +401,7 @@ CanFrame rubbish(std::minstd_rand& random)
     return frame;
 }
 
-// REQ-SURVEY-12: No reply can crash it or spoil a later drive check (200,000 random ones).
+// REQ-SURVEY-12: No reply can crash the drive check or spoil a later one (200,000 random replies).
 TEST(DriveSurvey, SurvivesAnyReply)
 {
     SurveyRig rig;

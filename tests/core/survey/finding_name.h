@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <string>
 
-// What tests call a finding: "drives.missing.elevation".
+// The name of a finding in tests, for example "drives.missing.elevation".
 namespace boresight::survey {
 
 [[nodiscard]] inline std::string nameOf(const Finding& finding)

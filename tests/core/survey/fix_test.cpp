@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Writing the settings, and noticing that a drive was without power.
+// Writing the settings, and detecting that a drive was without power.
 #include "core/survey/drive_survey.h"
 #include "tests/core/survey/survey_rig.h"
 
@@ -22,8 +22,8 @@ int wrongLines(const DriveSurvey& survey, Axis axis)
         survey.protections(axis), [](const ProtectionLine& line) { return line.verdict != Verdict::Right; }));
 }
 
-// REQ-SURVEY-07 (Fix.*): Fix writes only what it may. It is stored for the power-up, and nothing is stored unless all
-// of it reads back as written: a drive takes garbage for 0 without an error.
+// REQ-SURVEY-07 (Fix.*): Fix writes only permitted settings. They are stored for the next power-up, and nothing is
+// stored unless all values read back as written. (A drive takes garbage for 0 without an error.)
 TEST(Fix, WritesAllButWhatOnlyAPersonMayChange)
 {
     SurveyRig rig(freshFromTheBox());
@@ -65,7 +65,7 @@ TEST(Fix, IsStoredForThePowerUp)
     EXPECT_EQ(rig.pair.drive(Axis::Elevation).driveConfig().servo.timeoutMode, 10);
 }
 
-// Both senses of an axis: the elevation's drive counts down while the angle grows.
+// Both directions: the elevation drive counts down while the angle grows.
 TEST(Fix, TheWrittenBoundsLieAMarginBeyondTheTravel)
 {
     SurveyRig rig(freshFromTheBox());
@@ -110,7 +110,7 @@ TEST(Fix, LostFramesDoNotBreakIt)
     }
 }
 
-// Story: the log blamed another tool for what Fix itself had written.
+// Story: the log blamed another tool for values that Fix itself had written.
 // REQ-SURVEY-09
 TEST(Fix, WhatItWroteIsToldApartFromWhatAnotherToolChanged)
 {
@@ -137,8 +137,9 @@ TEST(Fix, WhatItWroteIsToldApartFromWhatAnotherToolChanged)
         << "a Fix of long ago is not to blame";
 }
 
-// What is in force but not stored would be gone after a power-up: Fix is offered again, though every line is right.
-// REQ-SURVEY-08: A Fix that was interrupted before it was stored is reported and can be repeated.
+// A setting that is in effect but not stored is lost at the next power-up. So Fix is offered again although every line
+// is right.
+// REQ-SURVEY-08: A Fix that was interrupted before the storing is reported and can be repeated.
 TEST(Fix, AnInterruptedOneIsSaidAndCanBeRepeated)
 {
     sim::PairSettings pair = sim::commissionedPair();
@@ -163,13 +164,14 @@ TEST(Fix, AnInterruptedOneIsSaidAndCanBeRepeated)
     EXPECT_THAT(causes(rig.drives), IsEmpty());
 }
 
-// REQ-SURVEY-10 (PowerUp.*): A power-up is noticed within a second, also behind a lost bus. The end of the counter (49
-// days) and a drifting clock are no power-ups. A suspended computer counts as one, because it cannot know.
+// REQ-SURVEY-10 (PowerUp.*): A power-up is detected within a second, also after a lost bus. The overflow of the counter
+// (49 days) and a drifting clock are no power-ups. A suspend of this computer counts as a power-up, because the state
+// cannot be known.
 TEST(PowerUp, IsNoticedByTheUptimeAndEverythingIsReadAgain)
 {
     SurveyRig rig;
     rig.survey();
-    rig.otherToolSays(Axis::Azimuth, "conf set servo.max_current_A 31");  // never stored
+    rig.otherToolSays(Axis::Azimuth, "conf set servo.max_current_A 31");  // without storing
     rig.drives.begin(rig.now());
     ASSERT_TRUE(rig.reaches(SurveyState::Done));
     EXPECT_EQ(rig.drives.takeChanges().size(), 1u);

@@ -14,7 +14,7 @@ using namespace std::chrono_literals;
 class HeartbeatTest : public testing::Test
 {
 protected:
-    // One question at that time, answered with an uptime in the drive's own counter.
+    // One query at this time, and a reply with this uptime of the drive's own counter.
     void beat(std::chrono::milliseconds at, std::int64_t uptime)
     {
         ASSERT_TRUE(heart.frame(start + at));
@@ -79,7 +79,7 @@ TEST_F(HeartbeatTest, AnUptimeThatWentBackIsAPowerUp)
     EXPECT_EQ(heart.reboots(), 1);
 }
 
-// Story: an old reply that came once more was taken for a power-up, and a pass was lost to the survey that followed.
+// Story: an old reply that arrived again was taken for a power-up, and the drive check after it cost a pass.
 TEST_F(HeartbeatTest, OneFalseUptimeIsNoPowerUp)
 {
     beat(0ms, 5000);
@@ -95,7 +95,7 @@ TEST_F(HeartbeatTest, OneFalseUptimeIsNoPowerUp)
     EXPECT_EQ(heart.bootedAt(), start - 5000ms);
 }
 
-// Half of the counter's range lies between both: 30 days of uptime, then a power-up.
+// The two values are half the range of the counter apart: 30 days of uptime, then a power-up.
 TEST_F(HeartbeatTest, AlsoAfterWeeks)
 {
     beat(0ms, std::int64_t{30} * 24 * 3600 * 1000);
@@ -107,7 +107,7 @@ TEST_F(HeartbeatTest, AlsoAfterWeeks)
 TEST_F(HeartbeatTest, AClockThatDriftsIsNoPowerUp)
 {
     beat(0ms, 5000);
-    beat(600000ms, 5000 + 591000);  // 1.5 % in ten minutes without an answer
+    beat(600000ms, 5000 + 591000);  // 1.5 % in ten minutes without a reply
     EXPECT_EQ(heart.reboots(), 0);
 }
 

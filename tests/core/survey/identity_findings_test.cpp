@@ -67,7 +67,7 @@ TEST(Identity, AThirdBoardThatIsWatchedIsNoFinding)
     EXPECT_EQ(identityFindings(profile, {}, std::vector{board(1, 11), board(2, 12), board(8, 13)}).size(), 1u);
 }
 
-// Its id in the profile means nothing then.
+// Its id in the profile has no meaning then.
 TEST(Identity, ABoardOfAnAxisWithoutDriveIsAsStrangeAsAny)
 {
     const std::vector both{board(1, 11), board(2, 12)};

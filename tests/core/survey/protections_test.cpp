@@ -33,7 +33,7 @@ Verdict verdict(const std::string& key, const std::string& found, const profile:
     return judgedAs(profile, Axis::Azimuth, key, found).verdict;
 }
 
-// -90…450° of azimuth is -0.25…1.25 turns, the margin of 3° is 0.008333.
+// An azimuth of -90…450° is -0.25…1.25 turns, and the margin of 3° is 0.008333 turns.
 // REQ-SURVEY-03 (Protections.*)
 TEST(Protections, BoundsLieBetweenHalfAndOneDegreeAboveTheMargin)
 {
@@ -141,7 +141,7 @@ TEST(Protections, DefaultLimitsAreAdvisedOnly)
         << "from 8°/s to rest in 0.08 s";
 }
 
-// Story: "wanted 12°/s, found 14.4°/s: right", and a value that Fix had written read back as 10.0001°.
+// Story: a line showed "wanted 12°/s, found 14.4°/s: right", and a value that Fix had written read back as 10.0001°.
 TEST(Protections, WhatMayVaryIsWantedAsARangeAndReadInRoundNumbers)
 {
     const ProtectionLine speed = judgedAs(reference(), Axis::Azimuth, "servo.default_velocity_limit", "0.040000");

@@ -6,8 +6,8 @@
 
 #include <deque>
 
-// A survey on the simulated pair, by hand-turned time: every tick its frames go on the bus, and what comes back until
-// the next tick is handed to it.
+// A drive check on the simulated pair, in hand-turned time. In every tick its frames go on the bus, and it receives
+// what arrives until the next tick.
 namespace boresight::survey {
 
 inline constexpr Seconds kTick{0.02};
@@ -20,9 +20,9 @@ public:
 
     void tick();
     void run(Seconds time);
-    // begin() and ticks until the survey has ended, Done or not.
+    // Calls begin() and ticks until the check has ended, Done or not.
     void survey();
-    // Ticks until then; false if that is not within the time.
+    // Ticks until this state. Returns false if it is not reached within the time.
     [[nodiscard]] bool reaches(SurveyState state, Seconds within = Seconds(10.0));
 
     [[nodiscard]] SteadyTime now() const;
@@ -43,10 +43,10 @@ private:
     std::deque<sim::PairReply> m_underWay;
 };
 
-// Boards as the maker sends them, but each with its own id.
+// Boards with factory settings, but each with its own id.
 [[nodiscard]] sim::PairSettings freshFromTheBox();
 
-// Why nothing may move; empty when it may.
+// The reason why nothing may move. Empty if motion is allowed.
 [[nodiscard]] std::string obstacle(const DriveSurvey& survey);
 // The cause ids of the findings, for matchers.
 [[nodiscard]] std::vector<std::string> causes(const DriveSurvey& survey);

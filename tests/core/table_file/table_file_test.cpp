@@ -34,7 +34,7 @@ protected:
     QTemporaryDir folder;
 };
 
-// REQ-TABLES-940: The table of a file is read, and a mistake is named with the file and the line.
+// REQ-TABLES-940: The table in a file is read. An error names the file and the line.
 TEST_F(TableFileTest, ReadsTheTableOrNamesTheLine)
 {
     const auto table = readTableFile(write("moon.csv", "2026-12-24T00:00:00Z,10,20\n2026-12-24T00:01:00Z,11,21\n"));
@@ -44,8 +44,8 @@ TEST_F(TableFileTest, ReadsTheTableOrNamesTheLine)
     EXPECT_THAT(refusal(bad), StartsWith(bad.toStdString() + ":2: The elevation \"nan\""));
 }
 
-// REQ-TABLES-941: What is no file is refused without being opened: a pipe would keep the reader waiting. Of a file
-// above 100 MB no more is read.
+// REQ-TABLES-941: Anything but a regular file is refused without being opened, because a pipe would block the reader.
+// Of a file above 100 MB nothing more is read.
 TEST_F(TableFileTest, RefusesWhatIsNoFileOrTooLarge)
 {
     EXPECT_THAT(refusal(folder.filePath(QStringLiteral("none"))), HasSubstr("none: There is no such file."));

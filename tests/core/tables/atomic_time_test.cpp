@@ -15,7 +15,7 @@ AtomicTime written(const char* text, TimeSystem system)
     return atomicTime(orbit::parseIsoEpoch(text).value(), system);
 }
 
-// REQ-TABLES-900: A moment is the same one in UTC, TAI, GPS and TT. A leap second is a second like any other.
+// REQ-TABLES-900: A moment is the same in UTC, TAI, GPS and TT. A leap second counts like any other second.
 TEST(AtomicTime, IsTheSameInEverySystem)
 {
     const AtomicTime time = written("2026-11-27T12:00:00", TimeSystem::Utc);

@@ -14,15 +14,15 @@ using testing::StartsWith;
 
 const AtomicTime kFirst = atomicTime(std::chrono::sys_days(std::chrono::year(2026) / 12 / 24));
 
-// "2: reason"
+// The error as "2: reason".
 std::string mistakeIn(const std::string& text)
 {
     const auto rows = readDirections(text);
     return rows ? "accepted" : std::to_string(rows.error().line) + ": " + rows.error().reason.toStdString();
 }
 
-// REQ-TABLES-910: A tracking table has a time, an azimuth and an elevation in each row, with commas, semicolons, tabs
-// or blanks between. Further columns, comments, blank lines and a line of names are left out.
+// REQ-TABLES-910: A tracking table has a time, an azimuth and an elevation in each row, separated by commas,
+// semicolons, tabs or blanks. Further columns, comments, blank lines and a header line are ignored.
 TEST(DirectionReader, ReadsTheFormsOfARow)
 {
     const DirectionRows wanted{{kFirst, {10.5_deg, 20_deg}}, {kFirst + 1min, {349.5_deg, 20.25_deg}}};
@@ -44,7 +44,7 @@ TEST(DirectionReader, ReadsTheFormsOfARow)
     }
 }
 
-// REQ-TABLES-911: A table with a mistake is refused as a whole, with the line, what is wrong and what to do.
+// REQ-TABLES-911: A table with an error is refused as a whole, with the line, the error and what to do.
 TEST(DirectionReader, NamesTheLineOfAMistake)
 {
     const std::string row = "2026-12-24T00:00:00Z,10,20\n";
@@ -65,8 +65,7 @@ TEST(DirectionReader, NamesTheLineOfAMistake)
         StartsWith("2: The direction is 140.0° from the direction in the row above. It must be below 90°. Add"));
 }
 
-// REQ-TABLES-912: Over a step of more than an hour nothing is interpolated. A row that has no other within an hour is
-// refused.
+// REQ-TABLES-912: A step of more than an hour is not interpolated. A row without another row within an hour is refused.
 TEST(DirectionReader, ALongStepIsAGap)
 {
     const auto rows = readDirections(

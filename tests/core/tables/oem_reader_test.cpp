@@ -16,7 +16,7 @@ using testing::StartsWith;
 
 const UtcTime kEpoch = std::chrono::sys_days(std::chrono::year(2026) / 12 / 24);
 
-// 7000 km above the centre of the Earth, a degree in a minute.
+// 7000 km from the centre of the Earth, moving by one degree a minute.
 std::vector<OemSample> samples(int count, std::chrono::seconds from = 0s)
 {
     std::vector<OemSample> all;
@@ -41,8 +41,8 @@ std::string refusalOf(const std::string& text)
     return table ? "accepted" : textOf(table.error());
 }
 
-// REQ-TABLES-920: An OEM as KVN is read: name, frame, times, places and velocities, the interpolation that it names,
-// and the usable part of it. Comments, accelerations and covariances are left out.
+// REQ-TABLES-920: An OEM in KVN is read: name, frame, times, positions and velocities, the interpolation that it names,
+// and its usable part. Comments, accelerations and covariances are ignored.
 TEST(OemReader, ReadsWhatTheStandardHas)
 {
     std::string text = whole(
@@ -71,7 +71,8 @@ TEST(OemReader, ReadsWhatTheStandardHas)
     EXPECT_EQ(accelerated->segments, oem->segments);
 }
 
-// REQ-TABLES-921: Without a method Hermite's polynomial of degree 7 is used, of four rows, or of as many as there are.
+// REQ-TABLES-921: If no method is named, a Hermite polynomial of degree 7 is used, over four rows or as many as there
+// are.
 TEST(OemReader, HasASoundInterpolationOfItsOwn)
 {
     const auto segmentOf = [](const std::string& text) { return readOem(text).value().segments.front(); };
@@ -83,8 +84,8 @@ TEST(OemReader, HasASoundInterpolationOfItsOwn)
     EXPECT_EQ(segmentOf(whole("INTERPOLATION = LAGRANGE\nINTERPOLATION_DEGREE = 9\n")).nodes, 5U);
 }
 
-// REQ-TABLES-922: What Boresight cannot do right is refused with the line and the reason: another centre, frame, time
-// system or method, and a frame of a fixed date.
+// REQ-TABLES-922: Unsupported content is refused with the line and the reason: another centre, frame, time system or
+// method, or a frame of a fixed date.
 TEST(OemReader, RefusesWhatItCannotDo)
 {
     const std::string text = whole();
@@ -104,8 +105,8 @@ TEST(OemReader, RefusesWhatItCannotDo)
     EXPECT_THAT(refusalOf(changed(text, "VERS = 2.0", "VERS = 4.0")), HasSubstr("a.oem:1: The version \"4.0\" of OEM"));
 }
 
-// REQ-TABLES-923: A damaged OEM is refused with the line, what is wrong and what to do: cut, a key that is missing, is
-// there twice or is none, numbers that are none, units that are others, rows that are not in the order of time.
+// REQ-TABLES-923: A damaged OEM is refused with the line, the error and what to do: a cut file, a key that is missing,
+// doubled or unknown, invalid numbers, other units, and rows that are not in the order of time.
 TEST(OemReader, NamesTheLineOfAMistake)
 {
     const std::string text = whole();
@@ -136,8 +137,8 @@ TEST(OemReader, NamesTheLineOfAMistake)
     EXPECT_THAT(refusalOf(head + segmentText("ITRF", "UTC", samples(1))), HasSubstr("has fewer than two rows."));
 }
 
-// REQ-TABLES-924: Segments are in the order of time, of one object. Where one begins as the one before ends, the way
-// goes on. Else there is a gap.
+// REQ-TABLES-924: Segments are in the order of time and of one object. If a segment begins where the previous one ends,
+// the path continues. Otherwise there is a gap.
 TEST(OemReader, KeepsTheSegmentsApart)
 {
     const std::string first = headText() + segmentText("ITRF", "UTC", samples(5));

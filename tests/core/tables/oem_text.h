@@ -22,7 +22,7 @@ struct OemSample
     orbit::Vector velocity;
 };
 
-// "2026-12-24T00:00:00.125"
+// The form is "2026-12-24T00:00:00.125".
 inline std::string isoText(std::chrono::milliseconds sinceUnixEpoch)
 {
     return QDateTime::fromMSecsSinceEpoch(sinceUnixEpoch.count(), Qt::UTC)
@@ -60,7 +60,7 @@ inline std::string segmentText(const std::string& frame, const std::string& syst
     return text;
 }
 
-// With `to` in the place of the first `from`.
+// The text with the first `from` replaced by `to`.
 inline std::string changed(std::string text, const std::string& from, const std::string& to)
 {
     const std::size_t at = text.find(from);

@@ -13,7 +13,7 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-// After the example of CCSDS 502.0-B in XML (annex G), with the Earth as its centre, and the same message as KVN.
+// Based on the XML example of CCSDS 502.0-B (annex G), with the Earth as its centre, and the same message as KVN.
 const std::string kXml = R"(<?xml version="1.0" encoding="UTF-8"?>
 <oem xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance"
      xsi:noNamespaceSchemaLocation="https://sanaregistry.org/r/ndmxml/ndmxml-1.0-master.xsd"
@@ -81,7 +81,7 @@ META_STOP
 1996-12-18T12:02:00.331 3345.1 -575.9 -6450.3 4.1 -2.6 -2.3
 )";
 
-// Without its declaration, from <oem to </oem>.
+// The message without its XML declaration, from <oem to </oem>.
 std::string message()
 {
     return kXml.substr(kXml.find("<oem"));
@@ -93,7 +93,7 @@ std::string xmlRefusal(const std::string& text)
     return table ? "accepted" : textOf(table.error());
 }
 
-// REQ-TABLES-926: An OEM as XML, alone or inside <ndm>, is the table that the same message as KVN is.
+// REQ-TABLES-926: An OEM in XML, alone or inside <ndm>, gives the same table as the message in KVN.
 TEST(OemXml, IsWhatTheSameMessageIsAsKvn)
 {
     const auto kvn = readTable(kKvn, QStringLiteral("a.oem"));
@@ -106,8 +106,8 @@ TEST(OemXml, IsWhatTheSameMessageIsAsKvn)
     }
 }
 
-// REQ-TABLES-927: A damaged OEM as XML is refused with the line, what is wrong and what to do, as KVN is: cut at any
-// place, rows without a value or with two, elements in a wrong place, and more than one message.
+// REQ-TABLES-927: A damaged OEM in XML is refused with the line, the error and what to do, as in KVN: a file that is
+// cut anywhere, rows without a value or with two values, elements in a wrong place, and more than one message.
 TEST(OemXml, NamesTheLineOfAMistake)
 {
     EXPECT_EQ(xmlRefusal(changed(kXml, ">EARTH<", ">MARS<")),
@@ -137,8 +137,7 @@ TEST(OemXml, NamesTheLineOfAMistake)
     }
 }
 
-// REQ-TABLES-928: An OEM as XML that is made to fill the memory is refused: elements inside one another, entities that
-// grow.
+// REQ-TABLES-928: An OEM in XML that would fill the memory is refused: deeply nested elements, or entities that expand.
 TEST(OemXml, RefusesWhatFillsTheMemory)
 {
     std::string nested = "<a>";

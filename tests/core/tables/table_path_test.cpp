@@ -39,7 +39,7 @@ orbit::OrbitState stateAt(const orbit::Sgp4& orbit, UtcTime utc)
     return orbit.propagate(orbit::julianDate(utc)).value();
 }
 
-// What the orbit is at a time, as a row of a frame.
+// The state of the orbit at a time, as a row of a frame.
 using RowOf = std::function<OemSample(UtcTime utc)>;
 
 std::string oemOf(const std::string& frame, const RowOf& rowOf, std::chrono::hours length, const std::string& more = {})
@@ -64,7 +64,7 @@ protected:
         const orbit::GroundState state = groundState(stateAt(orbit, utc), orbit::julianDate(utc));
         return {isoText(unixTime(utc)), state.position, state.velocity};
     }
-    // Of SGP4 and the table, between the rows and at them, all day long.
+    // The largest difference between SGP4 and the table, at the rows and between them, for the whole day.
     [[nodiscard]] double worst(const std::string& oem, std::chrono::hours length) const
     {
         TablePath path(tableOf(oem), kLisbon);
@@ -82,8 +82,8 @@ protected:
     orbit::Sgp4 orbit{fakes::lowOrbit(kStart)};
 };
 
-// REQ-TABLES-930: An OEM of a low orbit with a row each minute leads where SGP4 does, to 1e-4°, between the rows as
-// well: in TEME and in a frame of the Earth, by Hermite's polynomials and by those of Lagrange.
+// REQ-TABLES-930: An OEM of a low orbit with a row each minute gives the same directions as SGP4, to 1e-4°, at the rows
+// and between them. This holds in TEME and in a frame of the Earth, with Hermite and with Lagrange polynomials.
 TEST_F(OrbitOfOurOwn, AnOemOfItLeadsTheSameWay)
 {
     const RowOf inTeme = [this](UtcTime utc) { return teme(utc); };
@@ -96,7 +96,7 @@ TEST_F(OrbitOfOurOwn, AnOemOfItLeadsTheSameWay)
     EXPECT_LT(worst(oemOf("ITRF", onEarth, 3h, cubic), 3h), 1e-4);
 }
 
-// REQ-TABLES-931: A table is up from its rise to its set over the site, to 0.1 s as the passes of the orbit are.
+// REQ-TABLES-931: A table is up from its rise to its set at the site, to 0.1 s, at the times of the orbit's passes.
 TEST_F(OrbitOfOurOwn, RisesAndSetsAsTheOrbit)
 {
     TablePath path(tableOf(oemOf(
@@ -129,9 +129,10 @@ TEST_F(OrbitOfOurOwn, RisesAndSetsAsTheOrbit)
     EXPECT_GE(stays, 4);
 }
 
-// The example of Vallado that the test of EarthAxis has, in each frame, in km. UT1 is UTC here, so the time is that
-// much earlier. REQ-TABLES-932: A place in GCRF, EME2000, TOD, TEME and a frame of the Earth is the same direction: as
-// a published example has it, to 0.2″.
+// The example of Vallado from the test of EarthAxis, in each frame, in km. UT1 equals UTC here, so the time is earlier
+// by that amount.
+// REQ-TABLES-932: A position in GCRF, EME2000, TOD, TEME and a frame of the Earth gives the same direction as in a
+// published example, to 0.2″.
 TEST(TablePath, TheFramesOfAPublishedExampleAgree)
 {
     struct Frame
@@ -161,8 +162,9 @@ TEST(TablePath, TheFramesOfAPublishedExampleAgree)
     }
 }
 
-// A straight way at an even speed, with a row each 10 s around the leap second at the end of 2016.
-// REQ-TABLES-933: A leap second is no jump of the way, and the same rows in UTC, TAI, GPS and TT are the same way.
+// A straight path at constant speed, with a row each 10 s around the leap second at the end of 2016.
+// REQ-TABLES-933: The path does not jump at a leap second, and the same rows in UTC, TAI, GPS and TT give the same
+// path.
 TEST(TablePath, GoesEvenlyThroughALeapSecond)
 {
     const UtcTime midnight = std::chrono::sys_days(std::chrono::year(2017) / 1 / 1);
@@ -189,8 +191,8 @@ TEST(TablePath, GoesEvenlyThroughALeapSecond)
     EXPECT_LT(angleBetween(path.at(midnight + 4s)->direction, seenAfter(35.0)).degrees(), 1e-7);
 }
 
-// REQ-TABLES-934: Nothing is extrapolated, nor interpolated over a gap: the reason names the beginning, the end or the
-// gap.
+// REQ-TABLES-934: Nothing is extrapolated, and nothing is interpolated across a gap. The reason names the beginning,
+// the end or the gap.
 TEST_F(OrbitOfOurOwn, HasNothingInAGapAndBeyondItsEnds)
 {
     std::vector<OemSample> first;
@@ -214,8 +216,8 @@ TEST_F(OrbitOfOurOwn, HasNothingInAGapAndBeyondItsEnds)
     EXPECT_THAT(textOf(path.nextStay(kStart - 48h, kStart - 24h).error()), HasSubstr("begins at 2026-12-24 00:00Z."));
 }
 
-// REQ-TABLES-935: Directions are interpolated on the great circle, at an even rate: through north and through the
-// zenith by the short way.
+// REQ-TABLES-935: Directions are interpolated on the great circle at a constant rate, by the short way through north
+// and through the zenith.
 TEST(TablePath, DirectionsGoAlongTheGreatCircle)
 {
     TablePath north(tableOf("2026-12-24T00:00:00Z,350,0\n2026-12-24T00:01:00Z,10,0\n2026-12-24T00:02:00Z,10,80\n"
@@ -234,8 +236,8 @@ TEST(TablePath, DirectionsGoAlongTheGreatCircle)
     EXPECT_FALSE(north.at(kStart)->kilometres);
 }
 
-// REQ-TABLES-936: A table of directions is up where it is above the horizon, from row to row, and in each of its
-// stretches.
+// REQ-TABLES-936: A table of directions is up while it is above the horizon, between its rows too, in each of its
+// segments.
 TEST(TablePath, DirectionsRiseAndSet)
 {
     TablePath path(tableOf("2026-12-24T00:00:00Z 100 -10\n2026-12-24T00:10:00Z 100 10\n2026-12-24T00:20:00Z 100 -30\n"
@@ -255,7 +257,7 @@ TEST(TablePath, DirectionsRiseAndSet)
     EXPECT_THAT(textOf(path.nextStay(kStart + 21min, kStart + 30min).error()), HasSubstr("has a gap from"));
 }
 
-// REQ-TABLES-937: Rows between which no way can be computed have no direction, and never one that is not a number.
+// REQ-TABLES-937: Rows between which no path can be computed give no direction, and never one that is not a number.
 TEST(TablePath, UnevenRowsHaveNoWayRatherThanAWrongOne)
 {
     std::vector<OrbitRow> rows;

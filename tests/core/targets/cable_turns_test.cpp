@@ -10,7 +10,7 @@ namespace {
 
 const UtcTime kRise = std::chrono::sys_days(std::chrono::year(2026) / 12 / 24);
 
-// A mount that turns at 10 °/s, and reaches this in 1 s: a full turn takes 37 s.
+// A mount that turns at 10°/s and reaches this speed in 1 s. A full turn takes 37 s.
 MountReach mount(const TravelRange& azimuths, const TravelRange& elevations = {0_deg, 90_deg})
 {
     profile::Profile profile;
@@ -21,7 +21,7 @@ MountReach mount(const TravelRange& azimuths, const TravelRange& elevations = {0
     return reachOf(profile, profile.antenna({}));
 }
 
-// A degree each second along one elevation, from an azimuth to another one. Hidden: until then.
+// One degree a second along one elevation, from one azimuth to another. It is hidden until `hiddenUntil`.
 std::vector<SkyMoment> along(int from, int to, int hiddenUntil = 0, Angle elevation = 45_deg)
 {
     std::vector<SkyMoment> way;
@@ -35,9 +35,9 @@ std::vector<SkyMoment> along(int from, int to, int hiddenUntil = 0, Angle elevat
     return way;
 }
 
-// REQ-TARGETS-930 (CableTurns.*): Of each way it is known beforehand whether one cable wrap has room for all of it, as
-// the station chooses the wrap. Where none has, the mount turns back by 360° in the middle of it. Known are how often,
-// how many seconds of what the limits do not hide are lost, and whether elevations above 90° would spare it.
+// REQ-TARGETS-930 (CableTurns.*): For each path it is known in advance whether one cable wrap has room for all of it,
+// as the station chooses the wrap. If none has room, the mount unwraps by 360° on the way. Known are the number of such
+// turns, the lost seconds outside the hidden parts, and whether elevations above 90° would avoid them.
 TEST(CableTurns, NoneWhereAWrapHasRoom)
 {
     EXPECT_EQ(cableTurns(along(340, 460), mount({-90_deg, 450_deg})), CableTurns());
@@ -67,7 +67,7 @@ TEST(CableTurns, WhatIsHiddenIsNotLost)
     EXPECT_EQ(cableTurns(along(340, 460, 200), reach).lost, Seconds(0.0));
 }
 
-// The azimuths that such a mount lacks are hidden anyway.
+// The azimuths that this mount cannot reach are hidden anyway.
 TEST(CableTurns, AGapOfTheTravelIsNotATurnMore)
 {
     const MountReach reach = mount({10_deg, 350_deg});

@@ -42,8 +42,8 @@ SkyPointing directionAt(const Target& target, const Site& site, UtcTime utc = kD
     return TargetPath(target, site).at(utc).value();
 }
 
-// REQ-TARGETS-900: Sun, Moon, planets and radio sources are where the reference table has them at Lisbon, bent by the
-// air: light for the first, radio waves for the last. To 1.5′.
+// REQ-TARGETS-900: Sun, Moon, planets and radio sources agree with the reference table for Lisbon to 1.5′, with
+// refraction: optical for the bodies, radio for the radio sources.
 TEST(TargetPath, MeetsTheTableOfPlanetsAndRadioSources)
 {
     std::ifstream file(BORESIGHT_TEST_DATA "/planets_azel.csv");
@@ -68,8 +68,9 @@ TEST(TargetPath, MeetsTheTableOfPlanetsAndRadioSources)
     EXPECT_EQ(rows, 14 * 12);
 }
 
-// The worked example of Reda and Andreas, NREL/TP-560-34302 (2008), table A5.1, and Sæmundsson's 1.21′ there.
-// REQ-TARGETS-901: The Sun is where a published example has it, raised by the air.
+// The worked example of Reda and Andreas, NREL/TP-560-34302 (2008), table A5.1, plus Sæmundsson's refraction of 1.21′
+// there.
+// REQ-TARGETS-901: The Sun agrees with a published example, raised by refraction.
 TEST(TargetPath, MeetsThePublishedExampleOfTheSun)
 {
     const Site golden{.latitude = 39.742476_deg, .longitude = -105.1786_deg, .heightMetres = 1830.14};
@@ -81,9 +82,9 @@ TEST(TargetPath, MeetsThePublishedExampleOfTheSun)
 }
 
 // Flinders Peak to Buninyong, from the manual of the Geocentric Datum of Australia: 306°52′05.37″. New York to London,
-// the example of GeographicLib's GeodSolve: 51.1989° of the shortest way. The others were computed in another program.
-// REQ-TARGETS-902: The direction to a position is that of WGS-84, and its elevation. Below the horizon the beam goes
-// along the horizon on the bearing. The long path is the opposite bearing.
+// the example of GeographicLib's GeodSolve: 51.1989° on the shortest path. Another program computed the others.
+// REQ-TARGETS-902: The direction to a place on the Earth, and its elevation, are those of WGS-84. For a place below the
+// horizon the beam points along the horizon on the bearing. The long path is the opposite bearing.
 TEST(TargetPath, PointsToPositionsOnAndAboveTheEarth)
 {
     const Site flinders{.latitude = -37.951033416667_deg, .longitude = 144.424867888889_deg};
@@ -107,7 +108,7 @@ TEST(TargetPath, PointsToPositionsOnAndAboveTheEarth)
     EXPECT_NEAR(plane.elevation.degrees(), 7.351561, 1e-4);
 }
 
-// REQ-TARGETS-903: A position where the mount stands has no direction, and the reason says so.
+// REQ-TARGETS-903: The mount's own place has no direction, and the reason says so.
 TEST(TargetPath, HasNoDirectionToItsOwnPlace)
 {
     const auto here = TargetPath(position(kLisbon), kLisbon).nextUp(kDay);
@@ -115,8 +116,8 @@ TEST(TargetPath, HasNoDirectionToItsOwnPlace)
     EXPECT_EQ(textOf(here.error()), "here is the site of the mount, so it has no direction.");
 }
 
-// REQ-TARGETS-904: A body rises and sets where it appears at the horizon, to 2 s. One that is up rises now. One that
-// never sets has no set. One that never rises is refused with the reason.
+// REQ-TARGETS-904: A body rises and sets when it appears at the horizon, to 2 s. A body that is up rises now. A body
+// that never sets has no set. A body that never rises is refused with the reason.
 TEST(TargetPath, RisesAndSetsAtTheHorizonAsItAppears)
 {
     for (const char* const key : {"sun", "moon", "jupiter", "tau-a"}) {
@@ -138,7 +139,7 @@ TEST(TargetPath, RisesAndSetsAtTheHorizonAsItAppears)
     EXPECT_EQ(textOf(never.error()), "sgr-a does not rise within a day.");
 }
 
-// REQ-TARGETS-905: A satellite is airless, and rises and sets as the list of passes has it.
+// REQ-TARGETS-905: A satellite is tracked without refraction, and rises and sets as in the list of passes.
 TEST(TargetPath, ASatelliteGoesAsTheListOfPasses)
 {
     const orbit::ElementSet elements = fakes::lowOrbit(kDay);
@@ -151,10 +152,11 @@ TEST(TargetPath, ASatelliteGoesAsTheListOfPasses)
     EXPECT_LT(angleBetween(path.at(first.tca.utc).value(), first.tca.direction).degrees(), 1e-6);
 }
 
-// The example of Reda and Andreas again, and Sæmundsson's 29.0′ at 0° and 5.4′ at 10° (Meeus, 16.4). Radio waves: the
-// refractivities of ITU-R P.453 and of light at 1010 hPa, 10 °C and half the moisture are as 1.0843 to 1.
-// REQ-TARGETS-920: A rule of the profile bends satellites and bodies alike: not at all, like light or like radio waves.
-// By kind nothing changes. A satellite rises and sets by geometry under each rule. What stays is never bent.
+// Again the example of Reda and Andreas, and Sæmundsson's 29.0′ at 0° and 5.4′ at 10° (Meeus, 16.4). For radio waves:
+// the refractivity of ITU-R P.453 is 1.0843 times that of light at 1010 hPa, 10 °C and half the moisture.
+// REQ-TARGETS-920: A refraction rule of the profile applies to satellites and bodies alike: off, optical or radio. The
+// rule "by kind" keeps the refraction of each kind. Under each rule a satellite rises and sets by geometry. Fixed
+// targets are never refracted.
 TEST(TargetPath, ARuleBendsAllAlike)
 {
     using ephemeris::RefractionRule;
@@ -194,7 +196,7 @@ TEST(TargetPath, ARuleBendsAllAlike)
     }
 }
 
-// REQ-TARGETS-908: A body rises at the horizon as the rule has it: without air some minutes later than with it.
+// REQ-TARGETS-908: A body rises at the horizon by the refraction rule: without refraction some minutes later.
 TEST(TargetPath, WithoutAirABodyRisesByGeometry)
 {
     using ephemeris::RefractionRule;
@@ -206,7 +208,7 @@ TEST(TargetPath, WithoutAirABodyRisesByGeometry)
     EXPECT_LT(geometric - seen, std::chrono::minutes(4));
 }
 
-// REQ-TARGETS-906: A direction stays, and is always up.
+// REQ-TARGETS-906: A fixed direction does not change, and is always up.
 TEST(TargetPath, ADirectionStays)
 {
     const SkyPointing west{.azimuth = 270_deg, .elevation = 12_deg};
@@ -216,7 +218,7 @@ TEST(TargetPath, ADirectionStays)
     EXPECT_EQ(path.nextUp(kDay).value(), UpTime{.rises = kDay});
 }
 
-// REQ-TARGETS-907: A table is up while it leads above the horizon, at most from its first row to its last.
+// REQ-TARGETS-907: A table is up while its direction is above the horizon, at most from its first row to its last.
 TEST(TargetPath, ATableRisesAndSets)
 {
     const auto table =

@@ -38,7 +38,7 @@ std::string nameOf(std::string_view text)
     return read(text).name.toStdString();
 }
 
-// REQ-TARGETS-910: Sun, Moon, planets and radio sources are read by their names, whatever the letters and blanks.
+// REQ-TARGETS-910: Sun, Moon, planets and radio sources are read by their names, ignoring case and blanks.
 TEST(TargetText, ReadsBodiesByName)
 {
     EXPECT_TRUE(isSun(read("sun")));
@@ -51,7 +51,8 @@ TEST(TargetText, ReadsBodiesByName)
     EXPECT_EQ(std::get<ephemeris::SkyObject>(read("mars").kind), ephemeris::SkyObject(ephemeris::Planet::Mars));
 }
 
-// REQ-TARGETS-911: A satellite is read by its number, its name, or words that only its name has. Several are named.
+// REQ-TARGETS-911: A satellite is read by its number, its name, or words that occur only in its name. If several match
+// they are named.
 TEST(TargetText, ReadsSatellitesByNumberAndName)
 {
     const auto number = [](std::string_view text) { return std::get<orbit::ElementSet>(read(text).kind).number; };
@@ -68,7 +69,7 @@ TEST(TargetText, ReadsSatellitesByNumberAndName)
     EXPECT_THAT(refusal(""), HasSubstr("The bodies are: sun, moon"));
 }
 
-// REQ-TARGETS-912: A locator is the middle of its square, by the short path or the long one.
+// REQ-TARGETS-912: A locator means the centre of its square, by the short path or the long path.
 TEST(TargetText, ReadsLocators)
 {
     const auto place = std::get<EarthPosition>(read("im58kr").kind);
@@ -80,8 +81,8 @@ TEST(TargetText, ReadsLocators)
     EXPECT_EQ(nameOf("JN58"), "JN58");
 }
 
-// REQ-TARGETS-913: Directions, places among the stars and positions are read by their numbers. What is not such
-// numbers is refused with an example.
+// REQ-TARGETS-913: Directions, celestial coordinates and positions are read from their numbers. Invalid numbers are
+// refused with an example.
 TEST(TargetText, ReadsNumbers)
 {
     EXPECT_EQ(std::get<SkyPointing>(read("azel 120.5,30").kind), (SkyPointing{120.5_deg, 30_deg}));
@@ -105,7 +106,7 @@ TEST(TargetText, ReadsNumbers)
     }
 }
 
-// REQ-TARGETS-914: "table FILE" and "oem FILE" name a file. Anything else names none.
+// REQ-TARGETS-914: "table FILE" and "oem FILE" name a file. Other texts name no file.
 TEST(TargetText, NamesTheFileOfATable)
 {
     EXPECT_EQ(tableFile(" Table  /tmp/My pass.csv "), QStringLiteral("/tmp/My pass.csv"));

@@ -23,8 +23,8 @@ MotionLimits limits(double speed, double acceleration, double jerk)
 
 const MotionLimits kLimits = limits(10, 10, 100);
 
-// Watches the set-points that are sent. Divided differences of position are averages of rate, acceleration and jerk
-// over the ticks they span, whatever the lengths of these, so they must keep to the limits without any allowance.
+// Watches the set-points that are sent. Divided differences of the position are averages of rate, acceleration and jerk
+// over the ticks they span, whatever the length of the ticks. So they must keep to the limits without a tolerance.
 class Watch
 {
 public:
@@ -54,7 +54,7 @@ public:
 private:
     struct Point
     {
-        double time;  // first of the times it spans
+        double time;  // the first of the times it spans
         double value;
         double until = time;
     };
@@ -87,7 +87,7 @@ void expectWithin(const Watch& watch, const MotionLimits& bound)
 
 }  // namespace
 
-// REQ-TRACKING-03: A constant target is reached exactly, from rest without overshoot, then nothing moves.
+// REQ-TRACKING-03: A constant target is reached exactly, from standstill without overshoot. Then nothing moves.
 TEST(AxisProfile, GoesThereInTheExpectedTimeAndRests)
 {
     AxisProfile profile(kLimits, kTravel, 0_deg);
@@ -123,8 +123,8 @@ TEST(AxisProfile, UsesWhatTheLimitsAllow)
     EXPECT_GT(watch.jerk, 45.0);  // a ramp from rest takes the filter length: half the limit
 }
 
-// REQ-TRACKING-05a: Where it is asked to brake harder than the limits, the averaging still bounds the jerk: it takes
-// speed / deceleration + 2 × acceleration / jerk.
+// REQ-TRACKING-05a: Braking harder than the limits is possible on request, and the averaging still bounds the jerk. It
+// takes speed / deceleration + 2 × acceleration / jerk.
 TEST(AxisProfile, BrakesHarderWhereItIsAskedTo)
 {
     AxisProfile profile(kLimits, kTravel, 0_deg);
@@ -138,7 +138,7 @@ TEST(AxisProfile, BrakesHarderWhereItIsAskedTo)
         watch.add(kTick, profile.brake(kTick, AngularAcceleration::fromDegrees(125.0)));
         ASSERT_LT(ticks, 100);
     }
-    // Speed / deceleration + filter: 0.08 + 0.2 s, at the mean of full speed and none.
+    // Speed / deceleration + filter: 0.08 + 0.2 s, at half of full speed on average.
     EXPECT_NEAR(ticks * kTick.count(), 0.28, 1.1 * kTick.count());
     EXPECT_NEAR((profile.setpoint().position - from).degrees(), 1.4, 0.01);
     EXPECT_LE(watch.acceleration, 50.0 + 1e-6) << "the averaging spreads it over 0.2 s";
@@ -158,7 +158,7 @@ TEST(AxisProfile, AWeakerBrakeThanTheLimitsIsTheirs)
     }
 }
 
-// REQ-TRACKING-06: Position and rate belong together.
+// REQ-TRACKING-06: The rate of a set-point is the rate of its positions.
 TEST(AxisProfile, TheRateSentIsThatOfTheSetpoints)
 {
     AxisProfile profile(kLimits, kTravel, 0_deg);
@@ -190,7 +190,7 @@ TEST(AxisProfile, FollowsASteadyTargetWithoutLag)
     }
 }
 
-// Azimuth of a straight fly-by at 7.4 km/s: 80° maximum elevation, 420 km up. Its peak rate is 5.8 °/s.
+// The azimuth of a straight pass at 7.4 km/s: 80° maximum elevation, 420 km high. Its peak rate is 5.8°/s.
 // REQ-TRACKING-04
 TEST(AxisProfile, FollowsALeoPassWithinAHundredthOfADegree)
 {
@@ -229,8 +229,8 @@ TEST(AxisProfile, BrakesToRestAsFastAsTheLimitsAllow)
     EXPECT_EQ(profile.setpoint().position, rest);
 }
 
-// REQ-TRACKING-02: A set-point never leaves the travel: it brakes before the end, also when jogging, chasing, or after
-// limits or travel were narrowed in flight.
+// REQ-TRACKING-02: A set-point never leaves the travel. It brakes before the end, also when jogging, when following a
+// moving target, or after limits or travel were narrowed during a motion.
 TEST(AxisProfile, RunsIntoTheEndOfTheTravelAndRestsExactlyThere)
 {
     for (const double rate : {-25.0, -10.0, -0.3, 0.3, 10.0, 25.0}) {
@@ -262,7 +262,7 @@ TEST(AxisProfile, AMovingTargetDoesNotPullItBeyondTheTravel)
     expectWithin(watch, kLimits);
 }
 
-// REQ-TRACKING-08: An axis found outside the travel is held there. Only motion inwards is possible.
+// REQ-TRACKING-08: An axis outside its travel is held there. Only inward motion is possible.
 TEST(AxisProfile, OutsideTheTravelItIsHeldAndComesBackOnlyWhenTold)
 {
     AxisProfile profile(kLimits, {-20_deg, 20_deg}, 25_deg);
@@ -282,9 +282,9 @@ TEST(AxisProfile, OutsideTheTravelItIsHeldAndComesBackOnlyWhenTold)
     expectWithin(watch, kLimits);
 }
 
-// Everything at once: targets, moving targets, jogs and stops at random moments, ticks of 10…100 ms.
-// REQ-TRACKING-01: No set-point ever exceeds speed, acceleration or jerk, whatever is asked when, with ticks of
-// 10…100 ms.
+// All at random moments: targets, moving targets, jogs and stops, with ticks of 10…100 ms.
+// REQ-TRACKING-01: No set-point ever exceeds speed, acceleration or jerk, whatever is requested at any time, with ticks
+// of 10…100 ms.
 TEST(AxisProfile, KeepsEveryLimitWhateverIsAsked)
 {
     for (unsigned seed = 0; seed < 40; ++seed) {
@@ -313,8 +313,8 @@ TEST(AxisProfile, KeepsEveryLimitWhateverIsAsked)
     }
 }
 
-// REQ-TRACKING-400: How long an axis takes to a place is known from any moment on. Asked to arrive no sooner than after
-// a longer time it goes slower, within every limit, and arrives then.
+// REQ-TRACKING-400: At any moment the time to reach a position is known. If the axis is to arrive later than that, it
+// moves more slowly, within every limit, and arrives at the wanted time.
 TEST(AxisProfile, ArrivesWhenItIsTold)
 {
     std::mt19937 random(17);
@@ -360,7 +360,7 @@ TEST(AxisProfile, NeverOvershootsAConstantTarget)
     }
 }
 
-// The length of the ticks only decides where the motion is looked at, not where it goes.
+// The length of the ticks only decides when the motion is sampled, not where it goes.
 TEST(AxisProfile, DoesNotDependOnTheTicks)
 {
     AxisProfile even(kLimits, kTravel, 0_deg);
@@ -381,7 +381,7 @@ TEST(AxisProfile, DoesNotDependOnTheTicks)
     EXPECT_EQ(even.run(Seconds(-0.1), 10_deg_s), before);
 }
 
-// REQ-TRACKING-07: New limits count from the next tick on. A longer or shorter filter waits until the axis stands
+// REQ-TRACKING-07: New limits apply from the next tick on. A longer or shorter filter waits until the axis stands
 // still.
 TEST(AxisProfile, NewLimitsInFlight)
 {
@@ -390,7 +390,8 @@ TEST(AxisProfile, NewLimitsInFlight)
     for (int i = 0; i < 150; ++i) {
         before.add(kTick, profile.follow(kTick, 400_deg));
     }
-    profile.setLimits(limits(4, 5, 25));  // filter of 0.4 s wanted, 0.2 s in use: acceleration 2.5 until at rest
+    // a filter of 0.4 s is wanted, 0.2 s is in use: acceleration 2.5 until standstill
+    profile.setLimits(limits(4, 5, 25));
     EXPECT_NEAR(profile.filterLength().count(), 0.2, 1e-12);
     for (int i = 0; i < 200; ++i) {
         before.add(kTick, profile.follow(kTick, 400_deg));
@@ -408,7 +409,7 @@ TEST(AxisProfile, NewLimitsInFlight)
     EXPECT_NEAR(profile.filterLength().count(), 0.4, 1e-12);
 }
 
-// Story: half the acceleration doubles the way to stop, and the end of the travel does not move away.
+// Story: with half the acceleration the stopping distance doubles, but the end of the travel stays where it is.
 // REQ-TRACKING-02
 TEST(AxisProfile, TheTravelHoldsWhenLimitsOrTravelAreNarrowedInFlight)
 {
@@ -446,8 +447,8 @@ TEST(AxisProfile, ResetForgetsTheMotion)
     EXPECT_EQ(profile.brake(kTick), (Setpoint{33_deg, {}, {}}));
 }
 
-// What is guarded beneath a motion relies on it: all that a braking axis passes is known before.
-// REQ-TRACKING-07a: What a braking axis still passes is known beforehand.
+// The protection of a motion relies on this: every position that a braking axis still passes is known in advance.
+// REQ-TRACKING-07a: The positions that a braking axis still passes are known in advance.
 TEST(AxisProfile, TellsAllThatItStillPassesUntilRest)
 {
     std::mt19937 random(42);

@@ -13,11 +13,11 @@ MovingTarget moving(Angle azimuth, Angle elevation, AngularRate azimuthRate, Ang
     return {.position = {azimuth, elevation}, .rates = {azimuthRate, elevationRate}, .streaming = true};
 }
 
-// Along the horizon a great circle is a constant azimuth rate.
-// REQ-CONTROL-31 (CableForecast.*): The azimuth's range may end before the path that is tracked does. This is reported
-// 60 s or 30° ahead, whichever is earlier, with what will happen there (unwrapping by 360°, or waiting at the end) and
-// the UTC of the end. That stays true while it is read, and is reported again when it moves by 10 s, or by a fifth of
-// what is left.
+// Along the horizon a great circle has a constant azimuth rate.
+// REQ-CONTROL-31 (CableForecast.*): The azimuth range may end before the path that is tracked. This is reported 60 s or
+// 30° ahead, whichever is earlier, with the UTC of the end and what will happen there (unwrapping by 360°, or waiting
+// at the end). The report stays true while it is shown. It is renewed when the time moves by 10 s, or by a fifth of the
+// remaining time.
 TEST(CableForecast, OnTheHorizonItIsTheWayDividedByTheRate)
 {
     const auto forecast = forecastCableEnd(moving(410_deg, 0_deg, 1_deg_s), kRange);
@@ -31,8 +31,8 @@ TEST(CableForecast, OnTheHorizonItIsTheWayDividedByTheRate)
     EXPECT_EQ(other->end, -90_deg);
 }
 
-// Culminating at 60° in the azimuth 400°, moving along the sky at 0.5°/s. After 30° (60 s) on the great circle the
-// azimuth has turned by atan(tan 30° / cos 60°) = 49.107°; the end of 449.107° is there.
+// Culminating at 60° at an azimuth of 400°, moving across the sky at 0.5°/s. After 30° (60 s) on the great circle the
+// azimuth has turned by atan(tan 30° / cos 60°) = 49.107°. The end at 449.107° is there.
 TEST(CableForecast, FollowsTheGreatCircle)
 {
     const TravelRange range{-90_deg, Angle::fromDegrees(449.10660535)};
@@ -41,7 +41,7 @@ TEST(CableForecast, FollowsTheGreatCircle)
     EXPECT_NEAR(forecast->in.count(), 60.0, 0.05);
 }
 
-// At 86° the azimuth runs at 10°/s, which lasts some seconds only: the pass ends 92° farther.
+// At 86° the azimuth turns at 10°/s for a few seconds only: the pass ends 92° farther.
 TEST(CableForecast, AFastAzimuthNearTheZenithIsNoFastAzimuthForAMinute)
 {
     EXPECT_FALSE(forecastCableEnd(moving(350_deg, 86_deg, 10_deg_s), kRange).has_value());
@@ -55,8 +55,8 @@ TEST(CableForecast, ATargetThatSetsBeforeOrStandsIsNotTold)
     EXPECT_FALSE(forecastCableEnd(moving(451_deg, 10_deg, 1_deg_s), kRange).has_value()) << "it is there already";
 }
 
-// REQ-CONTROL-31c: Where the path of the target is known, the operator sees before choosing how many seconds of it
-// both choices lose: unwrapping, and holding at the end. Where it is not known, nothing is said.
+// REQ-CONTROL-31c: If the path of the target is known, the operator sees before the choice how many seconds each choice
+// loses: unwrapping, and holding at the end. If it is not known, no time is shown.
 TEST(TimeBeyond, CountsWhatIsPastTheEndAndNothingElse)
 {
     const std::vector<PathMoment> path{{.in = Seconds(0.0), .azimuth = 430_deg},

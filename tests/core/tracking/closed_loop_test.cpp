@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Gpredict sends a point only while the position it last read is off by more than its threshold: what it is told
-// decides what it tells. These tests close that loop, which recorded streams cannot.
+// Gpredict sends a point only while the position of its last reading is off by more than its threshold. So the reported
+// position decides what Gpredict sends. These tests close this loop, which recorded streams cannot do.
 #include "core/base/numbers.h"
 #include "core/tracking/axis_profile.h"
 #include "core/tracking/target_stream.h"
@@ -31,7 +31,7 @@ AxisPosition asSent(const AxisPosition& position)
     return axes(rounded(position.azimuth.degrees()), rounded(position.elevation.degrees()));
 }
 
-// The true direction between the rows of a pass; on the horizon before it rises and after it set.
+// The true direction between the rows of a pass. Before the rise and after the set it is on the horizon.
 class Satellite
 {
 public:
@@ -52,14 +52,14 @@ private:
     const std::vector<Timed>& m_pass;
 };
 
-// When Debian's Gpredict 2.3 reads and sends, as recorded: decides every 0.5 s whether a target is due, and for which
-// moment; every 0.8 s it sends what is due and reads 0.1 s later.
+// The timing of Debian's Gpredict 2.3, as recorded. Every 0.5 s it decides whether a target is due, and for which
+// moment. Every 0.8 s it sends what is due, and reads 0.1 s later.
 class GpredictModel
 {
 public:
     GpredictModel(const Satellite& satellite, double threshold) : m_satellite(satellite), m_threshold(threshold) {}
 
-    // What it does at `tick` × 20 ms from rise; reads come as a call of `read`.
+    // The actions at `tick` × 20 ms from the rise. A reading is a call of `read`.
     template <class Read, class Send>
     void act(int tick, Read read, Send send)
     {
@@ -82,7 +82,7 @@ private:
                abs(a.elevation - b.elevation).degrees() > m_threshold;
     }
 
-    // Where the satellite will be when it leaves the threshold; halves its steps down to a quarter of a second.
+    // The place where the satellite will leave the threshold. Searched by halving steps down to a quarter of a second.
     [[nodiscard]] AxisPosition leading(double now) const
     {
         double lead = std::max(0.0, m_satellite.setsAt() - now) / 2.0;
@@ -98,14 +98,14 @@ private:
     std::optional<AxisPosition> m_due;
 };
 
-// Whether the stream is told that its client reads, as it must be, or takes each point by itself.
+// Whether the stream knows that its client reads, as it must, or each point is taken by itself.
 enum class Following
 {
     Path,
     PointsOnly
 };
 
-// Gpredict, stream and two ideal axes, as fast as an 85° pass needs.
+// Gpredict, the stream and two ideal axes that are fast enough for an 85° pass.
 class ClosedLoop
 {
 public:
@@ -161,11 +161,11 @@ struct Score
 {
     double rms = 0.0;
     double peak = 0.0;
-    double streaming = 0.0;  // share of the time
+    double streaming = 0.0;  // part of the time
     int reversals = 0;       // of elevation
 };
 
-// Scored as track_truth.csv asks: sky angle, elevation above 5°, 30 s after rise.
+// Scored as track_truth.csv requires: angle on the sky, at elevations above 5°, from 30 s after the rise.
 Score track(ClosedLoop loop)
 {
     Score score;
@@ -198,10 +198,10 @@ std::string text(const Score& score)
 
 }  // namespace
 
-// Story: Gpredict, well followed, was silent; the target went back to its last point, Gpredict woke up, and so on
-// through all of the slow part of the pass, by 1.5° at worst.
-// REQ-TRACKING-14b: A live Gpredict of the finest threshold is tracked by one stream from rise to set, without going
-// back, and left at its last point.
+// Story: Gpredict was tracked well and fell silent. The target went back to its last point, Gpredict sent again, and so
+// on through all of the slow part of the pass, with errors up to 1.5°.
+// REQ-TRACKING-14b: A live Gpredict with the finest threshold is tracked as one stream from rise to set, without going
+// back, and the mount ends at its last point.
 TEST(ClosedLoop, FollowsGpredictAtItsFinestThresholdWithoutGoingBack)
 {
     auto passes = table("track_truth.csv", 1);
@@ -220,7 +220,8 @@ TEST(ClosedLoop, FollowsGpredictAtItsFinestThresholdWithoutGoingBack)
     EXPECT_LE(track({passes["A45"], 0.1}).reversals, 5);
 }
 
-// REQ-TRACKING-14c: With a coarse threshold, of few points, it is tracked as by its points, within 2 %.
+// REQ-TRACKING-14c: With a coarse threshold, which gives few points, tracking is as good as going to each point, within
+// 2 %.
 TEST(ClosedLoop, ACoarseThresholdIsFollowedAsByItsPoints)
 {
     for (const auto& [name, pass] : table("track_truth.csv", 1)) {

@@ -43,7 +43,7 @@ std::vector<Timed> circularPass(double heightKm, Angle maxElevation)
     constexpr double kEarthRadius = 6371.0;         // km, mean
     constexpr double kEarthGravity = 398'600.4418;  // km³/s², WGS 84
     const double radius = kEarthRadius + heightKm;
-    const double horizon = kEarthRadius / radius;  // cosine of the angle at which it touches the horizon
+    const double horizon = kEarthRadius / radius;  // cosine of the angle at which the path touches the horizon
     const double aside = std::acos(horizon * std::cos(maxElevation.radians())) - maxElevation.radians();
     const double rate = std::sqrt(kEarthGravity / (radius * radius * radius));
     const double half = std::acos(horizon / std::cos(aside)) / rate;

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-// Paths through the sky for the tests of this folder: rows of tests/data, and satellites on circular orbits.
+// Paths across the sky for the tests of this folder: rows of tests/data, and satellites on circular orbits.
 namespace boresight::tracking {
 
 struct Timed
@@ -27,14 +27,14 @@ inline AxisPosition axes(double azimuth, double elevation)
     return {Angle::fromDegrees(azimuth), Angle::fromDegrees(elevation)};
 }
 
-// Degrees.
+// In degrees.
 double skyDistance(const AxisPosition& a, const AxisPosition& b);
 
-// Rows of time, azimuth, elevation behind `keys` columns that name them: "A85,gp_0.1".
+// Rows of time, azimuth and elevation. The first `keys` columns name the path: "A85,gp_0.1".
 std::map<std::string, std::vector<Timed>> table(const std::string& name, std::size_t keys);
 
-// From rise to set every 0.2 s, as in track_truth.csv; culminates in the north with the azimuth running through it. The
-// Earth is round and does not turn.
+// From rise to set every 0.2 s, as in track_truth.csv. It culminates in the north, and the azimuth passes through
+// north. The Earth is a sphere and does not rotate.
 std::vector<Timed> circularPass(double heightKm, Angle maxElevation);
 
 }  // namespace boresight::tracking

@@ -22,11 +22,12 @@ struct StreamScore
 {
     double rms = 0.0;
     double peak = 0.0;
-    int reversals = 0;  // of elevation: stop-and-go shows here
+    int reversals = 0;  // of elevation: they show stop-and-go motion
 };
 
-// Both axes driven along a recorded stream, scored as track_truth.csv asks: sky angle, elevation above 5°, 30 s after
-// rise. Azimuth is as fast as an 85° pass needs; 10 °/s would be keyhole, not stream.
+// Drives both axes along a recorded stream. Scored as track_truth.csv requires: angle on the sky, at elevations above
+// 5°, from 30 s after the rise. The azimuth is as fast as an 85° pass needs. At 10°/s the score would show the keyhole,
+// not the stream.
 StreamScore drive(const std::vector<Timed>& stream, const std::vector<Timed>& truth)
 {
     const MotionLimits limits{15_deg_s, 10_deg_s2, AngularJerk::fromDegrees(100)};
@@ -62,7 +63,7 @@ StreamScore drive(const std::vector<Timed>& stream, const std::vector<Timed>& tr
     return score;
 }
 
-// A target that rises at `rate` °/s, sent every second with two decimals; the last point is sent at 20 s.
+// A target that rises at `rate` °/s, sent every second with two decimals. The last point is sent at 20 s.
 TargetStream risingStream(double rate)
 {
     TargetStream stream;
@@ -74,14 +75,14 @@ TargetStream risingStream(double rate)
 
 }  // namespace
 
-// REQ-TRACKING-11: Points along a path in the sky become a smooth target: no stop-and-go, closer to the truth than the
-// points.
+// REQ-TRACKING-11: Points along a path across the sky become a smooth target: no stop-and-go, and closer to the truth
+// than the points.
 TEST(TargetStream, FollowsRecordedStreamsCloserThanTheirPoints)
 {
     const auto streams = table("track_streams.csv", 2);
     const auto truth = table("track_truth.csv", 1);
-    // What the operator is promised for Gpredict's finest threshold is 0.35° rms and 1.6° peak; the points taken one by
-    // one give 0.53° and 2.1°.
+    // The operator is promised 0.35° rms and 1.6° peak with Gpredict's finest threshold. Going to the points one by one
+    // gives 0.53° and 2.1°.
     const std::map<std::string, StreamScore> bounds{{"A45,gp_0.1", {0.12, 0.40}},     {"A85,gp_0.1", {0.13, 0.55}},
                                                     {"A45,ideal_0.1", {0.045, 0.10}}, {"A85,ideal_0.1", {0.06, 0.15}},
                                                     {"A45,ideal_0.01", {0.03, 0.06}}, {"A85,ideal_0.01", {0.045, 0.11}},
@@ -95,7 +96,7 @@ TEST(TargetStream, FollowsRecordedStreamsCloserThanTheirPoints)
     }
 }
 
-// REQ-TRACKING-12: One command, or points that are no path, mean the last point itself.
+// REQ-TRACKING-12: A single command, or points that form no path, mean the last point itself.
 TEST(TargetStream, OneCommandIsItsPoint)
 {
     TargetStream stream;
@@ -114,7 +115,7 @@ TEST(TargetStream, OneCommandIsItsPoint)
     EXPECT_FALSE(stream.target(at(101)));
 }
 
-// Gpredict repeats a P every 0.8 s as long as the antenna is under way, for some settings for ever.
+// Gpredict repeats a P every 0.8 s while the antenna moves, and with some settings for ever.
 // REQ-TRACKING-13: Equal or nearly equal points do not disturb.
 TEST(TargetStream, ARepeatedPointIsThatPoint)
 {
@@ -154,9 +155,9 @@ TEST(TargetStream, RunsAheadSmoothlyBetweenThePoints)
     }
 }
 
-// However fast it was, the target stays within two pauses and 2° of the last point, and then it is that point.
-// REQ-TRACKING-14: When the points cease the target is exactly the last one, after two pauses at most. It is never
-// more than 2° ahead of it.
+// At any speed the target stays within two pauses and 2° of the last point, and ends at that point.
+// REQ-TRACKING-14: When the points cease the target is exactly the last one, after two pauses at most. It is never more
+// than 2° ahead of the last point.
 TEST(TargetStream, AStreamThatStopsEndsExactlyAtItsLastPoint)
 {
     for (const double rate : {0.01, 0.1, 0.5, 1.0, 1.5, 2.3}) {
@@ -174,10 +175,10 @@ TEST(TargetStream, AStreamThatStopsEndsExactlyAtItsLastPoint)
     }
 }
 
-// Story: a Gpredict that was followed well says nothing but reads on; going back to its last point swung the antenna
-// 1.5° backwards. It runs on for 12 s or 5° and waits as long again; only then has the stream ended.
-// REQ-TRACKING-14a: A client that reads the position every 2 s and sends no point is content: the target runs on for
-// 12 s or 5° at most, waits there for 12 s more, and only then is the last point.
+// Story: a Gpredict that was tracked well sends nothing and only reads. Going back to its last point swung the antenna
+// 1.5° backwards.
+// REQ-TRACKING-14a: A client that reads the position every 2 s and sends no point is content. The target continues for
+// at most 12 s or 5°, waits there for 12 s more, and only then becomes the last point.
 TEST(TargetStream, ASilentClientThatReadsOnIsContent)
 {
     for (const double rate : {0.02, 0.1, 0.4, 1.0, 2.3}) {
@@ -218,7 +219,7 @@ TEST(TargetStream, AClientThatReadsNoMoreIsNot)
     EXPECT_EQ(stream.target(at(25.3))->position, *stream.lastPoint());
 }
 
-// Else the mount would start again by itself, seconds after it came to rest.
+// Otherwise the mount would start again by itself, seconds after its standstill.
 // REQ-TRACKING-14a
 TEST(TargetStream, ReadingDoesNotBringAnEndedStreamBack)
 {
@@ -246,7 +247,7 @@ TEST(TargetStream, AnotherTargetIsTakenAtOnce)
 // REQ-TRACKING-12
 TEST(TargetStream, WhatIsTooFastOrTooSparseIsNoStream)
 {
-    TargetStream hand;  // somebody clicks through the sky
+    TargetStream hand;  // an operator clicks here and there on the sky
     TargetStream sparse;
     for (int i = 0; i < 20; ++i) {
         hand.add(at(i), axes(100 + 5 * i, 10));
@@ -256,7 +257,7 @@ TEST(TargetStream, WhatIsTooFastOrTooSparseIsNoStream)
     }
 }
 
-// Pauses of Gpredict with its default threshold of 5° and with its finest, both reading on.
+// The pauses of Gpredict with its default threshold of 5° and with its finest, while it keeps reading.
 // REQ-TRACKING-14c
 TEST(TargetStream, SparsePointsOfAReaderAreAStreamIfTheirStepsAreFine)
 {
@@ -272,8 +273,8 @@ TEST(TargetStream, SparsePointsOfAReaderAreAStreamIfTheirStepsAreFine)
     }
 }
 
-// Story: a client that floods with P makes eight points out of eight milliseconds; a step of 0.1° between two of them
-// was a satellite at 12 °/s.
+// Story: a client that floods with P sends eight points within eight milliseconds. A step of 0.1° between two of them
+// looked like a satellite at 12°/s.
 // REQ-TRACKING-15: A flood of points does not turn rounding into speed.
 TEST(TargetStream, AFloodOfPointsIsThinned)
 {
@@ -313,7 +314,7 @@ TEST(TargetStream, KeepsTheTurnAndTheSideOfTheZenith)
     EXPECT_NEAR(over->rates.elevation.degrees(), 0.5, 0.05);
 }
 
-// Right through the zenith azimuth turns by half a circle at once: the target must not run after it.
+// Through the zenith the azimuth turns by 180° at once: the target must not run after it.
 // REQ-TRACKING-16
 TEST(TargetStream, AtTheZenithItDoesNotRunAhead)
 {

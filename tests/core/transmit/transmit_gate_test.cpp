@@ -11,7 +11,7 @@ namespace {
 class TransmitGateTest : public testing::Test
 {
 protected:
-    // The beam is so far below its target, at a place of the sky where that is the whole error.
+    // The beam is this far below its target, in a part of the sky where this is the whole error.
     Obstacle after(Seconds time, Angle error)
     {
         now += std::chrono::duration_cast<SteadyTime::duration>(time);
@@ -29,8 +29,9 @@ protected:
     GateInput input{.target = SkyPointing{.azimuth = 120_deg, .elevation = 40_deg}, .within = 2.5_deg};
 };
 
-// REQ-TRANSMIT-02: On only while the beam is nearer to the target than the set part of the beam width, measured on the
-// sky. Off in the tick in which it is not. On again from nine tenths of that on, after 0.5 s without any obstacle.
+// REQ-TRANSMIT-02: The output is on only while the beam is nearer to the target than the set part of the beam width,
+// measured on the sky. It goes off in the same tick in which the beam is not. It goes on again below nine tenths of
+// this limit, after 0.5 s without any obstacle.
 TEST_F(TransmitGateTest, IsOffAtTheLimitItselfAtOnce)
 {
     switchOn();
@@ -44,7 +45,7 @@ TEST_F(TransmitGateTest, IsOffAtTheLimitItselfAtOnce)
     EXPECT_EQ(after(Seconds(0.02), 2.4999_deg), Obstacle::None) << "the limit counts again";
 }
 
-// Exactly the limit is not below it: of numbers without rounding.
+// An error of exactly the limit is not below it, tested with numbers that need no rounding.
 // REQ-TRANSMIT-02
 TEST_F(TransmitGateTest, TheLimitItselfIsOutside)
 {
@@ -63,7 +64,7 @@ TEST_F(TransmitGateTest, ADegreeOfAzimuthIsLessHighUp)
     EXPECT_NEAR(decision.error.value().degrees(), 2.08, 0.01);
 }
 
-// REQ-TRANSMIT-03: What comes and goes again faster than 0.5 s never switches it on.
+// REQ-TRANSMIT-03: Conditions that change faster than 0.5 s never switch the output on.
 TEST_F(TransmitGateTest, NeverChatters)
 {
     for (int i = 0; i < 100; ++i) {
@@ -74,7 +75,7 @@ TEST_F(TransmitGateTest, NeverChatters)
     }
     int switched = 0;
     bool on = false;
-    for (int i = 0; i < 1000; ++i) {  // 20 s on the edge
+    for (int i = 0; i < 1000; ++i) {  // 20 s at the limit
         const bool next = after(Seconds(0.02), i % 2 == 0 ? 2.26_deg : 2.24_deg) == Obstacle::None;
         switched += next != on ? 1 : 0;
         on = next;
@@ -82,7 +83,8 @@ TEST_F(TransmitGateTest, NeverChatters)
     EXPECT_EQ(switched, 0);
 }
 
-// REQ-TRANSMIT-04: Without a target, without a known position of the beam, and with any other obstacle it is off.
+// REQ-TRANSMIT-04: The output is off without a target, without a known position of the beam, and with any other
+// obstacle.
 TEST_F(TransmitGateTest, UnknownIsOff)
 {
     switchOn();

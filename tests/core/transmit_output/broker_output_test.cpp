@@ -58,7 +58,8 @@ protected:
     std::vector<std::string> told;
 };
 
-// REQ-TRANSMIT-18: The topic gets "on" or "off". "off" is retained, "on" never is. Who comes later finds "off".
+// REQ-TRANSMIT-18: The topic receives "on" or "off". "off" is retained, "on" never is. A later subscriber receives
+// "off".
 TEST_F(BrokerOutputTest, OnIsNeverRetained)
 {
     begin();
@@ -78,15 +79,15 @@ TEST_F(BrokerOutputTest, OnIsNeverRetained)
     EXPECT_EQ(reader.messages.back().payload, "off");
 }
 
-// REQ-TRANSMIT-19: The broker sends "off" when the connection is lost without a word. A broker that is gone is a
-// trouble, and what is wanted then is sent again as soon as it is back.
+// REQ-TRANSMIT-19: The broker sends "off" when the connection breaks. A lost broker is reported, and the wanted state
+// is sent again as soon as the broker is back.
 TEST_F(BrokerOutputTest, TheWillIsOff)
 {
     begin();
     ASSERT_TRUE(tells(1));
     output->set(true);
     ASSERT_TRUE(reader.received(2));
-    mqtt::Rig same;  // with its name: the broker disconnects the first one
+    mqtt::Rig same;  // same client name: the broker disconnects the first one
     const auto oust = [&] {
         mqtt::Broker twin = mqtt::onLoopback(broker->port());
         twin.clientId = QStringLiteral("transmitter");

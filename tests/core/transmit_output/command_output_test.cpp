@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// With real programs.
+// Real programs are started.
 #include "core/transmit_output/command_output.h"
 
 #include "tests/fakes/wait_until.h"
@@ -19,10 +19,10 @@ namespace {
 using testing::ElementsAre;
 using testing::StartsWith;
 
-// On a slow machine, too.
+// Long enough for a slow computer.
 constexpr programs::Limits kPatient{.longest = std::chrono::minutes(1), .patience = std::chrono::minutes(1), .most = 1};
 
-// Its "on" runs until letOnGo().
+// The program for "on" runs until letOnGo().
 const QString kOnHangs = QStringLiteral(
     "echo $2 >>\"$0/journal\"; test $2 = off && exit; while [ ! -e \"$0/go\" ]; do sleep 0.05; done; "
     "echo late >>\"$0/journal\"");
@@ -30,7 +30,7 @@ const QString kOnHangs = QStringLiteral(
 class CommandOutputTest : public testing::Test
 {
 protected:
-    // A script that gets its own folder as $0, its other argument as $1, and "on" or "off" as $2.
+    // A script that receives its own folder as $0, its other argument as $1, and "on" or "off" as $2.
     void begin(const QString& script)
     {
         output = std::make_unique<CommandOutput>(
@@ -61,8 +61,8 @@ protected:
     std::vector<std::string> told;
 };
 
-// REQ-TRANSMIT-16: The program runs with "on" or "off" after its arguments, when that changes. A status other than 0 is
-// a trouble, with what the program said.
+// REQ-TRANSMIT-16: The program runs with "on" or "off" after its arguments, when the state changes. An exit status
+// other than 0 is reported, with the error output of the program.
 TEST_F(CommandOutputTest, RunsWhenTheStateChanges)
 {
     begin(QStringLiteral("echo \"$1 $2\" >>\"$0/journal\""));
@@ -99,7 +99,7 @@ TEST_F(CommandOutputTest, ATroubleIsToldAndTriedAgain)
     EXPECT_EQ(reason, "/no/such/program could not be started: No such file or directory");
 }
 
-// REQ-TRANSMIT-17: "off" does not wait for an "on" that hangs, and runs once more after that has ended.
+// REQ-TRANSMIT-17: "off" does not wait for an "on" that hangs, and runs once more when that has ended.
 TEST_F(CommandOutputTest, OffDoesNotWaitForOn)
 {
     begin(kOnHangs);
@@ -137,7 +137,7 @@ TEST_F(CommandOutputTest, TheLastWordIsOffAlsoWhereOnHangs)
     ASSERT_TRUE(tells(1));
     ASSERT_EQ(journal(), "on\noff\n");
     letOnGo();
-    output.reset();  // which has not heard yet of the end of "on"
+    output.reset();  // it has not yet received the end of "on"
     EXPECT_EQ(journal(), "on\noff\nlate\noff\n");
 }
 

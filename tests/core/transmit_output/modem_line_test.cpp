@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is done with the two lines, at a port that the test plays: a pseudo-terminal has none.
+// The use of the two lines, at a port that the test plays, because a pseudo-terminal has no such lines.
 #include "core/transmit_output/modem_line.h"
 
 #include "core/transmit_output/serial_modem_port.h"
@@ -45,8 +45,8 @@ private:
     Calls& m_calls;
 };
 
-// REQ-TRANSMIT-14: The serial port is opened once. Both lines are low at once, and the line that is not named stays so.
-// A line that cannot be set closes the port, and it is opened again at the next attempt.
+// REQ-TRANSMIT-14: The serial port is opened once. Both lines are low at once, and the line that is not used stays low.
+// If a line cannot be set the port is closed, and it is opened again at the next attempt.
 TEST(ModemLine, OpensThePortOnceWithBothLinesLow)
 {
     Calls calls;

@@ -38,7 +38,7 @@ protected:
     QString path = folder.filePath(QStringLiteral("transmit"));
 };
 
-// REQ-TRANSMIT-10: The file has the line "on" or "off". It is written in place: its rights and its links stay.
+// REQ-TRANSMIT-10: The file contains the line "on" or "off". It is written in place: its permissions and links stay.
 TEST_F(StateFile, HasOneLine)
 {
     ASSERT_TRUE(writeState(path, false));
@@ -70,7 +70,8 @@ TEST_F(StateFile, StaysTheFileThatItIs)
     EXPECT_FALSE(QFile::permissions(path).testFlag(QFile::ReadOther));
 }
 
-// REQ-TRANSMIT-11: The time of the file is renewed each second, by which its reader finds a Boresight that died.
+// REQ-TRANSMIT-11: The time of the file is renewed each second. From this time its reader sees whether Boresight has
+// died.
 TEST_F(StateFile, RenewsItsTime)
 {
     ASSERT_TRUE(writeState(path, true));
@@ -84,8 +85,8 @@ TEST_F(StateFile, RenewsItsTime)
     EXPECT_EQ(content(), "on\n");
 }
 
-// REQ-TRANSMIT-12: What cannot be written is an error with the path and the reason: no folder, no right, a folder, a
-// pipe without a reader, a full disk.
+// REQ-TRANSMIT-12: A file that cannot be written is an error with the path and the reason: no folder, no permission, a
+// folder, a pipe without a reader, a full disk.
 TEST_F(StateFile, SaysWhyItCannotBeWritten)
 {
     const auto reason = [](const QString& where) {
@@ -100,7 +101,7 @@ TEST_F(StateFile, SaysWhyItCannotBeWritten)
     EXPECT_THAT(reason(QStringLiteral("/dev/full")), HasSubstr("is not a file"));
 }
 
-// As on a full disk: nothing more can be written.
+// As on a full disk, nothing more can be written.
 // REQ-TRANSMIT-12
 TEST_F(StateFile, IsEmptyWhereNothingCanBeWritten)
 {

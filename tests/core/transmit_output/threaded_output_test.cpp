@@ -19,7 +19,7 @@ namespace {
 
 using testing::ElementsAre;
 
-// A disk that takes its time: each call waits until the test lets it go.
+// A slow disk: each call waits until the test lets it go.
 struct SlowDisk
 {
     Result<> write(bool on)
@@ -33,7 +33,7 @@ struct SlowDisk
 
     QSemaphore asked;
     QSemaphore gate;
-    std::vector<bool> written;  // read when no call runs
+    std::vector<bool> written;  // read while no call runs
     std::atomic<QThread*> thread = nullptr;
     std::atomic<bool> fails = false;
 };
@@ -59,7 +59,7 @@ protected:
     std::vector<std::string> told;
 };
 
-// REQ-TRANSMIT-13: A disk or an adapter that hangs holds up nobody. Of what waits for it the newest counts.
+// REQ-TRANSMIT-13: A disk or an adapter that hangs delays nothing else. Of the waiting states only the newest is set.
 TEST_F(ThreadedOutputTest, TheNewestOfThoseThatWaitCounts)
 {
     output->set(false);
@@ -93,7 +93,7 @@ TEST_F(ThreadedOutputTest, EachTroubleIsTold)
     EXPECT_THAT(told, ElementsAre("disk full", "on"));
 }
 
-// What was asked last is done, also at the end.
+// The last requested state is set, also at the end.
 // REQ-TRANSMIT-13
 TEST_F(ThreadedOutputTest, ItsEndSetsWhatWasAskedLast)
 {

@@ -32,7 +32,7 @@ struct TuningRig : SimulatedStation
         return *m_tuning;
     }
 
-    // Of the last run.
+    // The outcome of the last run.
     [[nodiscard]] TuningOutcome outcome() { return tuning().outcome.value_or(TuningOutcome{}); }
 
     std::string start(TuningRun kind, Axis axis = Axis::Azimuth) { return ask(request::StartTuning{axis, kind}); }
@@ -72,7 +72,7 @@ struct TuningRig : SimulatedStation
         return runUntil([this] { return !status().drives->azimuth.gains.busy; }, Seconds(10.0));
     }
 
-    // How far the antenna is from kMiddle at most, while something runs.
+    // The largest distance of the antenna from kMiddle while something runs.
     double farthest = 0.0;
     void watch()
     {
@@ -83,8 +83,8 @@ private:
     std::shared_ptr<const TuningStatus> m_tuning;
 };
 
-// REQ-TUNING-13: A step run measures overshoot, time to settle, tracking error and torque of one axis, and ends where
-// it began, holding.
+// REQ-TUNING-13: A step run measures overshoot, settling time, tracking error and torque of one axis. It ends where it
+// began, and the mount holds.
 TEST(TuningDesk, AStepIsMeasured)
 {
     TuningRig rig;
@@ -108,7 +108,8 @@ TEST(TuningDesk, AStepIsMeasured)
     EXPECT_TRUE(rig.result(TuningRun::Step).good) << rig.outcome().text.toStdString();
 }
 
-// REQ-TUNING-14: A ramp run measures the tracking error at a constant rate, a sweep gain and phase at each frequency.
+// REQ-TUNING-14: A ramp run measures the tracking error at a constant rate. A sweep measures gain and phase at each
+// frequency.
 TEST(TuningDesk, ARampAndASweepAreMeasured)
 {
     TuningRig rig;
@@ -127,7 +128,7 @@ TEST(TuningDesk, ARampAndASweepAreMeasured)
     EXPECT_NEAR(rig.truth(Axis::Azimuth), 30.0, 0.05);
 }
 
-// REQ-TUNING-15: The figures before and after a change of the gains stand beside each other.
+// REQ-TUNING-15: The figures before and after a change of the gains are shown side by side.
 TEST(TuningDesk, BeforeAndAfterAreKept)
 {
     TuningRig rig;
@@ -174,8 +175,8 @@ TEST(TuningDesk, EverythingElseEndsARun)
     }
 }
 
-// REQ-TUNING-21: How a run ended is told with its axis and its kind.
-// Story: after one run was ended, each kind of run of both axes showed that STOP had ended it.
+// Story: after one run was ended by STOP, every kind of run of both axes was shown as ended by STOP.
+// REQ-TUNING-21: The result of a run is reported with its axis and its kind.
 TEST(TuningDesk, TheOutcomeNamesItsAxisAndRun)
 {
     TuningRig rig;
@@ -203,7 +204,8 @@ TEST(TuningDesk, AFaultEndsARun)
     EXPECT_THAT(rig.start(TuningRun::Step), testing::Not(""));
 }
 
-// REQ-TUNING-17: A run passes the gates of every motion: it is refused behind STOP, without the control, without room.
+// REQ-TUNING-17: The rules of every motion apply to a run: it is refused while STOP is latched, without control, and
+// without room.
 TEST(TuningDesk, ARunPassesTheGates)
 {
     TuningRig low(sim::commissionedPair(), {.azimuth = 30_deg, .elevation = 0.2_deg});
@@ -218,7 +220,7 @@ TEST(TuningDesk, ARunPassesTheGates)
     EXPECT_THAT(low.ask(request::EndTuning{}), HasSubstr("No tuning run"));
 }
 
-// REQ-TUNING-18: The backlash of an axis is measured by a guided run, with its uncertainty.
+// REQ-TUNING-18: A guided run measures the backlash of an axis, with its uncertainty.
 TEST(TuningDesk, BacklashIsMeasured)
 {
     sim::PairSettings pair = sim::commissionedPair();
@@ -235,7 +237,7 @@ TEST(TuningDesk, BacklashIsMeasured)
     EXPECT_LT(rig.farthest, 0.5);
 }
 
-// REQ-TUNING-19: Where the torque does not show the play, the run says so and reports no number.
+// REQ-TUNING-19: If the torque does not show the play, the run reports this and no number.
 TEST(TuningDesk, BacklashThatTheMotorDoesNotFeelIsNotInvented)
 {
     TuningRig rig;  // all friction in front of the gap

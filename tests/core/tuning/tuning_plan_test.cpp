@@ -27,8 +27,8 @@ TuningWay planned(TuningRun run, Axis axis, Angle azimuth, Angle elevation,
     return planTuning(run, axis, {.azimuth = azimuth, .elevation = elevation}, region(), limits);
 }
 
-// REQ-TUNING-11: A run asks for its room before it moves, goes to the side with more of it, and is refused with the
-// reason where there is none.
+// REQ-TUNING-11: Before it moves, a run checks its room. It moves to the side with more room, and is refused with the
+// reason if there is none.
 TEST(TuningPlan, GoesToTheSideWithMoreRoom)
 {
     const TuningWay low = planned(TuningRun::Step, Axis::Elevation, 0_deg, 10_deg);
@@ -52,8 +52,8 @@ TEST(TuningPlan, IsRefusedWithoutTheRoom)
                 HasSubstr("outside the permitted region"));
 }
 
-// REQ-TUNING-22: What a run says of its way is the way of its set-points, smaller where the limits of motion make it
-// so. Story: the question of the backlash spoke of 0.25°, and the axis moved by 0.20°.
+// Story: the question about the backlash run said 0.25°, and the axis moved by 0.20°.
+// REQ-TUNING-22: A run states the travel of its set-points, which the limits of motion may reduce.
 TEST(TuningPlan, SaysTheWayOfItsSetPoints)
 {
     const auto says = [](TuningRun run, const tracking::MotionLimits& limits) {

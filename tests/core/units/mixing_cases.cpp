@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Compiled once per case by CMakeLists.txt; every case but NO_MISTAKE must be refused by the compiler.
+// CMakeLists.txt compiles this file once for each case. The compiler must refuse every case but NO_MISTAKE.
 #include "core/units/quantity.h"
 #include "core/units/sky.h"
 

@@ -27,8 +27,8 @@ TEST(Quantity, UnitsAgree)
     EXPECT_DOUBLE_EQ(MotorTurns::fromTurns(1.5).turns(), 1.5);
 }
 
-// REQ-UNITS-941: An azimuth in a text is from 0° up to, and not including, 360°, as it is rounded for the text. No
-// angle is "-0.0°". Story: A mount parked at north stood at -0.004° and was shown at 360.00°.
+// Story: a mount parked at north stood at -0.004° and was shown at 360.00°.
+// REQ-UNITS-941: After rounding, an azimuth in a text is from 0° up to, but not including, 360°. No angle is "-0.0°".
 TEST(DegreesText, NorthIsZeroFromBothSides)
 {
     EXPECT_EQ(azimuthText(-0.004_deg, 2), QStringLiteral("0.00°"));
@@ -44,7 +44,7 @@ TEST(DegreesText, NorthIsZeroFromBothSides)
     EXPECT_EQ(placeText({-45_deg, 10_deg}), QStringLiteral("-45.00° 10.00°"));
 }
 
-// REQ-UNITS-02: A rate is an angle divided by a time, and back.
+// REQ-UNITS-02: An angle divided by a time is a rate, and a rate times a time is an angle.
 TEST(Quantity, RateIsAngleDividedByTime)
 {
     const AngularRate rate = 10_deg / Seconds(2.0);
@@ -53,7 +53,7 @@ TEST(Quantity, RateIsAngleDividedByTime)
     EXPECT_DOUBLE_EQ((rate / Seconds(0.5)).degrees(), 10.0);
 }
 
-// REQ-UNITS-03: Wrapping is explicit: 370° stays 370° until somebody calls `wrapped360()`.
+// REQ-UNITS-03: Wrapping is explicit: 370° stays 370° until `wrapped360()` is called.
 TEST(Quantity, WrappingIsExplicit)
 {
     EXPECT_NEAR((370_deg).wrapped360().degrees(), 10.0, 1e-12);
@@ -76,7 +76,7 @@ TEST(Quantity, TravelRangeIncludesItsEnds)
     EXPECT_EQ(range.clamped(10_deg), 10_deg);
 }
 
-// REQ-UNITS-940: A duration is written in seconds, in minutes and seconds, or in hours and minutes, whatever is short.
+// REQ-UNITS-940: A duration is written in seconds, in minutes and seconds, or in hours and minutes, whichever is short.
 TEST(Quantity, ADurationIsWrittenShort)
 {
     EXPECT_EQ(durationText(Seconds(99.4)), QStringLiteral("99 s"));

@@ -11,7 +11,8 @@
 namespace boresight {
 namespace {
 
-// A value each second about half a second ago; the current changes each ten seconds between 0.2 and `amperes`.
+// One value a second, measured about half a second earlier. Every ten seconds the current changes between 0.2 and
+// `amperes`.
 std::optional<CurrentCorrelation> after(double seconds, double amperes,
                                         const std::function<double(double amperes, double second)>& degrees)
 {
@@ -32,9 +33,9 @@ std::optional<CurrentCorrelation> after(double seconds, double amperes,
     return link.correlation();
 }
 
-// REQ-WITNESS-45 (AmpereLink.*): A difference that goes with the motors' current is reported as such, with degrees
-// per ampere, when the last minute shows it beyond doubt: 15 values, a current that rose and fell, a correlation of
-// 0.8. It moves and stores nothing.
+// REQ-WITNESS-45 (AmpereLink.*): A difference that varies with the motor current is reported as such, in degrees per
+// ampere. The last minute must show it clearly: 15 values, a current that rose and fell, a correlation of 0.8. It moves
+// and stores nothing.
 TEST(AmpereLink, ADisturbanceThatGoesWithTheCurrentIsFound)
 {
     const auto found = after(60.0, 3.2, [](double amperes, double) { return 2.0 + 5.0 * amperes; });

@@ -20,8 +20,8 @@ SteadyTime sensorTime(double second)
     return SteadyTime{std::chrono::duration_cast<SteadyTime::duration>(Seconds(second))};
 }
 
-// Axes that tell where they are each 20 ms, and a sensor that says each 1.03 s where they were, the mean of the second
-// that ended 0.1 s ago, plus an error of its own.
+// Axes that report their position every 20 ms, and a sensor that reports every 1.03 s. Its value is the mean of the
+// second that ended 0.1 s ago, plus an error.
 struct CheckRig
 {
     CheckRig(Degrees azimuthThen, Degrees elevationThen)
@@ -72,7 +72,7 @@ Degrees constant(double value)
     return [value](double) { return value; };
 }
 
-// To and fro at 12°/s, around through north.
+// Back and forth at 12°/s, through north.
 double slewing(double second)
 {
     const double phase = std::fmod(second, 60.0);
@@ -80,9 +80,10 @@ double slewing(double second)
 }
 
 // REQ-WITNESS-40 (SensorCheck.*): The orientation sensor is compared with the axes, with its latency and their motion
-// allowed for. A lasting difference is amber within 3 s and goes with its cause. Loss of the sensor is amber. Neither
-// moves anything. A calibrated sensor is shown as evidence when a wrap is asked. Before north was found, and while the
-// sensor has never agreed, a difference in azimuth is no warning but an advisory that names the panel North.
+// taken into account. A lasting difference is amber within 3 s and disappears with its cause. Loss of the sensor is
+// amber. Neither of them moves anything. When Boresight asks for a wrap, a calibrated sensor is shown as evidence.
+// Before north was found, or while the sensor has never agreed, a difference in azimuth is not a warning but an
+// advisory that names the panel North.
 TEST(SensorCheck, MotionIsNoDisagreement)
 {
     CheckRig rig(slewing, [](double second) { return 30.0 + 20.0 * std::sin(second / 2.0); });
@@ -92,7 +93,7 @@ TEST(SensorCheck, MotionIsNoDisagreement)
     EXPECT_LT(abs(*rig.check.difference(Axis::Azimuth).now), 3_deg);
 }
 
-// The sensor alone knows how high an antenna without an elevation axis looks.
+// For an antenna without an elevation axis only the sensor knows the elevation of the beam.
 TEST(SensorCheck, OfAMountWithOneAxisThatOneIsCompared)
 {
     CheckRig low(constant(100.0), constant(0.0));
@@ -161,7 +162,7 @@ TEST(SensorCheck, OneOutlierIsNone)
 
     rig.error = 90.0;
     rig.run(rig.due + 0.1 - rig.second);
-    rig.due += 60.0;  // and then it is silent
+    rig.due += 60.0;  // after that it is silent
     rig.run(30.0);
     EXPECT_FALSE(rig.everDisagreed);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sensor and axes differ: what is an alarm, what explains it, and what it is told as.
+// Sensor and axes differ: when this is an alarm, what explains it, and how it is reported.
 #include "tests/core/witness/sensor_watch_rig.h"
 
 #include <utility>
@@ -28,18 +28,19 @@ TEST(SensorWatch, APersistentDifferenceIsAmberWithItsLikelyCauses)
     EXPECT_THAT(rig.alarmText(), HasSubstr("differ by 25.0° in elevation"));
 }
 
-// Story: 3 s after a swing an amber alarm blamed a coupling, while the very curve that explained it waited for Apply.
-// REQ-WITNESS-40a: What a swing, or the average, has found and waits for Apply explains a difference too. The sensor
-// is compared by it as well, and amber is only what differs by both. A new proposal is judged after some seconds, in
-// which an alarm may go and come again. After that nothing is hidden by more than the threshold, however long it
-// waits.
+// Story: 3 s after a swing an amber alarm blamed a coupling, while the curve that explained the difference waited for
+// Apply.
+// REQ-WITNESS-40a: A result of a swing or an average that waits for Apply can explain a difference, too. The sensor is
+// also compared with this result, and only a difference from both is amber. A new proposal is judged after some
+// seconds, during which an alarm may disappear and come again. After that no difference above the threshold is hidden,
+// however long the proposal waits.
 TEST(SensorWatch, WhatAProposalExplainsIsNoAlarm)
 {
     SensorWatchRig rig;
     rig.run(5.0);
     rig.heading = 130_deg;
     rig.watch.setProposed(calibration::SensorMounting{.azimuthOffset = -25_deg});
-    rig.proposedAxes = SkyPointing{.azimuth = 105_deg, .elevation = 20_deg};  // north moves, too
+    rig.proposedAxes = SkyPointing{.azimuth = 105_deg, .elevation = 20_deg};  // north changes, too
     rig.run(10.0);
     EXPECT_EQ(rig.alarmText(), "");
     EXPECT_FALSE(rig.watch.status().disagrees);
@@ -60,18 +61,18 @@ TEST(SensorWatch, WhatAProposalDoesNotExplainIsAnAlarm)
     rig.proposedAxes = kStandingAt;
     rig.run(5.0);
     ASSERT_EQ(rig.alarmText(), "");
-    rig.heading = 145_deg;  // a coupling slips now
+    rig.heading = 145_deg;  // from here on a coupling slips
     rig.run(3.0);
     EXPECT_THAT(rig.alarmText(), HasSubstr("differ by 45.0° in azimuth"));
     rig.heading = 130_deg;
     rig.run(6.0);
     EXPECT_EQ(rig.alarmText(), "");
-    rig.elevation = 45_deg;  // of which it says nothing
+    rig.elevation = 45_deg;  // the proposal does not explain this
     rig.run(3.0);
     EXPECT_THAT(rig.alarmText(), HasSubstr("differ by 25.0° in elevation"));
 }
 
-// What differed before is none of what was proposed since.
+// A newer proposal does not explain an older difference.
 // REQ-WITNESS-40a
 TEST(SensorWatch, AProposalTakesAnAlarmAwayOnlyIfItExplainsIt)
 {
@@ -82,7 +83,7 @@ TEST(SensorWatch, AProposalTakesAnAlarmAwayOnlyIfItExplainsIt)
     ASSERT_TRUE(rig.watch.status().disagrees);
     rig.proposedAxes = kStandingAt;
     rig.watch.setProposed(calibration::SensorMounting{.azimuthOffset = 5_deg});
-    for (int i = 0; i < 60; ++i) {  // Story: it went, and came again some seconds later
+    for (int i = 0; i < 60; ++i) {  // Story: the alarm disappeared, and came again some seconds later
         rig.run(0.1);
         EXPECT_TRUE(rig.watch.status().disagrees) << i;
     }
@@ -92,7 +93,7 @@ TEST(SensorWatch, AProposalTakesAnAlarmAwayOnlyIfItExplainsIt)
     EXPECT_FALSE(rig.watch.status().disagrees);
 }
 
-// Story: who had just begun was greeted by an amber "differ by 37°", and nothing was wrong.
+// Story: a new user saw an amber "differ by 37°" at once, although nothing was wrong.
 TEST(SensorWatch, BeforeNorthIsFoundADifferenceInAzimuthOnlyShowsTheWay)
 {
     SensorWatchRig rig;
@@ -108,7 +109,7 @@ TEST(SensorWatch, BeforeNorthIsFoundADifferenceInAzimuthOnlyShowsTheWay)
         << "the axis' zero may be north";
     EXPECT_FALSE(rig.watch.status().disagrees);
 
-    rig.elevation = 45_deg;  // gravity knows no north
+    rig.elevation = 45_deg;  // the elevation does not depend on north
     rig.run(3.0);
     EXPECT_TRUE(rig.watch.status().disagrees);
     EXPECT_THAT(rig.logText(), HasSubstr("differ by 25.0° in elevation"));
@@ -124,8 +125,8 @@ TEST(SensorWatch, BeforeNorthIsFoundADifferenceInAzimuthOnlyShowsTheWay)
     EXPECT_THAT(rig.alarmText(), HasSubstr("differ by 37.4° in azimuth"));
 }
 
-// Story: whoever set sensor.elevation_offset_deg, as the alarm of the elevation advises, got an amber one of the
-// azimuth.
+// Story: an operator set sensor.elevation_offset_deg, as the elevation alarm advises, and then got an amber alarm about
+// the azimuth.
 TEST(SensorWatch, WhatTellsNothingOfNorthFindsNone)
 {
     const auto disagreesWith = [](const auto& set) {
@@ -159,7 +160,7 @@ TEST(SensorWatch, ASensorThatAgreedOnceIsBelievedWithoutANorthInTheProfile)
     EXPECT_FALSE(rig.watch.status().disagrees) << "of this one nothing is known yet";
 }
 
-// Story: any setting at all took the alarm away, and 1.5 s later it came anew, unacknowledged.
+// Story: a change of any setting removed the alarm, and 1.5 s later it came again, unacknowledged.
 TEST(SensorWatch, ASettingOfSomethingElseLeavesTheAlarm)
 {
     SensorWatchRig rig;
@@ -172,7 +173,7 @@ TEST(SensorWatch, ASettingOfSomethingElseLeavesTheAlarm)
     rig.setProfile(other);
     rig.run(0.1);
     EXPECT_TRUE(rig.watch.status().disagrees);
-    other.sensor.swingCurrent = 7.0;  // none of these changes what a reading means
+    other.sensor.swingCurrent = 7.0;  // none of these changes the meaning of a reading
     other.sensor.stillCurrent = 2.0;
     other.sensor.lost = Seconds(8.0);
     other.sensor.disagreement = 12_deg;
@@ -180,7 +181,7 @@ TEST(SensorWatch, ASettingOfSomethingElseLeavesTheAlarm)
     rig.setProfile(other);
     rig.run(0.1);
     EXPECT_TRUE(rig.watch.status().disagrees);
-    other.sensor.disagreement = 90_deg;  // and yet they count, for what comes from now on
+    other.sensor.disagreement = 90_deg;  // these settings count from now on
     rig.setProfile(other);
     rig.run(6.0);
     EXPECT_FALSE(rig.watch.status().disagrees);
@@ -188,7 +189,7 @@ TEST(SensorWatch, ASettingOfSomethingElseLeavesTheAlarm)
     rig.setProfile(other);
     rig.run(3.0);
     EXPECT_TRUE(rig.watch.status().disagrees);
-    other.pointing.azimuthOffset = 30_deg;  // the axes tell another direction from now on
+    other.pointing.azimuthOffset = 30_deg;  // from now on the axes mean another direction
     rig.setProfile(other);
     rig.run(0.1);
     EXPECT_FALSE(rig.watch.status().disagrees);

@@ -8,7 +8,7 @@
 
 #include <string>
 
-// A sensor that is watched beside axes that stand still, by a hand-turned clock.
+// A sensor that is compared with axes that stand still, with a hand-turned clock.
 namespace boresight {
 
 inline constexpr SkyPointing kStandingAt{.azimuth = Angle::fromDegrees(100.0), .elevation = Angle::fromDegrees(20.0)};
@@ -28,7 +28,7 @@ struct SensorWatchRig
         watch.profileChanged(*before, *inForce);
     }
 
-    // A value each second, while `speaking`.
+    // One value a second, while `speaking`.
     void run(double seconds)
     {
         for (int i = 0; i < static_cast<int>(seconds * 50.0); ++i) {

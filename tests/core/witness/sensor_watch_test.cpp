@@ -100,7 +100,7 @@ TEST(SensorWatch, TheDeclinationOfAnotherSiteIsForgotten)
     EXPECT_THAT(rig.watch.status().declinationText.toStdString(), HasSubstr("not known"));
 }
 
-// Whole turns, whichever way the sensor counts: the mount turns clockwise by 500°.
+// Whole turns for either sense of the sensor: the mount turns clockwise by 500°.
 // REQ-WITNESS-46
 TEST(SensorWatch, ItsCourseIsThatOfTheMount)
 {
@@ -177,7 +177,7 @@ TEST(SensorWatch, AnUncalibratedCompassIsNoWitness)
     EXPECT_EQ(rig.watch.evidence().elevation, 20_deg);
 }
 
-// Practically no calibration comes by MQTT: that is no proof, but a difference is told all the same.
+// By MQTT almost no calibration level arrives. So the sensor proves nothing, but a difference is reported all the same.
 TEST(SensorWatch, WithoutACalibrationItWarnsButProvesNothing)
 {
     SensorWatchRig rig(withNorth());
@@ -200,9 +200,10 @@ TEST(SensorWatch, WhatASwingFoundStandsForTheMounting)
     EXPECT_NEAR(rig.watch.status().direction->azimuth.degrees(), 100.0, 1e-6);
 }
 
-// A swing tells how far it is to be believed, and where steel steers the needle.
-// REQ-WITNESS-41: What a swing reports of its own quality is kept with its curve: the sigma of north, the elevation at
-// which it holds, and where steel deflects the needle. There the sensor is no evidence for a wrap and raises no alarm.
+// A swing reports its own accuracy, and where steel deflects the needle.
+// REQ-WITNESS-41: The quality of a swing is kept with its curve: the sigma of north, the elevation at which the curve
+// is valid, and where steel deflects the needle. In such a sector the sensor is no evidence for a wrap and raises no
+// alarm.
 TEST(SensorWatch, WhatASwingFoundSaysHowFarItIsToBeBelieved)
 {
     profile::Profile profile;
@@ -257,7 +258,7 @@ TEST(SensorWatch, TellsTheMagneticModelAndWhatIsWrongWithTheDeclination)
         SensorWatchRig typed(profile);
         EXPECT_EQ(QString(), typed.watch.status().declinationDoubt) << "nobody has typed one";
     }
-    profile.sensor.declination = 12_deg;  // and the sensor adds that of Berlin
+    profile.sensor.declination = 12_deg;  // and the sensor adds the declination of Berlin
     {
         SensorWatchRig typed(profile);
         EXPECT_THAT(typed.watch.status().declinationDoubt.toStdString(), HasSubstr("off"));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The whole way: simulated mount, its sensor, the station that watches both.
+// The complete system: simulated mount, its sensor, and the station that compares both.
 #include "core/moteus_mount/moteus_connection.h"
 #include "core/sim_sensor/simulated_source.h"
 #include "core/station/station.h"
@@ -135,7 +135,7 @@ TEST(StationSensor, ADisturbedCompassIsToldWithinThreeSecondsAndMovesNothing)
     EXPECT_EQ(rig.alarms(), "");
 }
 
-// Story: amber beside the very north that was found and waited for Apply.
+// Story: the warning was amber although the north that explained the difference was found and waited for Apply.
 // REQ-WITNESS-40a
 TEST(StationSensor, ADifferenceThatTheFoundNorthExplainsIsNoAlarm)
 {
@@ -157,7 +157,7 @@ TEST(StationSensor, ADifferenceThatTheFoundNorthExplainsIsNoAlarm)
     EXPECT_EQ(rig.alarms(), "") << "in force it explains it as well";
 }
 
-// The field of the motors turns the needle while they work: slews to and fro show it.
+// The field of the working motors deflects the needle. Slews back and forth show this.
 // REQ-WITNESS-45
 TEST(StationSensor, ADisturbanceThatGoesWithTheMotorsCurrentIsToldAsThat)
 {
@@ -237,7 +237,7 @@ TEST(StationSensor, AnotherOffsetIsTakenWithoutLosingTheSource)
     EXPECT_THAT(rig.alarms(), HasSubstr("in azimuth"));
 }
 
-// Story: the declination of the site before counted until the model was read again.
+// Story: the declination of the previous site was used until the magnetic model was read again.
 TEST(StationSensor, TheDeclinationOfASiteThatIsLeftIsForgotten)
 {
     profile::Profile profile = withSimulatedSensor();

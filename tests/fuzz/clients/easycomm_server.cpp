@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a client of the EasyComm emulation sends: any bytes in pieces of any size, with a rotator that believes nothing.
+// The data of an EasyComm client: any bytes in pieces of any size, with a rotator that checks every request.
 #include "core/base/version.h"
 #include "core/easycomm_server/easycomm_controller.h"
 #include "tests/fakes/manual_clock.h"
@@ -16,7 +16,7 @@ using namespace boresight::easycomm;
 
 constexpr std::size_t kMaxInput = 600;
 
-// Turns at no level and at any rate, parks and re-arms.
+// Turns at any rate without a speed level, parks and re-arms.
 class EasycommRotator final : public StrictRotator
 {
 public:
@@ -53,7 +53,7 @@ bool isAnswer(std::string_view word)
     return std::ranges::find(kAnswers, word) != kAnswers.end() || word == "VEBoresight-" + std::string(kVersion);
 }
 
-// An alarm, or answers with one blank between.
+// An alarm, or answers separated by one blank.
 bool isLine(std::string_view line)
 {
     if (isAlarm(line)) {
@@ -106,7 +106,7 @@ struct Talk
 
 }  // namespace
 
-// The first byte of an input says how the rest is cut into pieces, the version, and whether the rotator refuses.
+// The first byte of an input selects how the rest is cut into pieces, the version, and whether the rotator refuses.
 Grammar grammar()
 {
     Grammar grammar;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a client of the GS-232 emulation sends: any bytes in pieces of any size, with a rotator that believes nothing.
+// The data of a GS-232 client: any bytes in pieces of any size, with a rotator that checks every request.
 #include "core/gs232/box_command.h"
 #include "core/gs232_server/emulated_box.h"
 #include "tests/fakes/manual_clock.h"
@@ -16,7 +16,7 @@ using namespace boresight::gs232;
 
 constexpr std::size_t kMaxInput = 600;
 
-// Points and turns in the numbers of the box, at one of its speeds.
+// Points and turns with the numbers of a control box, at one of its speeds.
 class BoxRotator final : public StrictRotator
 {
 public:
@@ -82,7 +82,7 @@ struct Talk
 
 }  // namespace
 
-// The first byte of an input says how the rest is cut into pieces, the dialect, and whether the rotator refuses.
+// The first byte of an input selects how the rest is cut into pieces, the dialect, and whether the rotator refuses.
 Grammar grammar()
 {
     Grammar grammar;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a client writes that points the mount by plain numbers: any bytes in pieces of any size, with a rotator that
-// believes nothing.
+// The data of a client that points the mount by plain numbers: any bytes in pieces of any size, with a rotator that
+// checks every request.
 #include "core/pairs_server/pairs_talk.h"
 #include "tests/fakes/manual_clock.h"
 #include "tests/fuzz/clients/strict_rotator.h"
@@ -65,7 +65,7 @@ struct Talk
 
 }  // namespace
 
-// The first byte of an input says how the rest is cut into pieces, and whether the rotator refuses.
+// The first byte of an input selects how the rest is cut into pieces, and whether the rotator refuses.
 Grammar grammar()
 {
     Grammar grammar;

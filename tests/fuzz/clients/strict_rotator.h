@@ -8,8 +8,8 @@
 
 #include <algorithm>
 
-// A rotator that believes nothing: what a protocol has no words for must not be asked. A fuzz target allows what its
-// protocol has words for.
+// A rotator that refuses every kind of request by default, so that a protocol cannot request what it has no words for.
+// A fuzz target allows the requests of its protocol.
 namespace boresight::fuzz {
 
 class StrictRotator : public rotctld::Rotator

@@ -12,8 +12,8 @@
 #include <optional>
 #include <string>
 
-// The program boresightd as a process of its own, on a free port, with a state folder of its own and the built-in
-// profile whatever the user's home contains. The event loop of the test runs while it is waited for.
+// The program boresightd as a separate process on a free port, with its own state folder and the built-in profile,
+// whatever the user's home contains. The event loop of the test runs while it waits.
 namespace boresight::system_test {
 
 class BoresightdProcess
@@ -26,10 +26,10 @@ public:
     [[nodiscard]] std::string address() const { return "127.0.0.1:" + std::to_string(m_port); }
     [[nodiscard]] std::unique_ptr<fakes::TcpPeer> connect() const;
     [[nodiscard]] QString stateFolder() const { return m_home.path(); }
-    [[nodiscard]] std::string complaints();  // what it wrote on stderr
+    [[nodiscard]] std::string complaints();  // its standard error
 
     void kill() { m_process.kill(); }  // SIGKILL
-    // SIGTERM, and its exit code; empty if it did not end.
+    // SIGTERM. Returns its exit code, or empty if it did not end.
     [[nodiscard]] std::optional<int> terminate();
 
 private:

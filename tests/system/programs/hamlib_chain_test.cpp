@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Gpredict's bytes -> boresightd -> rotctld of Hamlib -> its dummy rotator: programs from end to end.
+// The bytes of Gpredict -> boresightd -> rotctld of Hamlib -> its dummy rotator: real programs from end to end.
 #include "core/profile/profile.h"
 #include "tests/fakes/program.h"
 #include "tests/fakes/real_mount.h"
@@ -68,7 +68,7 @@ protected:
         reply >> place.azimuth >> place.elevation;
         return place;
     }
-    // Gpredict's own reading, and what the rotator itself reports.
+    // As read by Gpredict, and as reported by the rotator itself.
     [[nodiscard]] bool comeTo(Place wanted)
     {
         return fakes::waitUntil([&] {
@@ -90,7 +90,7 @@ protected:
     std::unique_ptr<fakes::TcpPeer> dummy;
 };
 
-// REQ-ROTCTLDMOUNT-50: What Gpredict sends turns a rotator of Hamlib through Boresight. Its stop stops the rotator.
+// REQ-ROTCTLDMOUNT-50: The commands of Gpredict turn a rotator of Hamlib through Boresight. Its stop stops the rotator.
 TEST_F(HamlibChain, GpredictTurnsTheDummyOfHamlib)
 {
     ASSERT_EQ(gpredict->ask("P 20.00 15.00\n"), "RPRT 0\n");

@@ -11,7 +11,7 @@
 
 #include <cmath>
 
-// Hamlib's own client program, as Debian ships it, drives boresightd through its network backend: `rotctl -m 2`.
+// Hamlib's own client program from Debian drives boresightd through its network backend: `rotctl -m 2`.
 namespace boresight::system_test {
 namespace {
 
@@ -67,7 +67,8 @@ protected:
     {
         for (QDeadlineTimer deadline(std::chrono::seconds(30)); !deadline.hasExpired();) {
             const Place now = position();
-            const Angle turn = Angle::fromDegrees(now.azimuth - place.azimuth).wrapped180();  // 359.99° is near 0°
+            // so that 359.99° is near 0°
+            const Angle turn = Angle::fromDegrees(now.azimuth - place.azimuth).wrapped180();
             if (abs(turn) < 0.1_deg && std::abs(now.elevation - place.elevation) < 0.1) {
                 return true;
             }
@@ -101,7 +102,7 @@ TEST_F(HamlibClient, StopsMovesResetsAndAsksWhoWeAre)
     const Place first = position();
     expectAccepted({QStringLiteral("R"), QStringLiteral("1")});
     EXPECT_TRUE(comesTo(position()));
-    // It may have stopped before it had begun, a hair below 0°.
+    // It may have stopped before it began to move, slightly below 0°.
     EXPECT_LT(std::abs(std::remainder(first.azimuth, 360.0)), 100.0) << "S ended the way to 180°";
     expectAccepted({QStringLiteral("M"), QStringLiteral("16"), QStringLiteral("50"), QStringLiteral("p")});
     const Outcome outcome = rotctl({QStringLiteral("_")});

@@ -14,12 +14,12 @@
 #include <cmath>
 #include <memory>
 
-// Hamlib's own drivers for serial rotators, as Debian ships them, drive boresightd through its further listeners: by
-// the link to a pseudo-terminal as by a serial port, and by TCP.
+// Hamlib's own drivers for serial rotators from Debian drive boresightd through its further listeners: by the link to a
+// pseudo-terminal like a serial port, and by TCP.
 namespace boresight::system_test {
 namespace {
 
-// How near a place is read that the mount has reached, by the digits of the protocol.
+// The tolerance for a reading at the target, by the digits of the protocol.
 constexpr double kWholeDegrees = 1e-6;
 constexpr double kTenths = 0.15;
 
@@ -79,7 +79,7 @@ protected:
         EXPECT_EQ(outcome.exitCode, 0) << outcome.said.toStdString();
         EXPECT_FALSE(outcome.said.contains(QStringLiteral("error"))) << outcome.said.toStdString();
     }
-    // Where the mount is, by our own protocol.
+    // The position of the mount, by our own protocol.
     [[nodiscard]] AzEl position() const
     {
         const QStringList lines = QString::fromStdString(client->ask("p\n", 2)).split(QLatin1Char('\n'));
@@ -91,7 +91,7 @@ protected:
         return std::abs(std::remainder(now.azimuth - place.azimuth, 360.0)) < 0.1 &&
                std::abs(now.elevation - place.elevation) < 0.1;
     }
-    // Where a busy machine starves the simulated drives, their watchdog ends the motion. Then it is re-armed.
+    // If a busy computer starves the simulated drives, their watchdog ends the motion. Then they are re-armed.
     [[nodiscard]] bool wantsReArm()
     {
         log += boresightd->complaints();
@@ -105,7 +105,7 @@ protected:
     [[nodiscard]] bool points(const QString& model, const QString& where, AzEl place)
     {
         constexpr int kPatience = 12;
-        constexpr std::chrono::seconds kOneTry{15};  // a way takes some seconds
+        constexpr std::chrono::seconds kOneTry{15};  // a motion takes some seconds
         for (int i = 0; i < kPatience; ++i) {
             expectAccepted(model, where, QStringLiteral("P %1 %2").arg(place.azimuth).arg(place.elevation));
             static_cast<void>(fakes::waitUntil([&] { return isAt(place) || wantsReArm(); }, kOneTry));
@@ -116,7 +116,7 @@ protected:
         }
         return false;
     }
-    // Where it is, as Hamlib's driver reads it. It takes what answers late to the program before it for its own answer.
+    // The position as Hamlib's driver reads it. It may take a late reply to the previous program for its own reply.
     static void expectRead(const QString& model, const QString& where, AzEl place, double within = kWholeDegrees)
     {
         Outcome outcome;
@@ -130,7 +130,7 @@ protected:
             << outcome.said.toStdString();
         EXPECT_NEAR(lines.value(1).toDouble(), place.elevation, within);
     }
-    // Points twice, reads, and stops on the way to a third place.
+    // Points twice, reads, and stops on the way to a third position.
     void drive(const QString& model, const QString& where, double within = kWholeDegrees)
     {
         SCOPED_TRACE(model.toStdString() + " " + where.toStdString());
@@ -156,11 +156,11 @@ protected:
     std::unique_ptr<BoresightdProcess> boresightd;
     std::unique_ptr<fakes::TcpPeer> client;
     std::string log;
-    std::size_t armed = 0;  // what of the log is older than the last re-arm
+    std::size_t armed = 0;  // length of the log at the last re-arm
 };
 
-// REQ-GS232SERVER-06 (HamlibSerial.Gs232*): Hamlib's own drivers 601, 602, 603 and 606 point, read and stop the mount
-// through the emulation, unmodified, by a pseudo-terminal and by TCP. 604 points it.
+// REQ-GS232SERVER-06 (HamlibSerial.Gs232*): Hamlib's own unmodified drivers 601, 602, 603 and 606 point, read and stop
+// the mount through the emulation, by a pseudo-terminal and by TCP. 604 points it.
 TEST_F(HamlibSerial, Gs232AIsDriven)
 {
     drive(QStringLiteral("601"), a);
@@ -192,15 +192,15 @@ TEST_F(HamlibSerial, Gs232ThatOnlyReadsIsRefused)
 {
     const AzEl before = position();
     expectRead(QStringLiteral("603"), reading, {std::round(before.azimuth), std::round(before.elevation)});
-    // The driver does not read the answer to a motion.
+    // The driver does not read the reply to a motion.
     static_cast<void>(rotctl(QStringLiteral("603"), reading, QStringLiteral("P 90 45")));
     static_cast<void>(rotctl(QStringLiteral("603"), reading, QStringLiteral("M 2 100")));
     expectRead(QStringLiteral("603"), reading, {std::round(before.azimuth), std::round(before.elevation)});
     EXPECT_TRUE(fakes::waitUntil([&] { return isAt(before); }));
 }
 
-// REQ-EASYCOMMSERVER-08 (HamlibSerial.Easycomm*): Hamlib's own drivers 202 and 204 point, read, turn, stop and park the
-// mount, unmodified, by a pseudo-terminal and by TCP. 201 points and stops it.
+// REQ-EASYCOMMSERVER-08 (HamlibSerial.Easycomm*): Hamlib's own unmodified drivers 202 and 204 point, read, turn, stop
+// and park the mount, by a pseudo-terminal and by TCP. 201 points and stops it.
 TEST_F(HamlibSerial, EasycommOfTheSecondVersionIsDriven)
 {
     drive(QStringLiteral("202"), easycomm2, kTenths);

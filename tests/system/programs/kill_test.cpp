@@ -14,12 +14,13 @@
 #include <algorithm>
 #include <vector>
 
-// The program dies while the mount moves: the drives stop it by their own watchdog. boresightd runs as a process of its
-// own, in real time, with the simulated drives behind a pseudo-terminal here, where it is seen what they really do.
+// The program dies while the mount moves: the drives stop the mount by their own watchdog. boresightd runs as a
+// separate process in real time. The simulated drives are in this process behind a pseudo-terminal, so their true
+// motion is known.
 namespace boresight::system_test {
 namespace {
 
-// Backlash, and the 0.03° of overshoot that the drive takes back after it has stood.
+// Backlash, and the overshoot of 0.03° that the drive corrects after standing still.
 constexpr Angle kKillStill = Angle::fromDegrees(0.05);
 
 class KillTest : public ::testing::Test
@@ -27,7 +28,7 @@ class KillTest : public ::testing::Test
 protected:
     void SetUp() override
     {
-        realTime.ask();  // drives keep their time whatever else the computer does
+        realTime.ask();  // the drives keep their timing whatever other load the computer has
         auto created = sim::PtyServer::create(terminal, pair, clock);
         ASSERT_TRUE(created) << textOf(created.error());
         server = std::move(*created);
@@ -47,8 +48,8 @@ protected:
         pair.advanceTo(clock.now() - epoch);
         return pair.truth(axis);
     }
-    // Until the program sees both drives it answers RPRT -6. Where the machine ran nothing for longer than their
-    // watchdog, the drives have stopped: they are re-armed and sent off again.
+    // The program answers RPRT -6 until it has replies from both drives. If the computer ran nothing for longer than
+    // their watchdog time, the drives have stopped: they are re-armed and commanded again.
     void setsOff(const std::string& command, const std::function<bool()>& reached)
     {
         EXPECT_TRUE(fakes::waitUntil([&] {
@@ -89,14 +90,15 @@ protected:
     {
         return std::max(abs(one.azimuth - other.azimuth), abs(one.elevation - other.elevation));
     }
-    // When it stood for good.
+    // The time when it finally stood still.
     static Seconds restTime(const std::vector<Sample>& samples)
     {
         const auto moving = std::find_if(samples.rbegin(), samples.rend(),
                                          [](const Sample& sample) { return sample.fastest > kStandingStill; });
         return moving == samples.rend() ? Seconds(0.0) : moving->time;
     }
-    // How long this program, and with it the drives, did not run at most: what was sent before is answered after it.
+    // The longest time in which this program, and with it the drives, did not run. Earlier frames are answered after
+    // it.
     static Seconds longestPause(const std::vector<Sample>& samples)
     {
         Seconds longest(0.0);
@@ -105,7 +107,7 @@ protected:
         }
         return longest;
     }
-    // The drives' watchdog is 0.1 s, and they brake.
+    // The watchdog time of the drives is 0.1 s, and then they brake.
     static void expectRestAtOnce(const std::vector<Sample>& samples)
     {
         EXPECT_LT(restTime(samples), Seconds(0.2) + longestPause(samples));
@@ -139,11 +141,12 @@ TEST_F(KillTest, TheDrivesStopTheMountAndNothingMovesAfterwards)
     expectRestAtOnce(samples);
     EXPECT_EQ(truth(Axis::Azimuth).mode, moteus::Mode::PositionTimeout);
 
-    boresightd = start();  // the journal proves that the drives never lost power: nobody is asked for the turn
+    boresightd = start();  // the journal proves that the drives never lost power, so nobody is asked for the wrap
     ASSERT_TRUE(boresightd->listens()) << boresightd->complaints();
     expectNothingMovesFor(Seconds(1.5));
     client = boresightd->connect();
-    // RPRT -6 is the answer while a drive's last position is too old, as where this machine ran nothing for a moment.
+    // RPRT -6 is the reply while a drive's last position is too old, for example after this computer ran nothing for a
+    // moment.
     EXPECT_TRUE(fakes::waitUntil([&] { return client->ask("|p\n").ends_with("RPRT 0\n"); }));
     expectNothingMovesFor(Seconds(0.5));
     setsOff("P 0 10\n", [this] { return abs(truth(Axis::Azimuth).angle) < 0.1_deg; });

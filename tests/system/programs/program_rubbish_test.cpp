@@ -14,9 +14,9 @@
 #include <string>
 #include <vector>
 
-// Browsers, port scanners, floods and clients that never read, all at once against the running program, while a good
-// client tracks: it is answered at once and followed, and nothing but it moves the mount. Times are reported, and
-// bounded only so far that a busy test machine does not matter.
+// Browsers, port scanners, floods and clients that never read attack the running program at the same time, while a good
+// client tracks. The good client gets its replies at once, its target is tracked, and only this client moves the mount.
+// Times are reported, with bounds wide enough for a busy test computer.
 namespace boresight::system_test {
 namespace {
 
@@ -44,7 +44,7 @@ const std::vector<std::string>& strangers()
     return list;
 }
 
-// Connects, says its piece and is gone.
+// Connects, sends its data and closes.
 void sendRubbish(const BoresightdProcess& boresightd, std::size_t number)
 {
     const auto peer = boresightd.connect();
@@ -117,7 +117,7 @@ TEST_F(RubbishTest, DoesNotDisturbAClientThatTracks)
 {
     Peers floods;
     for (int i = 0; i < 20; ++i) {
-        floods.push_back(boresightd.connect());  // never reads its answers
+        floods.push_back(boresightd.connect());  // never reads its replies
     }
     const auto begin = SteadyClock::now();
     const auto seconds = [&] { return std::chrono::duration<double>(SteadyClock::now() - begin).count(); };
@@ -137,7 +137,7 @@ TEST_F(RubbishTest, DoesNotDisturbAClientThatTracks)
         sendRubbish(boresightd, ++number);
         const double at = seconds();
         const double error = std::abs(azimuth() - kRate * at);
-        if (at > 5.0) {  // a path is known, and the start made up for
+        if (at > 5.0) {  // by then the path is known, and the delay of the start is made up
             worst = std::max(worst, error);
         }
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// boresightd --simulate=simple: the whole station on the plainest rotator, driven over rotctld.
+// boresightd --simulate=simple: the whole station on the simplest rotator, driven over rotctld.
 #include "tests/fakes/wait_until.h"
 #include "tests/system/programs/boresightd_process.h"
 
@@ -22,8 +22,8 @@ std::pair<double, double> position(fakes::TcpPeer& client)
     return place;
 }
 
-// REQ-MOUNT-05 (SimpleRotator.*): `--simulate=simple` is the station on the plainest rotator, which reads whole
-// degrees. Another kind is refused with the kinds that there are.
+// REQ-MOUNT-05 (SimpleRotator.*): `--simulate=simple` is the station on the simplest rotator, which reads whole
+// degrees. An unknown kind is refused with the list of kinds.
 TEST(SimpleRotator, ArrivesWhereAClientSendsItAndReadsWholeDegrees)
 {
     BoresightdProcess daemon({QStringLiteral("--simulate=simple")});
@@ -43,7 +43,7 @@ TEST(SimpleRotator, ArrivesWhereAClientSendsItAndReadsWholeDegrees)
     EXPECT_EQ(daemon.terminate(), 0);
 }
 
-// REQ-ROTCTLDMOUNT-51: `--simulate=rotctld` is the station on the dummy rotator of Hamlib.
+// REQ-ROTCTLDMOUNT-51: `--simulate=rotctld` is the station on Hamlib's dummy rotator.
 TEST(SimulatedRotctld, ArrivesWhereAClientSendsIt)
 {
     BoresightdProcess daemon({QStringLiteral("--simulate=rotctld")});

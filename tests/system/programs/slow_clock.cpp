@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Loaded by LD_PRELOAD, this makes all time of a program, and of those that it starts, pass kSlowness times slower than
-// the computer's. A computer that runs nothing for 0.4 s is 0.08 s to them, less than the watchdog of a drive. It is
-// one slow time for all of them: what one wrote, another one can compare with its own clock. User-Mode Linux reads its
-// clocks by clock_gettime(), too, and sleeps by POSIX timers that send a signal. Its own main program calls these
-// functions before libraries are ready, so they ask the kernel themselves and use no library but the C library's
-// syscall().
-// Waits until an absolute time end at once, and the times of files are not slowed: no program of these tests uses
-// either.
+// Loaded by LD_PRELOAD, this slows all time of a program and of its child programs by the factor kSlowness. If a
+// computer runs nothing for 0.4 s, this is 0.08 s for them, less than the watchdog time of a drive. All of them have
+// the same slow time, so a time written by one can be compared by another. User-Mode Linux also reads its clocks by
+// clock_gettime(), and sleeps by POSIX timers that send a signal. Its main program calls these functions before
+// libraries are ready, so they ask the kernel directly and use only syscall() of the C library. Waiting for an absolute
+// time ends at once, and the times of files are not slowed: the programs of these tests use neither.
 #include <sys/syscall.h>
 #include <sys/time.h>
 #include <unistd.h>
@@ -29,7 +27,7 @@ timespec timeOf(long nanoseconds)
     return {.tv_sec = nanoseconds / kSecond, .tv_nsec = nanoseconds % kSecond};
 }
 
-// A signal's timer is known to the kernel by the number that is in the pointer.
+// For a signal timer the pointer contains the number that the kernel uses.
 int kernelNumber(timer_t timer)
 {
     return static_cast<int>(reinterpret_cast<long>(timer));

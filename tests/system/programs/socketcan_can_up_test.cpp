@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// packaging/can-up against a stand-in for "ip" that answers as Debian 12's does for a real adapter, which a test
-// machine seldom has. On a virtual interface and on a real kernel it is tried in socketcan_system_test.cpp.
+// packaging/can-up with a stand-in for "ip" that answers like Debian 12's for a real adapter, which test computers
+// seldom have. socketcan_system_test.cpp tests it on a virtual interface and on a real kernel.
 #include "core/can/bit_timing.h"
 #include "tests/fakes/program.h"
 
@@ -15,8 +15,8 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-// Keeps what it was asked in $FAKE_IP/asked. "link set … down" fails if $FAKE_IP/denied is there; "… up type can" fails
-// with the words in $FAKE_IP/refusal if there are any, or when dsjw is above $FAKE_IP/largest_dsjw.
+// Stores its arguments in $FAKE_IP/asked. "link set … down" fails if $FAKE_IP/denied exists. "… up type can" fails with
+// the text in $FAKE_IP/refusal if there is one, or when dsjw is above $FAKE_IP/largest_dsjw.
 constexpr const char* kFakeIp = R"(#!/usr/bin/env bash
 case "$*" in
     "-details link show dev can0") cat "$FAKE_IP/details" ;;
@@ -70,7 +70,7 @@ protected:
         static_cast<void>(file.open(QIODevice::ReadOnly));
         return QString::fromUtf8(file.readAll()).split(QLatin1Char('\n'), Qt::SkipEmptyParts);
     }
-    // The status and what was said.
+    // The exit status and the output.
     std::pair<int, std::string> canUp(const QString& interface = QStringLiteral("can0")) const
     {
         put("details", details);
@@ -99,7 +99,7 @@ TEST_F(CanUpTest, SetsWhatTheProgramAsksForAndChecksIt)
     EXPECT_THAT(words, Not(HasSubstr("WRONG")));
 }
 
-// An adapter of 40 MHz has 8 time quanta in a fast bit and 3 of them after the sample point.
+// With an adapter of 40 MHz a fast bit has 8 time quanta, and 3 of them are after the sample point.
 TEST_F(CanUpTest, TakesTheLargestJumpWidthThatIsNotRefused)
 {
     put("largest_dsjw", "3");

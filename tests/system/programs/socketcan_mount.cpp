@@ -24,8 +24,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto kPatience = 60s;  // of a guest system on a busy machine
-// A simulated encoder's noise moves the truth less; the slowest motion that is asked for is a hundred times more.
+constexpr auto kPatience = 60s;  // for a guest system on a busy computer
+// The noise of a simulated encoder moves the truth by less. The slowest commanded motion is a hundred times faster.
 constexpr double kSocketcanMountStill = 0.02;  // °
 
 double farthest(const Truth& a, const Truth& b)
@@ -49,8 +49,8 @@ std::optional<Truth> readTruth(const QString& line)
                  .elevationRate = number(5)};
 }
 
-// Also in slow motion (slow_clock.cpp) a guest is slower than a computer at a mast, and a program that starts is not
-// interrupted: half the ticks, and the longest time-out that a profile may have.
+// Even with its slow clock (slow_clock.cpp) a guest is slower than a computer at a mast, and the start of a program is
+// not interrupted. So this uses half the tick rate, and the longest time-out that a profile may have.
 profile::Profile forASlowMachine()
 {
     profile::Profile slow;
@@ -66,8 +66,8 @@ bool run(const std::string& command)
     return std::system(command.c_str()) == 0;
 }
 
-// Both run before other programs, as the drives do anyhow and the service does by its unit file: the guest has one
-// processor, which the start of a program alone keeps busy for 80 ms.
+// Both have a higher priority than other programs. (The drives are independent in reality, and the service has it from
+// its unit file.) The guest has one processor, and the start of a program alone takes 80 ms.
 bool MountOnCan::starts()
 {
     constexpr int kServiceNiceness = -10;
@@ -155,7 +155,7 @@ bool MountOnCan::commandUntil(const std::string& command, const std::function<bo
         }
         if (ask(command) == "RPRT 0\n") {
             static_cast<void>(fakes::waitUntil([&] { return reached() || stopped(); }, kPatience));
-        } else {  // drives are looked for, read and checked before anything may move
+        } else {  // the drives are searched, read and checked before anything may move
             pause();
         }
     }

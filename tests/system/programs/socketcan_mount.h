@@ -15,18 +15,18 @@
 #include <utility>
 #include <vector>
 
-// A whole station on real CAN interfaces, each part a program of its own: `boresightctl simulate`, which also prints
-// how its axes really stand, and `boresightd` with one rotctld client. Needs the right to make interfaces (User-Mode
+// A whole station on real CAN interfaces, each part a separate program: `boresightctl simulate`, which also prints the
+// true positions of its axes, and `boresightd` with one rotctld client. Needs the right to create interfaces (User-Mode
 // Linux).
 namespace boresight::system_test {
 
-// Of a shell command.
+// Whether the shell command succeeded.
 [[nodiscard]] bool run(const std::string& command);
 
-// One line of `simulate --print-truth`, ten a second.
+// One line of `simulate --print-truth`. There are ten a second.
 struct Truth
 {
-    double time = 0.0;  // s, of the simulated mount
+    double time = 0.0;  // s, time of the simulated mount
     double azimuth = 0.0;
     double elevation = 0.0;
     double azimuthRate = 0.0;
@@ -35,39 +35,40 @@ struct Truth
 
 struct Standstill
 {
-    double time = 0.0;       // s after the event, at most: the next line's interval is counted as moving
+    // s after the event; an upper limit, because the interval of the next line counts as motion
+    double time = 0.0;
     double excursion = 0.0;  // ° of the worse axis since the last line before the event
 };
 
 class MountOnCan
 {
 public:
-    // The drives on one interface, boresightd on the other or the same.
+    // The drives are on one interface, boresightd on the other or the same.
     MountOnCan(QString drivesInterface, QString programInterface)
         : m_drivesInterface(std::move(drivesInterface)), m_programInterface(std::move(programInterface))
     {}
 
-    // False (with a failure of the test) if one of the programs does not start.
+    // Returns false (with a failure of the test) if one of the programs does not start.
     [[nodiscard]] bool starts();
-    // Waits until the journal says since when each drive's position is counted, which tells the turn after an outage.
+    // Waits until the journal contains the origin of each drive's position, which proves the wrap after an outage.
     [[nodiscard]] bool notesProof();
     // One command of the client and the first line of its reply.
     [[nodiscard]] std::string ask(const std::string& command) { return m_client->ask(command + "\n"); }
-    [[nodiscard]] bool reArms();  // asked again and again
+    [[nodiscard]] bool reArms();  // repeats the request
 
     [[nodiscard]] const std::vector<Truth>& truths();
     [[nodiscard]] Truth truth() { return truths().empty() ? Truth{} : truths().back(); }
-    [[nodiscard]] bool waitForTruths(std::size_t more);  // that many lines, a tenth of a second each
-    // Sends the mount off and waits until it is fast (so far away that a slow machine sees it), or until it is there.
-    // Where a busy machine starves it so that its drives stop themselves, it is re-armed and sent again, as often as
-    // needed.
+    [[nodiscard]] bool waitForTruths(std::size_t more);  // waits for this number of lines, a tenth of a second each
+    // Starts a motion and waits until it is fast, or until the mount has arrived. The target is far enough for a slow
+    // computer to see the motion. If a busy computer starves the drives so that they stop, they are re-armed and
+    // commanded again, as often as needed.
     [[nodiscard]] bool slews(const std::string& command);
     [[nodiscard]] bool comesTo(double azimuth, double elevation);
-    // `before` is the number of lines when the event came.
+    // `before` is the number of lines at the time of the event.
     [[nodiscard]] std::optional<Standstill> standstillAfter(std::size_t before);
     [[nodiscard]] double largestMotion(std::size_t fromLine);  // ° of the worse axis
 
-    // What boresightd wrote to its log, and how long the words take to come from now on.
+    // The log of boresightd, and the time until the words appear in it from now on.
     [[nodiscard]] const std::string& log();
     [[nodiscard]] std::optional<qint64> waitForWords(const std::string& words, std::size_t after = 0);
 
@@ -89,7 +90,7 @@ private:
     std::vector<Truth> m_truths;
     qsizetype m_linesRead = 0;
     std::string m_log;
-    std::size_t m_armed = 0;  // what of the log is older than the last re-arm, or was seen to need none
+    std::size_t m_armed = 0;  // length of the log at the last re-arm, or when no re-arm was found necessary
     StarvedTime m_starved;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The whole path on real CAN interfaces: needs vcan0, CAN-FD, up, the right to change it (User-Mode Linux gives both),
-// and can-utils as an independent witness, as the cable and as a rude neighbour.
+// The complete chain on real CAN interfaces. It needs vcan0, up and with CAN-FD, and the right to change it (User-Mode
+// Linux gives both). can-utils serve as an independent check, as the cable, and as a program that floods the bus.
 #include "core/moteus/diagnostic.h"
 #include "core/tracking/emergency_braking.h"
 #include "tests/system/programs/socketcan_mount.h"
@@ -23,12 +23,12 @@ struct Witnessed
     QSet<QString> ids;
     QSet<qsizetype> sizes;
     int frames = 0;
-    int padded = 0;  // end in 0x50, the sub-frame that means nothing
+    int padded = 0;  // frames that end in 0x50, the sub-frame without effect
     int others = 0;  // lines that are no CAN-FD frame with bit-rate switch
 };
 
-// candump -L: "(1700000000.000000) vcan0 00008001##511001F..."; ## is CAN-FD, the digit its flags: 1 bit-rate switch,
-// 4 (newer kernels) CAN-FD once more.
+// candump -L: "(1700000000.000000) vcan0 00008001##511001F..." "##" means CAN-FD. The digit has its flags: 1 is the
+// bit-rate switch, 4 (newer kernels) says CAN-FD again.
 Witnessed read(const QString& candump)
 {
     static const QRegularExpression line(QStringLiteral("^\\([0-9.]+\\) vcan0 ([0-9A-F]+)##[15]([0-9A-F]*)$"));
@@ -52,7 +52,7 @@ unsigned long long framesOnTheBus()
     return count.open(QIODevice::ReadOnly) ? count.readAll().trimmed().toULongLong() : 0;
 }
 
-// Requests to a drive or to all (destination), or a drive's answer to host 0: what moteus identifiers look like.
+// Whether it is a moteus identifier: a request to one drive or to all (destination), or a reply of a drive to host 0.
 bool isMoteusId(const QString& text)
 {
     const std::uint32_t id = text.toUInt(nullptr, 16);
@@ -61,7 +61,8 @@ bool isMoteusId(const QString& text)
     const auto isOurs = [](std::uint32_t number) {
         return number == moteus::kHostId || number == moteus::kDiagnosticHostId;
     };
-    return (id & ~0xff7fU) == 0 && (isOurs(source) || isOurs(destination));  // the survey asks id 16 too, its own
+    // the drive check also queries id 16 with its own source number
+    return (id & ~0xff7fU) == 0 && (isOurs(source) || isOurs(destination));
 }
 
 TEST(SocketCanSystem, PointsTheMountWithFramesOfCanFd)
@@ -80,21 +81,21 @@ TEST(SocketCanSystem, PointsTheMountWithFramesOfCanFd)
     EXPECT_GT(seen.frames, 400);
     EXPECT_GT(seen.padded, 100);
     EXPECT_EQ(seen.others, 0) << candump.output().left(300).toStdString();
-    // To drives 1 and 2 with the request for a reply (0x8000: an extended id), and their replies to host 0;
-    // the survey has a source number of its own.
+    // To drives 1 and 2 with the request for a reply (0x8000: an extended id), and their replies to host 0. The drive
+    // check has its own source number.
     for (const char* id : {"00008001", "00008002", "100", "200"}) {
         EXPECT_TRUE(seen.ids.contains(QLatin1String(id))) << id;
     }
     for (const QString& id : seen.ids) {
         EXPECT_TRUE(isMoteusId(id)) << id.toStdString();
-        EXPECT_EQ(id.size() == 8, id.toUInt(nullptr, 16) > 0x7ff) << id.toStdString();  // extended only if it must be
+        EXPECT_EQ(id.size() == 8, id.toUInt(nullptr, 16) > 0x7ff) << id.toStdString();  // extended only if necessary
     }
     for (const qsizetype size : seen.sizes) {
         EXPECT_TRUE(size <= 8 || QSet<qsizetype>({12, 16, 20, 24, 32, 48, 64}).contains(size)) << size;
     }
 }
 
-// The drives stay on vcan1 with power; vcan0 is the adapter, whose cable is the kernel's gateway between the two.
+// The drives stay powered on vcan1. vcan0 is the adapter, and its cable is the kernel's gateway between the two.
 constexpr const char* kPlugIn = "cangw -A -s vcan0 -d vcan1 -X -e && cangw -A -s vcan1 -d vcan0 -X -e";
 
 class SocketCanOutage : public testing::Test
@@ -111,12 +112,12 @@ protected:
     }
     void TearDown() override { static_cast<void>(run("cangw -F 2>/dev/null")); }
 
-    // The words are in the log at once, and the mount rests.
+    // The words are in the log at once, and the mount stands still.
     void expectStop(const char* how, const std::string& command, const std::string& words)
     {
         const std::size_t logBefore = mount.log().size();
-        // It takes some 0.1 s, or a second on a busy machine, and the mount slews meanwhile: the lines of that time
-        // wait.
+        // The command takes about 0.1 s, or a second on a busy computer, and the mount slews meanwhile. The lines of
+        // that time are read afterwards.
         ASSERT_TRUE(run(command));
         QCoreApplication::processEvents();
         const std::size_t before = mount.truths().size();
@@ -125,19 +126,22 @@ protected:
         ASSERT_TRUE(told.has_value()) << mount.log();
         const auto stop = mount.standstillAfter(before);
         ASSERT_TRUE(stop.has_value());
-        const Seconds starved = mount.starved() - starvedBefore;  // nobody could say or stop anything
+        // time in which no program could report or stop anything
+        const Seconds starved = mount.starved() - starvedBefore;
         std::printf("%s in a slew: said after %lld ms, at rest within %.2f s and %.2f degrees; starved for %.2f s\n",
                     how, *told, stop->time, stop->excursion, starved.count());
         EXPECT_LT(Seconds(std::chrono::milliseconds(*told)), Seconds(0.3) + starved) << "after the command was done";
-        // 0.2 s watchdog and the braking of 10 °/s, seen through lines a tenth of a second apart, on a busy machine.
+        // 0.2 s for the watchdog and the braking from 10°/s, measured with lines a tenth of a second apart, on a busy
+        // computer.
         EXPECT_LT(Seconds(stop->time), Seconds(1.0) + starved);
         EXPECT_LT(stop->excursion, 6.0 + 10.0 * starved.count());
-        // "No reply" or "timed out", as the guest's processor had time to notice.
+        // "No reply" or "timed out", depending on the time that the guest had to detect it.
         EXPECT_TRUE(mount.waitForWords("Boresight ended the motion", logBefore).has_value()) << mount.log();
         EXPECT_TRUE(mount.waitForWords("press Re-arm", logBefore).has_value()) << mount.log();
     }
 
-    // Three seconds after the bus is back nothing has moved, a client is refused; then it is re-armed and obeys.
+    // Three seconds after the bus is back nothing has moved, and a client is refused. Then the mount is re-armed and
+    // obeys.
     void expectRestUntilReArmed(const std::string& command)
     {
         const std::size_t before = mount.truths().size();
@@ -156,9 +160,9 @@ protected:
     MountOnCan mount{QStringLiteral("vcan1"), QStringLiteral("vcan0")};
 };
 
-// REQ-CAN-20 (SocketCanOutage.*): On a real interface a mount in a slew stops when the interface goes down or is
-// removed, reports it within 300 ms, and moves again only after re-arming. A bus flooded by another program leaves the
-// mount under control or stopped, with a report.
+// REQ-CAN-20 (SocketCanOutage.*): On a real interface a slewing mount stops when the interface goes down or is removed,
+// reports this within 300 ms, and moves again only after a re-arm. With a bus flooded by another program the mount
+// stays under control or stops, with a report.
 TEST_F(SocketCanOutage, InterfaceDownInMotionStopsTheMountUntilReArmed)
 {
     expectStop("interface down", "ip link set vcan0 down",
@@ -179,8 +183,8 @@ struct Flood
     QStringList identifier;
 };
 
-// To drive 5, which is not there: a frame to 1 or 2 would be a command. Smaller identifiers go first on a real bus; a
-// virtual one has no arbitration, but the flood takes the machine's time and the room in the sockets.
+// Frames to drive 5, which does not exist: a frame to 1 or 2 would be a command. On a real bus smaller identifiers have
+// priority. A virtual bus has no arbitration, but the flood takes computing time and room in the sockets.
 class SocketCanFlood : public testing::TestWithParam<Flood>
 {};
 
@@ -212,13 +216,13 @@ TEST_P(SocketCanFlood, MountStaysUnderControlOrStopsAndSaysSo)
                 static_cast<double>(flood) / seconds, seconds,
                 stopped ? "the mount stopped and said so" : "the mount stayed under control", mount.truth().azimuth,
                 mount.log().substr(logBefore).c_str());
-    constexpr double kSurelyAFlood = 3000.0;  // frames a second; a busy machine may manage less
+    constexpr double kSurelyAFlood = 3000.0;  // frames a second; a busy computer may send fewer
     if (static_cast<double>(flood) / seconds > kSurelyAFlood) {
         EXPECT_NE(mount.log().find("Another program floods the bus", logBefore), std::string::npos);
     }
-    // Frames that come late or in pairs are caught up with, at most at the drives' own limit, which is 1.5 times the
-    // profile's. A drive that catches up while the set-point brakes overshoots by at most what it was behind: 0.25 s at
-    // 10 °/s, then the replies count as missing.
+    // An axis catches up after frames that come late or in pairs, at most at the drives' own limit, which is 1.5 times
+    // that of the profile. A drive that catches up while the set-point brakes overshoots at most by its lag: 0.25 s at
+    // 10°/s. After that the replies count as missing.
     for (const Truth& truth : mount.truths()) {
         EXPECT_LT(std::abs(truth.azimuthRate), 1.05 * tracking::kLimitGuard * 10.0);
         EXPECT_LT(truth.elevation, 30.0 + 2.5);

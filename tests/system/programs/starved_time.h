@@ -7,9 +7,9 @@
 
 namespace boresight::system_test {
 
-// The time in which this machine ran nothing at all: a guest of User-Mode Linux has one processor, which its host may
-// give to others for half a second. A thread above all others asks the clock every 5 ms; what is missing was not run.
-// Without the right to such a thread, the time in which others ran counts too.
+// The time in which this computer ran nothing at all. A guest of User-Mode Linux has one processor, which its host may
+// give to others for half a second. A thread with the highest priority reads the clock every 5 ms, and gaps are the
+// time that was not run. Without the right to such a thread, the time in which other programs ran counts too.
 class StarvedTime
 {
 public:
@@ -18,7 +18,7 @@ public:
     StarvedTime(const StarvedTime&) = delete;
     StarvedTime& operator=(const StarvedTime&) = delete;
 
-    // Since the start; from any thread.
+    // Since the start. May be called from any thread.
     [[nodiscard]] std::chrono::milliseconds total() const { return m_total.load(); }
 
 private:

@@ -31,7 +31,7 @@ protected:
     StripChart& strip(Strip which) { return charts().strip(which); }
     TimeAxis& time() { return *window.findChild<TimeAxis*>(); }
 
-    // The ticks of so long a time, and that time has passed.
+    // Adds the ticks of this time, and advances the clock by it.
     void pass(Seconds length)
     {
         StationUpdate update = samples::update(samples::idle());
@@ -40,7 +40,7 @@ protected:
         give(update);
     }
 
-    // One tick at a time with these values.
+    // Adds ticks with these values, one at a time.
     void tick(double commanded, double actual, int count = 1)
     {
         StationUpdate update = samples::update(samples::idle());
@@ -126,13 +126,13 @@ TEST_F(ChartsTest, OneTicksPeakIsPaintedInEveryWindow)
     }
 }
 
-// REQ-UI-18: Paused charts stand still and keep collecting. Cursor and keys read time and values. In a wide window
-// they stand beside sky and panels and cover nothing.
+// REQ-UI-18: Paused charts stand still and keep collecting. Cursor and keys read time and values. In a wide window the
+// charts are beside sky and panels and cover nothing.
 TEST_F(ChartsTest, PauseHoldsThePictureAndCollectsOn)
 {
     tick(10.0, 10.0, 500);
     press("Freeze the charts. Boresight still records the data (Space in the charts)");
-    tick(10.0, 10.0, 10);  // of the moment of pausing: a column is less than 0.2 s
+    tick(10.0, 10.0, 10);  // at the moment of pausing: a column is less than 0.2 s
     const std::int64_t first = strip(Strip::Position).frame().firstColumn;
     const QImage before = strip(Strip::Position).grab().toImage();
     tick(10.0, 12.0, 500);
@@ -161,7 +161,7 @@ TEST_F(ChartsTest, SilenceIsAGapAndNeverALine)
     }
 }
 
-// A silent station: the curve moves away from "now" instead of being drawn on.
+// With a silent station the curve moves away from "now", and nothing is added.
 TEST_F(ChartsTest, OldDataMoveAwayFromNow)
 {
     tick(10.0, 10.0, 500);
@@ -252,7 +252,7 @@ TEST_F(ChartsTest, ALevelThatMattersIsDrawnWhereItFits)
         }
         return false;
     };
-    EXPECT_TRUE(drawn(0.05));  // a hundredth of the beam
+    EXPECT_TRUE(drawn(0.05));  // a hundredth of the beam width
     EXPECT_LT(error.scale().upper(), 0.5);
     tick(10.0, 9.3);
     give(samples::update(status));
@@ -302,7 +302,7 @@ TEST_F(ChartsTest, AreDescribedInWords)
                              "Torque: no data."));
 }
 
-// REQ-UI-1651: A mount without drives that report has no chart of torque, current, voltage or temperature.
+// REQ-UI-1651: A mount without drives that report values has no chart of torque, current, voltage or temperature.
 TEST_F(ChartsTest, AMountWithoutDrivesHasNoChartOfThem)
 {
     EXPECT_TRUE(strip(Strip::Drive).isVisible());

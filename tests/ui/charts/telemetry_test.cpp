@@ -25,7 +25,8 @@ std::optional<PeakRange> bruteRange(const std::map<std::int64_t, PeakRange>& bin
     return sum;
 }
 
-// Values with rare, lonely peaks; now and then bins are left out, now and then a gap; more than once round the ring.
+// Values with rare single peaks. Some bins are left out, and there are some gaps. The values fill the ring more than
+// once.
 struct RandomWalk
 {
     explicit RandomWalk(unsigned seed) : random(seed) {}
@@ -49,8 +50,8 @@ struct RandomWalk
     std::int64_t bin = 123'456;
 };
 
-// REQ-UI-17 (PeakRing.*): The charts show every peak of the last half hour in every window, and never join what lies
-// on either side of a gap.
+// REQ-UI-17 (PeakRing.*): The charts show every peak of the last half hour at every time scale, and never draw a line
+// across a gap.
 TEST(PeakRing, AnyRangeHasThePeaksOfBruteForce)
 {
     RandomWalk walk(1);
@@ -68,7 +69,8 @@ TEST(PeakRing, AnyRangeHasThePeaksOfBruteForce)
     EXPECT_GT(walk.bin, 123'456 + 2 * PeakRing::kBins);
 }
 
-// Column by column against brute force: nothing missing, nothing doubled, and joined exactly where there is no gap.
+// Every column is compared with a simple computation: nothing is missing or doubled, and columns are joined exactly
+// where there is no gap.
 TEST(PeakRing, ColumnsHoldEveryPeakAndNeverJoinAcrossAGap)
 {
     RandomWalk walk(2);
@@ -144,7 +146,7 @@ TEST(TelemetryStore, MemoryIsBoundedAndHoldsHalfAnHour)
     EXPECT_GE(TelemetryStore::kBin * PeakRing::kBins, std::chrono::minutes(30) + std::chrono::seconds(60));
 }
 
-// The error is that of one tick: the extremes of commanded and actual say nothing about it.
+// The error belongs to one tick: it does not follow from the extremes of commanded and actual.
 TEST(TelemetryStore, TheErrorIsKeptForItselfAndOneTicksPeakSurvivesHalfAnHour)
 {
     TelemetryStore store;
@@ -161,7 +163,7 @@ TEST(TelemetryStore, TheErrorIsKeptForItselfAndOneTicksPeakSurvivesHalfAnHour)
     EXPECT_FALSE(store.ring(Axis::Elevation, Channel::Error).range(0, 1'000'000));
 }
 
-// Ticks that come up to 8 ms early or late: one value for each bin, in its order.
+// Ticks that are up to 8 ms early or late give one value for each bin, in order.
 TEST(TelemetryStore, UnsteadyTicksLeaveNoHoles)
 {
     TelemetryStore store;

@@ -12,7 +12,7 @@
 namespace boresight::ui {
 namespace {
 
-// A leading Gpredict, a logging program that wants to drive, a third one that is read-only.
+// A Gpredict in control, a logging program that wants control, and a third client that is read-only.
 class ClientsPanelTest : public WindowFixture
 {
 protected:
@@ -55,7 +55,7 @@ protected:
 };
 
 // Story: a client that sent 6553 commands a second had "655…" in its row.
-// REQ-UI-992: The rate of a client is never cut in the list of clients, however large it is.
+// REQ-UI-992: The rate in the list of clients is never cut, however large it is.
 TEST_F(ClientsPanelTest, NoRateIsCut)
 {
     StationStatus status = samples::fighting();
@@ -75,9 +75,9 @@ TEST_F(ClientsPanelTest, NoRateIsCut)
     }
 }
 
-// REQ-UI-25: The panel Clients shows which clients are there, which of them moves the mount, and by which rule. The
-// rule shown is the one in force. A client that asks in vain is asked about over the plot, whichever panel is open,
-// until that is answered.
+// REQ-UI-25: The panel Clients shows the connected clients, which of them moves the mount, and by which rule. It shows
+// the rule in effect. If a client asks in vain, a prompt over the plot asks the operator, with every panel, until it is
+// answered.
 TEST_F(ClientsPanelTest, ShowsWhoIsThereAndWhatEachMayDo)
 {
     ASSERT_EQ(table().model()->rowCount(), 3);
@@ -93,9 +93,10 @@ TEST_F(ClientsPanelTest, ShowsWhoIsThereAndWhatEachMayDo)
     EXPECT_FALSE(named<ValueLabel>("About the selected client")->isElided());
 }
 
-// Story: 17 s after its last command the list said "in control" of a client, and the header "Control: clients".
-// REQ-UI-977: A client is said to be in control only where others are refused. Without that the one whose target the
-// mount follows is said to move it.
+// Story: 17 s after the last command of a client the list said that it was "in control", and the header "Control:
+// clients".
+// REQ-UI-977: A client is shown as in control only while others are refused. Otherwise the client whose target is
+// tracked is shown as moving the mount.
 TEST_F(ClientsPanelTest, WhoMovesTheMountIsInControlOnlyWhereOthersAreRefused)
 {
     StationStatus status = samples::fighting();
@@ -176,7 +177,7 @@ TEST_F(ClientsPanelTest, MakesReadOnlyAndBack)
 
 TEST_F(ClientsPanelTest, WorksByKeys)
 {
-    table().setFocus();  // the first line is then the current one
+    table().setFocus();  // this makes the first line the current one
     QTest::keyClick(&table(), Qt::Key_Down);
     EXPECT_EQ(table().currentIndex().row(), 1);
     QTest::keyClick(&table(), Qt::Key_Tab);
@@ -298,7 +299,7 @@ TEST_F(LeadPromptTest, WhoIsIgnoredIsNotAskedAboutAgain)
     EXPECT_FALSE(prompt().isVisible());
     EXPECT_TRUE(asked<request::GiveLead>().empty());
     StationStatus another = samples::fighting();
-    another.clients[1].id = 7;  // its program has connected anew
+    another.clients[1].id = 7;  // its program has reconnected
     give(samples::update(another));
     EXPECT_TRUE(prompt().isVisible());
 }
@@ -306,7 +307,7 @@ TEST_F(LeadPromptTest, WhoIsIgnoredIsNotAskedAboutAgain)
 TEST_F(LeadPromptTest, AsksAboutOneUntilThatIsAnswered)
 {
     StationStatus two = samples::fighting();
-    two.clients[0].wanting = true;  // an earlier one wants it, too
+    two.clients[0].wanting = true;  // an earlier client wants it, too
     two.clients[0].address = QStringLiteral("192.168.100.109:40001");
     give(samples::update(two));
     EXPECT_EQ(text("A client asks for control").toStdString(), "192.168.100.109:50112 asks for control");

@@ -28,7 +28,7 @@ protected:
     }
 };
 
-// REQ-UI-600: After an act of the operator that took the control from waiting clients, one press hands it back.
+// REQ-UI-600: After an act of the operator that took control from waiting clients, one press hands it back.
 TEST_F(HandBackTest, IsOfferedWhileClientsWaitAndGivesTheControl)
 {
     giveTaken(false);
@@ -39,7 +39,7 @@ TEST_F(HandBackTest, IsOfferedWhileClientsWaitAndGivesTheControl)
     EXPECT_EQ(asked<request::GiveAuthority>().size(), 1U);
 }
 
-// REQ-UI-601: "Keep control" is remembered until the control is taken anew.
+// REQ-UI-601: "Keep control" applies until control is taken again.
 TEST_F(HandBackTest, KeepControlIsRememberedUntilTheControlIsTakenAnew)
 {
     giveTaken(true);
@@ -52,8 +52,8 @@ TEST_F(HandBackTest, KeepControlIsRememberedUntilTheControlIsTakenAnew)
     EXPECT_TRUE(prompt().isVisible());
 }
 
-// REQ-UI-602: The header says in one sentence what the mount does, when it is there, and by whom. A line below shows
-// how much of the slew is done.
+// REQ-UI-602: The header says in one sentence what the mount does, when it will arrive, and by whose request. A line
+// below shows how much of the slew is done.
 TEST_F(HandBackTest, ASlewSaysWhenItIsThere)
 {
     StationStatus status = samples::operatorMoving();
@@ -66,8 +66,8 @@ TEST_F(HandBackTest, ASlewSaysWhenItIsThere)
     EXPECT_FALSE(window.findChild<ProgressLine*>()->done());
 }
 
-// REQ-UI-603: The control is named: the operator, the client that moves the mount, and how many wait. Where the words
-// have no room, the beginning of the name and the number stay.
+// REQ-UI-603: The header names who has control, the operator or the client that moves the mount, and how many wait. If
+// there is little room, the beginning of the name and the number stay.
 TEST_F(HandBackTest, TheHeaderNamesWhoHasTheControlAndHowManyWait)
 {
     StationStatus status = samples::withClients(samples::tracking(1), 3);

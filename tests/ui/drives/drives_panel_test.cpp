@@ -30,7 +30,7 @@ TEST_F(DrivesTest, KeysOpenThePanels)
     EXPECT_FALSE(window.findChild<TurnPage*>()->isVisible()) << "no question is open";
 }
 
-// REQ-UI-46: A mount without drives that can be read has no tabs for them, and no line in the header.
+// REQ-UI-46: A mount without drives that can be read has no tabs for drives, and no line in the header.
 TEST_F(DrivesTest, AMountWithoutSuchDrivesHasNoPanelsForThem)
 {
     const QTabWidget& mount = *named<QTabWidget>("The mount itself");
@@ -76,7 +76,7 @@ TEST_F(DrivesTest, ShowsWhoTheDrivesAre)
     EXPECT_EQ(named<ValueLabel>("Cable wrap of the azimuth drive")->symbol(), Symbol::Warning);
 }
 
-// The mount has only the other axis, or another kind of rotator turns this one.
+// The mount has only the other axis, or another kind of rotator turns this axis.
 TEST_F(DrivesTest, AnAxisWithoutSuchADriveShowsNothingOfOne)
 {
     StationStatus one = samples::idle();
@@ -114,7 +114,8 @@ TEST_F(DrivesTest, WhatIsNotKnownIsShownWhole)
     }
 }
 
-// Story: with a board missing the drives were read again every two seconds, and Release bus was shut most of the time.
+// Story: while a board was missing the drives were read again every two seconds, and Release bus was blocked most of
+// the time.
 TEST_F(DrivesTest, TheBusCanBeReleasedWhileTheDrivesAreRead)
 {
     open<DrivesPanel>();
@@ -182,7 +183,7 @@ TEST_F(DrivesTest, TheProofRunsAtTheChosenRateAfterASecondPressAndEndsAtOnce)
     EXPECT_EQ(asked<request::EndProof>().size(), 1u);
 }
 
-// Story: Hold was grey while the proof moved the mount.
+// Story: the Hold button was grey while the crash-stop test moved the mount.
 TEST_F(DrivesTest, HoldIsOfferedDuringAProofThatForbidsEveryOtherMotion)
 {
     give(samples::update(samples::proving()));
@@ -219,7 +220,8 @@ TEST_F(DrivesTest, NoProofWhileTheMountMovesOrATurnIsUnknown)
     expectBlocked("Run (both axes) …", "The cable wrap of the elevation drive is unknown");
 }
 
-// REQ-UI-12: Nothing is offered that the drives, an unknown wrap or a released bus forbid, and the reason is shown.
+// REQ-UI-12: An action that the drives, an unknown wrap or a released bus forbid is not offered, and the reason is
+// shown.
 TEST_F(DrivesTest, AnArmingObstacleDisablesEveryMotionControlWithItsReason)
 {
     give(samples::update(samples::factoryDrives()));

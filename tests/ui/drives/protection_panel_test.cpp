@@ -6,8 +6,8 @@
 namespace boresight::ui {
 namespace {
 
-// REQ-UI-11: The drives' safety settings are shown, wanted beside found. What writes, switches off or moves asks first
-// and lists what it will do.
+// REQ-UI-11: The panel shows the wanted and the found safety settings of the drives. An action that writes, switches
+// off or moves asks first and lists what it will do.
 TEST_F(DrivesTest, TheTableSetsFoundAgainstWantedWithShapeAndWord)
 {
     give(samples::update(samples::factoryDrives()));
@@ -60,7 +60,7 @@ TEST_F(DrivesTest, AxesThatWantDifferentValuesHaveARowEach)
     EXPECT_EQ(cell(azimuth + 1, ProtectionModel::FoundAzimuth), QString());
 }
 
-// Story: of an elevation that its drive counts the other way, the page said "lower limit 93°, upper limit -3°".
+// Story: for an elevation axis whose drive counts in reverse, the page showed "lower limit 93°, upper limit -3°".
 TEST_F(DrivesTest, TheLimitsOfAReversedDriveAreShownTheOperatorsWayRound)
 {
     StationStatus status = samples::idle();
@@ -199,8 +199,8 @@ TEST_F(DrivesTest, SwitchOffWarnsOfTheFallAndCancelHasTheFocus)
     EXPECT_EQ(asked<request::SwitchOff>().size(), 1u);
 }
 
-// REQ-UI-990: The drive of each axis has its own button. It asks first, says which axis is let go and that the other
-// holds, and is blocked with the station's reason.
+// REQ-UI-990: The drive of each axis has its own button. It asks first, says which axis loses its torque and that the
+// other one holds, and is blocked with the station's reason.
 TEST_F(DrivesTest, OneDriveIsSwitchedOffAloneAfterAQuestion)
 {
     open<ProtectionPanel>();
@@ -217,7 +217,7 @@ TEST_F(DrivesTest, OneDriveIsSwitchedOffAloneAfterAQuestion)
     EXPECT_TRUE(named<CommandButton>("Elevation off …")->isEnabled());
 }
 
-// Story: Esc stopped the mount and left the question open, while the help says that it closes it.
+// Story: Esc stopped the mount and left the question open, although the help says that Esc closes it.
 TEST_F(DrivesTest, EscClosesTheQuestionAndTheNextOneStops)
 {
     auto& panel = open<ProtectionPanel>();

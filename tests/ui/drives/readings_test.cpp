@@ -48,8 +48,8 @@ protected:
     ReadingsTable& panel;
 };
 
-// REQ-UI-910: One table shows what each drive reports, with its unit: position and velocity in degrees and in turns of
-// the drive, torque, both currents, power, voltage, temperatures, mode, fault, age of the reply, lost replies.
+// REQ-UI-910: One table shows the readings of each drive with their units: position and velocity in degrees and in
+// turns of the drive, torque, both currents, power, voltage, temperatures, mode, fault, age of the reply, lost replies.
 TEST_F(ReadingsTest, EachQuantityStandsInItsRowAndAxis)
 {
     StationStatus status = samples::idle();
@@ -81,7 +81,7 @@ TEST_F(ReadingsTest, EachQuantityStandsInItsRowAndAxis)
 }
 
 // REQ-UI-911: Old readings never look live. After 0.5 s they are dimmed, after 2 s they are not shown. The age of the
-// last reply stands all the time, in the colour of a warning.
+// last reply is always shown, in the warning colour.
 TEST_F(ReadingsTest, OldReadingsDoNotLookLive)
 {
     const auto colour = [this](const char* quantity) {
@@ -102,8 +102,8 @@ TEST_F(ReadingsTest, OldReadingsDoNotLookLive)
     EXPECT_EQ(azimuth("Torque (Nm)"), "1.25") << "the other axis is live";
 }
 
-// REQ-UI-991: Below the readings stand the power of all drives, and energy and highest power of the motion that runs,
-// else of the last one. Power that is not reported, and a gap in it, are named.
+// REQ-UI-991: Below the readings are the power of all drives, and the energy and the highest power of the running
+// motion, or else of the last one. Power that is not reported, and gaps in it, are named.
 TEST_F(ReadingsTest, PowerAndEnergyOfAMotionAreShown)
 {
     StationStatus status = samples::tracking(150.0);
@@ -117,8 +117,8 @@ TEST_F(ReadingsTest, PowerAndEnergyOfAMotionAreShown)
               "Power: not reported. Last motion: -120 J, peak 12 W, 3 s not reported.");
 }
 
-// REQ-UI-912: The readings are copied separated by tabs, and saved as CSV with UTC, units and the ids of the boards,
-// as they were when the button was pressed.
+// REQ-UI-912: The readings are copied separated by tabs, and saved as CSV with UTC, units and the ids of the boards.
+// The values are those of the moment of the press.
 TEST_F(ReadingsTest, TheReadingsAreCopiedAndSaved)
 {
     click("Copy");
@@ -140,7 +140,7 @@ TEST_F(ReadingsTest, TheReadingsAreCopiedAndSaved)
     EXPECT_EQ(text("Outcome"), QStringLiteral("Readings saved"));
 }
 
-// REQ-UI-913: A board that is only watched has a column of its own under its name, also in what is copied and saved.
+// REQ-UI-913: A board that is only watched has a separate column under its name, also in copied and saved text.
 TEST_F(ReadingsTest, AWatchedBoardHasAColumn)
 {
     StationStatus status = samples::idle();

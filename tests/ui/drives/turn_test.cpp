@@ -60,7 +60,7 @@ protected:
 };
 
 // REQ-UI-14: The question about a wrap opens once, covers nothing, preselects only what is proposed, and one press
-// answers one axis.
+// answers for one axis.
 TEST_F(TurnTest, OpensByItselfOnceAndWaitsBehindItsTab)
 {
     EXPECT_FALSE(panels().isTabVisible(panels().indexOf(&page())));
@@ -152,7 +152,7 @@ TEST_F(TurnTest, AmongManyPlacesAnAngleSelectsTheNearest)
     expectAnswered(Axis::Azimuth, -30.5);
 }
 
-// Story: -30° was entered, -14.2° was sent, and nobody was told.
+// Story: -30° was entered, and -14.2° was sent without a report.
 TEST_F(TurnTest, AnAngleFarFromAllPlacesSelectsNone)
 {
     give(samples::update(manyTurns()));
@@ -162,8 +162,8 @@ TEST_F(TurnTest, AnAngleFarFromAllPlacesSelectsNone)
     EXPECT_FALSE(answer().isEnabled());
 }
 
-// REQ-UI-1411: A field for the angle of the axis that receives the focus, by key or by click, has its text selected:
-// what is typed replaces it.
+// REQ-UI-1411: When a field for the axis angle receives the focus, by key or by click, its text is selected, so that
+// typing replaces it.
 TEST_F(TurnTest, WhatIsTypedReplacesTheAngleThatStandsInTheField)
 {
     give(samples::update(samples::asking(Axis::Azimuth, 150, 3.6_deg, true)));
@@ -241,7 +241,7 @@ TEST_F(TurnTest, UnwindingIsADeadManAtItsOwnRate)
     EXPECT_EQ(asked<request::Jog>().back().rates, AxisRates{}) << "leaving the page lets go";
 }
 
-// Story: lowered while the program ran, the rate of these buttons stayed that of the start, and every press was
+// Story: the rate was lowered while the program ran. These buttons kept the rate of the start, and every press was
 // refused.
 TEST_F(TurnTest, UnwindingIsAsFastAsTheProfileSaysNow)
 {
@@ -302,7 +302,7 @@ TEST_F(TurnTest, AnUnknownTurnDoesNotLookKnown)
     EXPECT_FALSE(markers.commanded.has_value());
 }
 
-// Story: at each start WRAP? stood there for two seconds, before the drives had been read.
+// Story: at each start the header showed WRAP? for two seconds, before the drives had been read.
 TEST_F(TurnTest, ATurnIsNotInQuestionWhileTheDrivesAreRead)
 {
     give(samples::update(samples::reading()));

@@ -9,7 +9,7 @@
 
 #include <QPlainTextEdit>
 
-// Boards as the factory sends them: one id for both, and no gear.
+// Boards with factory settings: both have the same id, and no gear ratio.
 namespace boresight::ui {
 namespace {
 
@@ -31,8 +31,9 @@ protected:
     }
 };
 
-// REQ-UI-970: The step Connect leads through two boards with one id: one board alone on the bus, the operator says
-// which axis it turns and confirms, the station does the rest and tells how it ended. No other tool is named.
+// REQ-UI-970: The step Connect leads through the case of two boards with the same id. With only one board on the bus
+// the operator says which axis it turns and confirms. The station does the rest and reports the result. No other tool
+// is needed.
 TEST_F(GuideBoardsTest, TwoBoardsWithOneIdAreExplained)
 {
     open<GuideConnect>(GuideStep::Connect);
@@ -91,8 +92,8 @@ TEST_F(GuideBoardsTest, EscLeavesTheBoardAsItIs)
     EXPECT_TRUE(asked<request::AssignBoard>().empty());
 }
 
-// REQ-UI-971: A gear that differs from the profile is set from the page Protect, after the operator has read what else
-// depends on it.
+// REQ-UI-971: A gear ratio that differs from the profile is set from the page Protect, after a text about the other
+// settings that depend on it.
 TEST_F(GuideBoardsTest, AWrongGearIsSetFromThePageProtect)
 {
     status = samples::factoryDrives();
@@ -116,7 +117,7 @@ TEST_F(GuideBoardsTest, AWrongGearIsSetFromThePageProtect)
     EXPECT_EQ(asked<request::SetGear>().front().axis, Axis::Elevation);
 }
 
-// REQ-UI-972: Steps that need hands have a picture, which a screen reader describes.
+// REQ-UI-972: Steps that need manual work have a picture, which a screen reader describes.
 TEST_F(GuideTest, StepsThatNeedHandsHaveAPicture)
 {
     for (const GuideStep step : {GuideStep::Travel, GuideStep::Level, GuideStep::North}) {

@@ -4,13 +4,13 @@
 #include "tests/ui/guide/guide_fixture.h"
 #include "ui/guide/direction_arrow.h"
 
-// Test moves: which motor is which, and which way it turns.
+// Test moves show which motor turns which axis, and in which direction.
 namespace boresight::ui {
 namespace {
 
-// REQ-UI-35: The guide's moves are dead-man, by mouse and by key. A mount is confirmed only after both axes were seen
-// to move. A change that needs a new connection is announced, refused in motion, and leaves nothing behind when it is
-// refused.
+// REQ-UI-35: The guide moves the mount only while a button or key is pressed. A mount is confirmed only after both axes
+// were seen to move. A change that needs a reconnect is announced and is refused during motion. A refused change leaves
+// nothing behind.
 TEST_F(GuideTest, AHeldTestMoveIsSlowAndEndsOnRelease)
 {
     open<GuideDirections>(GuideStep::Directions);
@@ -69,7 +69,7 @@ TEST_F(GuideTest, ARepeatedKeyIsOneHold)
     JogButton& button = hold(Axis::Elevation, true);
     button.setFocus();
     QTest::keyPress(&button, Qt::Key_Space);
-    for (int repeat = 0; repeat < 3; ++repeat) {  // an X server's pairs that Qt did not see through
+    for (int repeat = 0; repeat < 3; ++repeat) {  // key repeats of an X server that Qt did not detect
         QTest::keyRelease(&button, Qt::Key_Space);
         QTest::keyPress(&button, Qt::Key_Space);
     }
@@ -109,7 +109,7 @@ TEST_F(GuideTest, TheArrowFollowsTheMotionAndConfirmingNeedsBothToBeSeen)
     EXPECT_EQ(current(), GuideStep::Travel);
 }
 
-// Story: nothing that the mount has was left to be moved, and the directions could not be confirmed.
+// Story: no axis that the mount has was left to be moved, and the directions could not be confirmed.
 // REQ-MOUNT-03
 TEST_F(GuideTest, OfAMountWithOneAxisThatOneHasToBeSeen)
 {

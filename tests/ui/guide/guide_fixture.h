@@ -11,7 +11,7 @@
 
 #include <QPushButton>
 
-// The guide, opened before a mount that nobody has commissioned, and a station that says yes.
+// The guide, opened for a mount that is not commissioned, and a station that accepts everything.
 namespace boresight::ui {
 
 class GuideTest : public WindowFixture
@@ -35,7 +35,7 @@ protected:
         QTest::mouseClick(&stepButton(step), Qt::LeftButton);
         return *guide().findChild<Page*>();
     }
-    // In the guide, not on a panel that is also there.
+    // Finds a widget in the guide, not in a panel with the same widget.
     template <class T>
     T& inGuide(const char* name)
     {
@@ -44,7 +44,8 @@ protected:
     void click(const char* name) { QTest::mouseClick(&inGuide<QPushButton>(name), Qt::LeftButton); }
     GuideStep current() { return guide().progress().current; }
 
-    // The station takes it: what applies now is in force, the rest waits, and a reconnect puts all in force.
+    // The station accepts the profile. Settings that apply at once are in effect, the others wait, and a reconnect puts
+    // all in effect.
     void accept()
     {
         StationUpdate update = samples::update(status);
@@ -59,7 +60,7 @@ protected:
         aim();
         give(samples::update(status));
     }
-    // Applied, connected anew, in force: as the station does with all that needs a reconnect.
+    // Applied, reconnected and in effect, as the station does with settings that need a reconnect.
     void goThroughWithReconnect()
     {
         const profile::Profile wanted = lastApplied();
@@ -80,7 +81,7 @@ protected:
         aim();
         give(samples::update(status));
     }
-    // The beam is where the axes are.
+    // The beam points in the direction of the axis angles.
     void aim()
     {
         const AxisPosition axes{.azimuth = *status.azimuth.actual, .elevation = *status.elevation.actual};

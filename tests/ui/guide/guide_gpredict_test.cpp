@@ -10,7 +10,7 @@
 #include <QPushButton>
 #include <QTemporaryDir>
 
-// What the guide's step for the site takes from a Gpredict on this computer.
+// The settings that the site step of the guide takes from a Gpredict on this computer.
 namespace boresight::ui {
 namespace {
 
@@ -35,7 +35,7 @@ protected:
     }
 
     StationStatus status;
-    QStringList wanted;  // folders that were to be looked into
+    QStringList wanted;  // the folders that the guide asked for
 };
 
 TEST_F(GuideGpredictTest, AStationFillsTheFields)
@@ -86,7 +86,7 @@ TEST_F(GuideGpredictTest, AFolderChosenByHandIsLookedIntoAndRemembered)
     putInForce(applied);
     ASSERT_EQ(wanted.size(), 2) << "it is looked into at once";
     EXPECT_EQ(wanted.back(), elsewhere.path());
-    answer({.folder = wanted.front()});  // late, of the folder before
+    answer({.folder = wanted.front()});  // a late answer about the previous folder
     EXPECT_FALSE(told().startsWith(elsewhere.path()));
     answer({.folder = elsewhere.path()});
     EXPECT_TRUE(told().startsWith(elsewhere.path()));

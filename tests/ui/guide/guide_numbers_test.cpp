@@ -59,7 +59,7 @@ TEST_F(GuideTest, LevelIsSetHereAndItsEffectToldBefore)
     EXPECT_EQ(stepButton(GuideStep::Level).state(), StepState::Done);
 }
 
-// REQ-UI-43: North set by a landmark in the guide changes the pointing model alone, at once.
+// REQ-UI-43: Setting north by a landmark in the guide changes only the pointing model, at once.
 TEST_F(GuideTest, NorthIsSetInThePointingModelAtOnceAndTheCableKeepsItsNumbers)
 {
     open<GuideNorth>(GuideStep::North);
@@ -77,7 +77,7 @@ TEST_F(GuideTest, NorthIsSetInThePointingModelAtOnceAndTheCableKeepsItsNumbers)
     EXPECT_EQ(asked<request::Reconnect>().size(), connects) << "it applies now";
 }
 
-// Story: a mount without elevation could not be given its north: the elevation cannot be set.
+// Story: north could not be set on a mount without an elevation axis, because the elevation could not be set.
 // REQ-MOUNT-03
 TEST_F(GuideTest, NorthIsSetOfAMountThatHasNoElevation)
 {
@@ -116,7 +116,7 @@ TEST_F(GuideTest, AStepOfAMissingAxisIsGoneOnFrom)
     EXPECT_TRUE(stepButton(GuideStep::Level).isVisible());
 }
 
-// Story: F3 and one click on "Set north" with the preset 0.00° put -21.30° in the place of a north that was found.
+// Story: F3 and one click on "Set north" with the default 0.00° replaced a north that was already found by -21.30°.
 TEST_F(GuideTest, ANorthThatIsKnownIsReplacedOnlyOnPurpose)
 {
     CalibrationStatus calibration;
@@ -155,7 +155,8 @@ TEST_F(GuideTest, ANorthThatIsKnownIsReplacedOnlyOnPurpose)
     EXPECT_FALSE(inGuide<QPushButton>("Set north").isEnabled());
 }
 
-// Story: 210 was typed, Skip pressed and north found in the panel; back here one click put 210 in its place.
+// Story: 210 was typed, Skip was pressed, and north was found in the panel. Back in the guide one click replaced it by
+// 210.
 TEST_F(GuideTest, WhatWasTypedForNorthIsForgottenWhenTheStepIsLeft)
 {
     open<GuideNorth>(GuideStep::North);
@@ -183,7 +184,7 @@ TEST_F(GuideTest, WhatWasTypedForNorthIsOfOneMountAlone)
     EXPECT_FALSE(inGuide<QPushButton>("Set north").isEnabled());
 }
 
-// Story: the field was emptied and left, and "Set north" took the number that had stood there for the typed one.
+// Story: the field was cleared and left, and "Set north" used the earlier number as if it was typed.
 TEST_F(GuideTest, AnEmptiedNorthIsNotATypedOne)
 {
     open<GuideNorth>(GuideStep::North);
@@ -221,14 +222,14 @@ TEST_F(GuideTest, ANorthOfAnotherPlaceIsNotCalledKnown)
     EXPECT_FALSE(inGuide<ValueLabel>("What to do").text().contains(QStringLiteral("North is known")));
 }
 
-// REQ-UI-973: The guide adapts to what is connected: without a sensor none is offered, without boards none are listed,
-// and the step Protect is left out of a rotator that has nothing to read.
+// REQ-UI-973: The guide adapts to the connected hardware: without a sensor none is offered, without boards none are
+// listed, and for a rotator without readable settings the step Protect is left out.
 TEST_F(GuideTest, TheOtherWaysToNorthAreOnePressAway)
 {
     open<GuideNorth>(GuideStep::North);
     status.sensor.source.clear();
     give(samples::update(status));
-    (void)inGuide<QPushButton>("Sun, Moon (Ctrl+9)");  // of a mount without a sensor
+    (void)inGuide<QPushButton>("Sun, Moon (Ctrl+9)");  // for a mount without a sensor
     EXPECT_TRUE(inGuide<ValueLabel>("What to do").text().contains(QStringLiteral("has no sensor")));
     status.sensor.source = QStringLiteral("serial /dev/ttyUSB0");
     give(samples::update(status));

@@ -10,7 +10,7 @@
 #include <QDoubleSpinBox>
 #include <QPushButton>
 
-// The guide's steps, on a mount that nobody has commissioned.
+// The steps of the guide, for a mount that is not commissioned.
 namespace boresight::ui {
 namespace {
 

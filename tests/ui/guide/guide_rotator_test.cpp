@@ -11,11 +11,11 @@
 #include <QListWidget>
 #include <QPlainTextEdit>
 
-// A rotator with a box of its own, connected by the guide.
+// A rotator with its own control box, connected by the guide.
 namespace boresight::ui {
 namespace {
 
-constexpr int kGs232 = 1;  // in the list of what turns the mount
+constexpr int kGs232 = 1;  // index in the list of rotator kinds
 constexpr int kRotctld = 2;
 
 class GuideRotatorTest : public GuideTest
@@ -40,7 +40,7 @@ protected:
         const auto& button = inGuide<QPushButton>("Connect");
         return button.isEnabled() ? QString() : button.toolTip();
     }
-    // The station works on the rotator that was applied last.
+    // The station uses the rotator that was applied last.
     void answerAs(const QString& kind)
     {
         status.drives.reset();
@@ -57,8 +57,8 @@ protected:
                          .product = 0x6001};
 };
 
-// REQ-UI-985: The guide lists the kinds of rotator that can be connected, each in the words of its driver, and asks
-// where it answers: an address with a port, or a serial port with its speed. It says what Connect asks and that nothing
+// REQ-UI-985: The guide lists the kinds of rotator that can be connected, each with the text of its driver, and asks
+// for its address: a host with a port, or a serial port with its speed. It says what Connect sends and that nothing
 // moves.
 TEST_F(GuideRotatorTest, ARotctldIsConnectedByItsAddress)
 {
@@ -152,8 +152,8 @@ TEST_F(GuideRotatorTest, EachKindKeepsWhatWasEnteredForIt)
     EXPECT_EQ(place().currentText(), QStringLiteral("/dev/ttyS0"));
 }
 
-// REQ-UI-986: When nothing answers, the guide shows the alarm and what to check. What answers is named, with where it
-// points.
+// REQ-UI-986: If nothing answers, the guide shows the alarm and what to check. A rotator that answers is named, with
+// its direction.
 TEST_F(GuideRotatorTest, WhatAnswersAndWhatToCheckIsShown)
 {
     choose(kRotctld);
@@ -199,8 +199,8 @@ TEST_F(GuideRotatorTest, WhatIsEnteredStays)
     EXPECT_EQ(inGuide<QComboBox>("What turns the mount").currentIndex(), kRotctld);
 }
 
-// REQ-UI-987: A rotator with a box counts its angles itself: the guide offers neither another direction nor another
-// zero, and says that this is done at the box.
+// REQ-UI-987: A rotator with a control box counts its angles itself. The guide offers no change of directions or zeros,
+// and says that this is done at the box.
 TEST_F(GuideRotatorTest, NothingIsOfferedThatTheBoxDecides)
 {
     choose(kRotctld);
@@ -219,7 +219,7 @@ TEST_F(GuideRotatorTest, NothingIsOfferedThatTheBoxDecides)
     EXPECT_TRUE(inGuide<ValueLabel>("What to do").text().contains(QStringLiteral("calibrate the box")));
 }
 
-// REQ-UI-1650: The steps of the guide are numbered as they are shown, also where a mount has not all of them.
+// REQ-UI-1650: The steps of the guide are numbered as shown, even if some steps do not exist for this mount.
 TEST_F(GuideRotatorTest, TheStepsAreNumberedAsTheyAreShown)
 {
     EXPECT_EQ(stepButton(GuideStep::Directions).accessibleName(), QStringLiteral("Step 3: Turning"));

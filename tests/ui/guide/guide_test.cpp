@@ -17,12 +17,12 @@
 #include <QListWidget>
 #include <QPlainTextEdit>
 
-// The guide as a whole: its steps, what each needs, where it goes on.
+// The guide as a whole: its steps, their states, and where it continues.
 namespace boresight::ui {
 namespace {
 
-// REQ-UI-34: The guide covers neither STOP nor state nor plot, asks nothing that the panels could not ask, and goes on
-// where it was left. What can be seen in the station is never remembered instead. Nothing that was seen on the
+// REQ-UI-34: The guide covers neither STOP nor state nor plot, makes only requests that the panels can make, and
+// continues where it was left. What the station shows is never stored instead. Nothing that was confirmed on the
 // simulated mount counts for the real one.
 TEST_F(GuideTest, TakesThePlaceOfThePanelsAndCoversNothing)
 {
@@ -53,15 +53,15 @@ TEST_F(GuideTest, StopWorksOnEveryStepByButtonAndKey)
         EXPECT_EQ(asked<request::Stop>().size(), 1u) << title(step).toStdString();
         QTest::mouseRelease(window.findChild<StopButton*>(), Qt::LeftButton);
         QTest::keyClick(&window, Qt::Key_F12);
-        window.setFocus();  // out of the field of the step
+        window.setFocus();  // leaves the field of the step
         QTest::keyClick(&window, Qt::Key_Escape);
         EXPECT_EQ(asked<request::Stop>().size(), 3u) << title(step).toStdString();
     }
 }
 
-// REQ-UI-960: Done is what the station shows or the operator has confirmed. Next on a step that is not done marks it as
-// skipped.
-// Story: Next counted the travel, the level and north as done, although nobody had looked.
+// Story: Next counted the travel, the level and north as done, although nobody had checked them.
+// REQ-UI-960: A step is done if the station shows this or the operator has confirmed it. Next on a step that is not
+// done marks it as skipped.
 TEST_F(GuideTest, NextSkipsWhatIsNotDone)
 {
     EXPECT_EQ(stepButton(GuideStep::Connect).state(), StepState::Done);
@@ -101,8 +101,8 @@ TEST_F(GuideTest, TheOperatorConfirmsWhatNobodyCanSee)
     EXPECT_TRUE(requests.empty());
 }
 
-// REQ-UI-961: A step needs the operator while something is wrong or waits for an answer, also one that was confirmed or
-// skipped. Its button says so by a shape and a word, to the screen reader too.
+// REQ-UI-961: A step needs the operator while something is wrong or waits for an answer, even if it was confirmed or
+// skipped. Its button shows this by a symbol and a word, also for the screen reader.
 TEST_F(GuideTest, AStepNeedsYouWhileSomethingIsWrong)
 {
     status = samples::factoryDrives();
@@ -158,8 +158,8 @@ TEST_F(GuideTest, FinishLaterGoesToThePanelsAndComesBackToTheSameStep)
     EXPECT_EQ(stepButton(GuideStep::North).state(), StepState::Skipped);
 }
 
-// REQ-UI-962: The last page lists what is done, what was skipped and what needs the operator, as it is now, and leads
-// back to each step. It tells what the first pass needs: the line for Gpredict, park, STOP.
+// REQ-UI-962: The last page lists the present state of the steps: done, skipped, or in need of the operator. It leads
+// back to each step, and shows what the first pass needs: the line for Gpredict, park, STOP.
 TEST_F(GuideTest, TheLastPageEndsTheGuide)
 {
     open<GuideReady>(GuideStep::Ready);
@@ -217,7 +217,8 @@ TEST_F(GuideTest, AnotherMountBeginsAnew)
     EXPECT_TRUE(kept.confirmed.empty());
 }
 
-// Story: level and ends were ticked on the simulated mount, and stayed ticked when the real one was connected.
+// Story: level and ends were confirmed on the simulated mount, and were still confirmed when the real mount was
+// connected.
 // REQ-UI-34
 TEST_F(GuideTest, TheRealMountBeginsAnewAfterTheSimulatedOne)
 {
@@ -232,8 +233,8 @@ TEST_F(GuideTest, TheRealMountBeginsAnewAfterTheSimulatedOne)
     EXPECT_EQ(stepButton(GuideStep::Travel).state(), StepState::Open);
 }
 
-// Story: the list came before the first status. It held the simulated mount alone, selected, and Scan answered for
-// that.
+// Story: the list arrived before the first status. It contained only the simulated mount, which was selected, and Scan
+// answered for it.
 TEST_F(GuideTest, TheBusInUseIsSelectedWhenItComesIntoTheList)
 {
     open<GuideConnect>(GuideStep::Connect);
@@ -254,7 +255,7 @@ TEST_F(GuideTest, TheBusInUseIsSelectedWhenItComesIntoTheList)
     EXPECT_EQ(list.currentRow(), 1) << "what the operator has selected stays";
 }
 
-// Story: a bus waited for its reconnect while the level of another mount was set for it.
+// Story: a bus waited for its reconnect while the level of another mount was set.
 TEST_F(GuideTest, NothingIsSetForAMountThatWaitsForItsReconnect)
 {
     profile::Profile real = *status.profile;
@@ -424,7 +425,7 @@ TEST(GuideProgressText, SurvivesTheSettingsFile)
         << "of a time when each Next counted as done";
 }
 
-// A window that was closed with the guide on the screen opens with it, at the same step.
+// A window that was closed while the guide was shown opens with the guide at the same step.
 // REQ-UI-34 (GuideAtStart.*)
 TEST(GuideAtStart, OpensWhereItWas)
 {

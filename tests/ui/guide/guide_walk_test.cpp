@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From the first start to the first safe move: the real window, the real station, the simulated mount with its physics.
-// The clock is turned by hand, also that of the window's dead-man.
+// From the first start to the first safe motion: the real window, the real station, and the simulated mount with its
+// physics. The clock is turned by hand, also for the dead-man switch of the window.
 #include "core/moteus_mount/link_factory.h"
 #include "core/moteus_mount/moteus_connection.h"
 #include "core/sim_bus/simulated_link.h"
@@ -152,7 +152,7 @@ protected:
     AngularRate fastest;
     MainWindow window;
     fakes::HandTurnedTimers timers{window, clock};
-    std::unique_ptr<Station> station;  // goes before the window
+    std::unique_ptr<Station> station;  // is destroyed before the window
 };
 
 // REQ-UI-35 (GuideWalk.*)
@@ -165,7 +165,7 @@ TEST_F(GuideWalk, FromTheFirstStartToTheFirstSafeMove)
     click("Next");  // protected
     EXPECT_EQ(guide().progress().current, GuideStep::Directions);
 
-    // Nothing but the small slow move is possible.
+    // Only the small slow move is possible.
     station->request({.id = 900, .request = request::PointSky{{.azimuth = 113_deg, .elevation = 10_deg}}});
     run(Seconds(0.2));
     EXPECT_LT(farthest.azimuth, 0.05_deg);
@@ -183,7 +183,7 @@ TEST_F(GuideWalk, FromTheFirstStartToTheFirstSafeMove)
     EXPECT_EQ(station->status().profile->mount.directions, profile::Directions::Confirmed);
     ASSERT_TRUE(kept) << "it is written down";
 
-    // Level: the antenna is where it is, and the numbers change.
+    // Level: the antenna stays where it is, and the numbers change.
     goTo(GuideStep::Level);
     markPlace();
     tick();
@@ -197,13 +197,13 @@ TEST_F(GuideWalk, FromTheFirstStartToTheFirstSafeMove)
         Seconds(20.0)));
     EXPECT_LT(farthest.elevation, 0.1_deg) << "nothing moved";
     EXPECT_EQ(station->status().profile->mount.directions, profile::Directions::Confirmed);
-    // The ends stayed on the mount, so the drives' own bounds are right as they are.
+    // The ends stayed at the same place on the mount, so the drives' own bounds are still right.
     ASSERT_TRUE(until([this] { return fit(); }, Seconds(20.0)))
         << station->status().drives->armingObstacle.toStdString();
     ASSERT_TRUE(station->status().elevation.actual);
     EXPECT_NEAR(station->status().elevation.actual->degrees(), 20.0, 0.2);
 
-    // Now it goes, and STOP ends it half way.
+    // Now a go-to works, and STOP ends it halfway.
     click("Finish later");
     station->request({.id = 901, .request = request::PointSky{{.azimuth = 113_deg, .elevation = 15_deg}}});
     markPlace();
@@ -214,9 +214,9 @@ TEST_F(GuideWalk, FromTheFirstStartToTheFirstSafeMove)
     EXPECT_LT(farthest.azimuth, 60_deg);
 }
 
-// Boards as the factory sends them, unplugged and plugged in by hand, everything else by keys.
-// REQ-UI-974 (GuideWalk.*): Two boards with one id are resolved in the guide alone, by the keyboard, on the running
-// station.
+// Boards with factory settings are unplugged and plugged in by hand. Everything else is done by keys.
+// REQ-UI-974 (GuideWalk.*): Two boards with the same id are resolved in the guide alone, by the keyboard, with the
+// running station.
 TEST_F(GuideWalk, TwoBoardsWithOneIdAreResolvedByKeys)
 {
     ASSERT_TRUE(until([this] { return fit(); }, Seconds(15.0)));

@@ -18,7 +18,7 @@
 namespace boresight::ui {
 namespace {
 
-// SDL's own virtual game controller in the place of a device.
+// SDL's own virtual game controller in place of a device.
 class GamepadSdlTest : public ::testing::Test
 {
 protected:
@@ -57,7 +57,7 @@ TEST_F(GamepadSdlTest, IsFoundReadAndMissedWhenItGoes)
     SDL_Joystick* const stick = SDL_JoystickOpen(device);
     ASSERT_NE(stick, nullptr);
     SDL_JoystickSetVirtualAxis(stick, SDL_CONTROLLER_AXIS_LEFTX, SDL_JOYSTICK_AXIS_MAX);
-    SDL_JoystickSetVirtualAxis(stick, SDL_CONTROLLER_AXIS_LEFTY, SDL_JOYSTICK_AXIS_MIN);  // away from the body
+    SDL_JoystickSetVirtualAxis(stick, SDL_CONTROLLER_AXIS_LEFTY, SDL_JOYSTICK_AXIS_MIN);  // away from the operator
     SDL_JoystickSetVirtualButton(stick, SDL_CONTROLLER_BUTTON_LEFTSHOULDER, 1);
     ASSERT_TRUE(becomes([this] { return last->deadMan && last->right == 1.0; }));
     EXPECT_NEAR(last->up, 1.0, 1e-3);
@@ -72,8 +72,8 @@ TEST_F(GamepadSdlTest, IsFoundReadAndMissedWhenItGoes)
     EXPECT_TRUE(becomes([this] { return name->isEmpty(); }));
 }
 
-// The look runs on the window's thread once a second, the reading every 20 ms. The best of many runs: what holds up
-// does so each time, what else this computer has to do not.
+// The window's thread searches once a second, and reads every 20 ms. The best of many runs counts: blocking code is
+// slow in every run, other load of this computer is not.
 TEST_F(GamepadSdlTest, NeitherLookingNorReadingHoldsTheWindowUp)
 {
     qint64 best = std::numeric_limits<qint64>::max();

@@ -17,8 +17,8 @@ GamepadSample held(double right, double up)
     return {.right = right, .up = up, .deadMan = true};
 }
 
-// REQ-UI-02a (GamepadPilot.*): A gamepad jogs only with its own dead-man, freshly pressed, in the active window on the
-// Jog panel. Unplugging it ends the jog.
+// REQ-UI-02a (GamepadPilot.*): A gamepad jogs only while its dead-man switch is newly pressed, in the active window on
+// the Jog panel. Unplugging it ends the jog.
 TEST(GamepadPilot, TheStickCountsOnlyWhileTheDeadManIsHeld)
 {
     GamepadPilot pilot;
@@ -65,7 +65,7 @@ TEST(GamepadPilot, StopIsSaidOncePerPressAlsoWhereNothingMayMove)
     EXPECT_FALSE(pilot.takeStop());
 }
 
-// The samples of a gamepad at the window: what reaches the station.
+// The samples of a gamepad at the window, and the requests to the station.
 class GamepadTest : public WindowFixture
 {
 protected:
@@ -139,7 +139,7 @@ TEST_F(GamepadTest, UnpluggingWindowPanelRefusalAndStopEndItUntilAFreshPress)
 
 TEST_F(GamepadTest, AtALimitOnlyTheWayBackIsSteered)
 {
-    give(samples::update(samples::limited()));  // azimuth at its upper end, elevation at its lower
+    give(samples::update(samples::limited()));  // azimuth at its upper end, elevation at its lower end
     push();
     EXPECT_TRUE(jogs().empty());
     jog().takeGamepad(held(-1.0, -1.0));

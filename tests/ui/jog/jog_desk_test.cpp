@@ -16,7 +16,7 @@
 namespace boresight::ui {
 namespace {
 
-// What stands around the jog pad: rate, steps and trim, go-to with its memory, presets, horizon and park.
+// The controls around the jog pad: rate, steps and trim, go-to with its recent directions, presets, horizon and park.
 class JogDeskTest : public WindowFixture
 {
 protected:
@@ -128,8 +128,8 @@ TEST_F(JogDeskTest, EachStepSizeIsWhatOnePressMoves)
     }
 }
 
-// REQ-UI-1652: A step that is less than what the rotator can move is not offered, with the reason. Where it was chosen,
-// the least one that the rotator can move takes its place.
+// REQ-UI-1652: A step smaller than the rotator can move is not offered, with the reason. If it was chosen, the smallest
+// possible step replaces it.
 TEST_F(JogDeskTest, AStepThatTheRotatorCannotMakeIsNotOffered)
 {
     const auto button = [this](const char* size) {
@@ -157,7 +157,8 @@ TEST_F(JogDeskTest, AStepThatTheRotatorCannotMakeIsNotOffered)
     EXPECT_TRUE(button("5°")->isChecked()) << "what can be made stays chosen";
 }
 
-// REQ-UI-02b: A step during a pass trims the client's target, is shown in every panel and taken away by one button.
+// REQ-UI-02b: A step during a pass trims the client's target. The trim is shown with every panel, and one button clears
+// it.
 TEST_F(JogDeskTest, ATrimIsShownByTheReadoutsInEveryPanelAndCleared)
 {
     QTest::mouseClick(named<QPushButton>("Presets, home, horizon, unwrap"), Qt::LeftButton);
@@ -198,8 +199,7 @@ TEST_F(JogDeskTest, AWoundCableIsUnwoundByOneClick)
     EXPECT_FALSE(named<CommandButton>("Unwrap")->isEnabled());
 }
 
-// REQ-UI-02c: Go-tos that were accepted are remembered. Presets live in the profile and are applied without other
-// edits.
+// REQ-UI-02c: Accepted go-tos can be chosen again. Presets are in the profile and are applied without other edits.
 TEST_F(JogDeskTest, TheLastTenDirectionsThatWereAcceptedCanBeChosenAgain)
 {
     QSignalSpy kept(&window, &MainWindow::recentGoTosChanged);
@@ -208,7 +208,7 @@ TEST_F(JogDeskTest, TheLastTenDirectionsThatWereAcceptedCanBeChosenAgain)
     for (int azimuth = 10; azimuth <= 130; azimuth += 10) {
         goTo(std::to_string(azimuth).c_str(), "20");
     }
-    goTo("100", "20");  // once more: to the front, not twice
+    goTo("100", "20");  // repeated: it moves to the front and is not doubled
     EXPECT_EQ(recent->count(), 10);
     EXPECT_EQ(recent->itemText(0), QStringLiteral("az 100.00°  el 20.00°"));
     EXPECT_EQ(recent->itemText(1), QStringLiteral("az 130.00°  el 20.00°"));
@@ -227,7 +227,7 @@ TEST_F(JogDeskTest, TheLastTenDirectionsThatWereAcceptedCanBeChosenAgain)
     EXPECT_NEAR(asked<request::PointSky>().front().direction.azimuth.degrees(), 130.0, 1e-9);
 }
 
-// REQ-UI-400: A go-to with one empty field moves the other axis alone. The horizon is asked for at the azimuth that is
+// REQ-UI-400: A go-to with one empty field moves only the other axis. The button Horizon uses the azimuth that is
 // entered.
 TEST_F(JogDeskTest, AnEmptyFieldKeepsItsAxis)
 {
@@ -269,7 +269,7 @@ TEST_F(JogDeskTest, AnEmptyFieldKeepsItsAxis)
     EXPECT_EQ(text("Refused direction"), QString()) << "it was about what stood there before";
 }
 
-// REQ-UI-952: The go-to line is there on every tab. The guide has its room.
+// REQ-UI-952: The go-to line is shown on every tab. In the guide it is hidden, because the guide needs its room.
 TEST_F(JogDeskTest, TheGoToLineIsThereOnEveryTab)
 {
     for (const char panel : kPanels) {
@@ -317,8 +317,8 @@ TEST_F(JogDeskTest, ARefusedDirectionIsNotRemembered)
     EXPECT_EQ(named<TouchCombo>("Recent directions")->count(), 0);
 }
 
-// REQ-UI-02f: Beside the refusal of a direction stands one button that goes to the nearest allowed one. The station
-// says which it is. Where there is none, there is no button.
+// REQ-UI-02f: Beside the refusal of a direction one button goes to the nearest allowed direction, which the station has
+// computed. If there is none, there is no button.
 TEST_F(JogDeskTest, ARefusedDirectionOffersTheNearestAllowedOne)
 {
     const auto refused = [this] {
@@ -347,8 +347,8 @@ TEST_F(JogDeskTest, ARefusedDirectionOffersTheNearestAllowedOne)
     EXPECT_TRUE(offer.isHidden()) << "the refusal was about another direction";
 }
 
-// REQ-UI-02g: The refusal of one axis alone offers the nearest allowed direction, too. The other axis counts where the
-// beam is. So does the refusal of Park, whose position may lie behind a new horizon.
+// REQ-UI-02g: The refusal of one axis alone also offers the nearest allowed direction. For the other axis the present
+// direction of the beam counts. The same holds for the refusal of Park, whose position may lie behind a new horizon.
 TEST_F(JogDeskTest, ARefusedAxisOffersTheNearestAllowedDirection)
 {
     std::vector<SkyPointing> judged;
@@ -497,7 +497,7 @@ TEST_F(JogDeskTest, HorizonAndHomeAskAndAForbiddenHomeIsNotOffered)
     EXPECT_TRUE(named<CommandButton>("Home")->toolTip().contains(QStringLiteral("below the horizon 6.0°")));
 }
 
-// REQ-UI-908: What is rarely needed on the panel Jog opens behind one button and has room at 1024×700.
+// REQ-UI-908: Rarely used controls of the panel Jog open behind one button and fit at 1024×700.
 TEST_F(JogDeskTest, TheRareControlsHaveRoomAndGoAway)
 {
     settle();

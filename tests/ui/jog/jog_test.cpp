@@ -29,7 +29,7 @@ protected:
     JogButton& button(JogDirection direction) { return pad().button(direction); }
     std::vector<request::Jog> jogs() const { return asked<request::Jog>(); }
     bool lastJogIsZero() const { return !jogs().empty() && jogs().back().rates == AxisRates{}; }
-    bool jogEnds()  // a key is let go a moment later
+    bool jogEnds()  // the release of a key takes effect a moment later
     {
         elapse(kJogRepeat);
         return lastJogIsZero();
@@ -53,8 +53,8 @@ protected:
     }
 };
 
-// REQ-UI-02: Jog is dead-man. It ends on release, sliding off, loss of focus, window, panel or permission, and on
-// refusal.
+// REQ-UI-02: Jogging needs a pressed control. It ends on release, on sliding off, on loss of focus, window, panel or
+// permission, and on refusal.
 TEST_F(JogTest, AHeldButtonRepeatsAndReleaseEndsWithZero)
 {
     QTest::mousePress(&button(JogDirection::Right), Qt::LeftButton);
@@ -159,14 +159,14 @@ TEST_F(JogTest, AutoRepeatIsIgnored)
     press(Qt::Key_Up, {}, true);
     EXPECT_TRUE(jogs().empty());
     press(Qt::Key_Up);
-    release(Qt::Key_Up, {}, true);  // X11 sends release and press pairs while a key is held
+    release(Qt::Key_Up, {}, true);  // X11 sends pairs of release and press while a key is pressed
     EXPECT_FALSE(lastJogIsZero());
     release(Qt::Key_Up);
     EXPECT_TRUE(jogEnds());
 }
 
-// Story: under an X server whose release and press of a repeated key come one by one, Qt takes them for real ones; the
-// axis was stopped and started 25 times a second.
+// Story: an X server sent the release and press of a repeated key one by one, and Qt took them for real ones. The axis
+// was stopped and started 25 times a second.
 TEST_F(JogTest, AKeyThatBouncesIsHeld)
 {
     arm();
@@ -183,7 +183,8 @@ TEST_F(JogTest, AKeyThatBouncesIsHeld)
     EXPECT_TRUE(jogEnds());
 }
 
-// Story: a window that was destroyed with a control held sent its last "zero" to a desk that was gone already.
+// Story: a window was destroyed while a control was pressed, and sent its last "zero" to a desk that was already
+// deleted.
 TEST_F(JogTest, AWindowThatEndsWithAControlHeldSaysZeroLast)
 {
     auto other = std::make_unique<MainWindow>(clock, settings());
@@ -281,7 +282,7 @@ TEST_F(JogTest, StepModeMovesOneStepPerPress)
 // REQ-UI-06
 TEST_F(JogTest, AtALimitOnlyTheWayBackIsOffered)
 {
-    StationStatus status = samples::limited();  // azimuth at its upper end, elevation at its lower
+    StationStatus status = samples::limited();  // azimuth at its upper end, elevation at its lower end
     give(samples::update(status));
     EXPECT_FALSE(button(JogDirection::Right).isEnabled());
     EXPECT_TRUE(button(JogDirection::Right).toolTip().contains(QStringLiteral("upper limit 150.0°")));
@@ -290,7 +291,7 @@ TEST_F(JogTest, AtALimitOnlyTheWayBackIsOffered)
     EXPECT_TRUE(button(JogDirection::Up).isEnabled());
 }
 
-// REQ-UI-06: What cannot act is disabled and shows why. At a limit only the way back is offered.
+// REQ-UI-06: A control that cannot act is disabled and shows the reason. At a limit only the way back is offered.
 TEST_F(JogTest, WhatCannotActSaysWhy)
 {
     const std::pair<StationStatus, const char*> cases[] = {{samples::stopped(), "STOP is latched"},

@@ -22,7 +22,7 @@ struct DecimalBoxTest : testing::Test
     DecimalBox box;
 };
 
-// Story: a tilt of -0,45 was -4, a landmark at 12,5 stood at 125.
+// Story: a tilt of -0,45 became -4, and a landmark at 12,5 became 125.
 TEST_F(DecimalBoxTest, ACommaIsAPoint)
 {
     QTest::keyClicks(&box, QStringLiteral("-0,45"));

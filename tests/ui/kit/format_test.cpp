@@ -8,8 +8,8 @@ namespace {
 
 using std::chrono::milliseconds;
 
-// REQ-UI-04 (Freshness.*): An old number is dimmed with its age after 0.5 s and not shown after 2 s, also when the
-// station itself is silent.
+// REQ-UI-04 (Freshness.*): An old number is dimmed and shows its age after 0.5 s, and is not shown after 2 s, even if
+// the station itself is silent.
 TEST(Freshness, LiveLateNoData)
 {
     EXPECT_EQ(freshness(std::nullopt), Freshness::NoData);

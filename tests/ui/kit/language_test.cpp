@@ -13,7 +13,7 @@
 #include <QSet>
 #include <QXmlStreamReader>
 
-// The languages of the texts. That no text lacks its translation is shown by packaging/translations --check.
+// The languages of the texts. packaging/translations --check shows that no text lacks its translation.
 namespace boresight::ui {
 namespace {
 
@@ -30,7 +30,7 @@ std::vector<Pair> pairsOf(const QString& language)
     QXmlStreamReader xml(&file);
     std::vector<Pair> pairs;
     QString source;
-    bool counted = false;  // with a form for one and a form for many
+    bool counted = false;  // with a singular and a plural form
     while (!xml.atEnd()) {
         xml.readNext();
         const QStringView name = xml.isStartElement() ? xml.name() : QStringView();
@@ -56,7 +56,7 @@ QSet<QString> placeholders(const QString& text)
     return found;
 }
 
-// What is put together with its neighbours keeps its edges: blanks, line ends.
+// The blanks and line ends at the edges of a text that is joined with others. A translation must keep them.
 QString edges(const QString& text)
 {
     static const QRegularExpression outer(QStringLiteral("^(\\s*).*?(\\s*)$"),
@@ -85,7 +85,8 @@ TEST_P(EveryTranslation, KeepsPlacesMnemonicsEdgesAndStop)
 
 INSTANTIATE_TEST_SUITE_P(All, EveryTranslation, ::testing::Values("pt"));
 
-// REQ-BASE-08 (Language.*): What people read can be translated. Without a translation it is the English of the source.
+// REQ-BASE-08 (Language.*): Every text for people can be translated. Without a translation it is the English of the
+// source.
 TEST(Language, TextsAreEnglishWithoutATranslationAndAfterIt)
 {
     EXPECT_EQ(Text::tr("the horizon"), QStringLiteral("the horizon"));

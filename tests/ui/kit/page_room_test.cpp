@@ -20,8 +20,8 @@ private:
     int m_height;
 };
 
-// Story: below an alarm the guide scrolled at 1280x800, for the height of a tab behind it.
-// REQ-UI-955: A hidden page asks for width and not for height.
+// Story: below an alarm the guide scrolled at 1280x800, because of the height of a tab behind it.
+// REQ-UI-955: A hidden page affects the width and not the height.
 TEST(PageRoom, OnlyTheShownPageAsksForHeight)
 {
     QStackedWidget pages;

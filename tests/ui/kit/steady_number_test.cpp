@@ -17,9 +17,9 @@ std::string azimuthShown(SteadyNumber& number, double degrees)
     return azimuthText(Angle::fromDegrees(number.shown(degrees)), 2).toStdString();
 }
 
-// Story: a mount that stood at -0.005° showed 359.99° and 0.00° in turns.
-// REQ-UI-1004 (SteadyNumber.*): The numerals of an axis that stands do not flip between two numbers, also not at north.
-// What is shown is never wrong by more than three quarters of its last digit.
+// Story: a mount at -0.005° alternately showed 359.99° and 0.00°.
+// REQ-UI-1004 (SteadyNumber.*): The number of an axis that stands still does not alternate between two values, not even
+// at north. The number shown is never wrong by more than three quarters of its last digit.
 TEST(SteadyNumber, NoiseOnTheBorderOfTwoDigitsShowsOneNumber)
 {
     for (const double border : {-0.005, 0.005, 112.995, 359.995, -90.005}) {

@@ -60,7 +60,7 @@ TEST_P(ThemeTest, EveryToneIsReadableOnTheGroundsItIsWrittenOn)
     EXPECT_GE(contrast(colours.onAccent, colours.accent), 4.5);
     EXPECT_GE(contrast(colours.text, colours.accentSoft), 4.5);
     EXPECT_GE(contrast(colours.accent, colours.button), 4.5);
-    EXPECT_GE(contrast(colours.text, colours.band), 4.5);  // names of the sectors out of reach
+    EXPECT_GE(contrast(colours.text, colours.band), 4.5);  // names of the sectors that are out of reach
 }
 
 TEST_P(ThemeTest, EveryPairOfThePaletteIsReadable)
@@ -74,7 +74,7 @@ TEST_P(ThemeTest, EveryPairOfThePaletteIsReadable)
     for (const auto& [text, ground] : pairs) {
         EXPECT_GE(contrast(palette.color(text), palette.color(ground)), 4.5) << int(text) << " on " << int(ground);
     }
-    // What is disabled may be quieter, but its words must still be legible (3:1, WCAG's limit for large text).
+    // Disabled words may have less contrast, but must be legible (3:1, the limit of WCAG for large text).
     EXPECT_GE(contrast(palette.color(QPalette::Disabled, QPalette::ButtonText), palette.color(QPalette::Button)), 3.0);
 }
 
@@ -85,8 +85,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Look{ThemeKind::Red, Brightness::High}, Look{ThemeKind::Red, Brightness::Medium},
                       Look{ThemeKind::Red, Brightness::Low}));
 
-// REQ-UI-901: The night and the red theme have three steps of brightness. Warnings and alarms stay as bright as they
-// are.
+// REQ-UI-901: The night and the red theme have three steps of brightness. Warnings and alarms keep their brightness.
 TEST(Brightness, EachStepIsDarkerThanTheOneBefore)
 {
     for (const ThemeKind kind : {ThemeKind::Night, ThemeKind::Red}) {
@@ -112,7 +111,7 @@ TEST(Brightness, InTheRedThemeStopIsDarkWithABrightOutline)
     }
 }
 
-// The layout is made for DejaVu, so there is room for it in every size.
+// The layout is made for DejaVu, so it has room for DejaVu in every size.
 TEST(Fonts, OfDejaVuHaveTheirLine)
 {
     for (int points = 6; points <= 40; ++points) {

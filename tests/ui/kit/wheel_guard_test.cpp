@@ -17,7 +17,7 @@
 namespace boresight::ui {
 namespace {
 
-// A page that is higher than its window, with what the wheel could change.
+// A page that is higher than its window, with controls that the wheel could change.
 struct Page
 {
     Page()
@@ -55,7 +55,7 @@ struct Page
         const QPointF place = over.rect().center();
         QWheelEvent event(place, over.mapToGlobal(place), {}, QPoint(0, -120), Qt::NoButton, Qt::NoModifier,
                           Qt::NoScrollPhase, false);
-        QSpontaneKeyEvent::setSpontaneous(&event);  // as from a mouse: only such a one goes on to the page
+        QSpontaneKeyEvent::setSpontaneous(&event);  // as from a mouse: Qt passes only such an event on to the page
         qApp->notify(&over, &event);
     }
 
@@ -66,9 +66,9 @@ struct Page
     QTabBar* tabs;
 };
 
-// Story: who scrolled the page of the compass swing changed its "Stops" from sweep to 7 without noticing.
-// REQ-UI-995: The wheel scrolls the page and changes no number, choice or slider under the pointer. It changes the one
-// that has the keyboard.
+// Story: an operator scrolled the page of the compass swing and changed its "Stops" from sweep to 7 unnoticed.
+// REQ-UI-995: The wheel scrolls the page and changes no number, choice or slider under the pointer. It changes only the
+// control that has the keyboard.
 TEST(WheelGuardTest, AWheelThatScrollsThePageChangesNothing)
 {
     Page page;
@@ -87,8 +87,9 @@ TEST(WheelGuardTest, AWheelThatScrollsThePageChangesNothing)
     EXPECT_EQ(page.number->value(), 49);
 }
 
-// Story: who scrolled the page North up to its begin opened the page Mount, because the tabs came under the pointer.
-// REQ-UI-1573: The wheel never changes the tab, also while the tabs have the keyboard.
+// Story: an operator scrolled the page North up to its top and opened the page Mount, because the tabs came under the
+// pointer.
+// REQ-UI-1573: The wheel never changes the tab, not even while the tabs have the keyboard.
 TEST(WheelGuardTest, AWheelThatScrollsThePageChangesNoTab)
 {
     Page page;

@@ -21,7 +21,7 @@ namespace {
 using pointing::HorizonPoint;
 using pointing::Region;
 
-// Limits changed as an operator does it: mouse on the plot, cells and fields in the panel.
+// Limits are changed as by an operator: mouse on the plot, cells and fields in the panel.
 class LimitsTest : public WindowFixture
 {
 protected:
@@ -39,7 +39,7 @@ protected:
     {
         return plot().markers().projection().toPixel({azimuth, elevation}).toPoint();
     }
-    // Where the mouse falls: on the editor while it takes the mouse, else on the markers below it.
+    // The widget that receives the mouse: the editor while it takes the mouse, otherwise the markers below it.
     QWidget* under()
     {
         QWidget* const markers = window.findChild<SkyMarkers*>();
@@ -67,7 +67,7 @@ protected:
         move(to.azimuth, to.elevation);
         release(to.azimuth, to.elevation);
     }
-    // Applied by the button; what the station was sent.
+    // Presses Apply, and returns what the station received.
     Region applied()
     {
         const auto& panel = *window.findChild<LimitsPanel*>();
@@ -80,11 +80,11 @@ protected:
     static constexpr const char* kEdit = "Change limits, horizon and keep-outs on the plot (Ctrl+E)";
 };
 
-// A pixel of this plot is about half a degree: what is drawn is within one step of where the hand was.
+// A pixel of this plot is about half a degree: the result is within one step of the pointer.
 constexpr double kStep = 0.76;
 
-// REQ-UI-21: Limits, horizon and keep-outs change on the plot only in Edit mode. What was dragged is exactly what
-// Apply sends. Esc cancels a drag first. The STOP keys stop also then.
+// REQ-UI-21: Limits, horizon and keep-outs can be changed on the plot only in Edit mode. Apply sends exactly what was
+// dragged. Esc first cancels a drag. The STOP keys work at that time, too.
 TEST_F(LimitsTest, WithoutEditModeNoDragChangesAnything)
 {
     drag({180_deg, 28_deg}, {180_deg, 50_deg});
@@ -225,8 +225,8 @@ TEST_F(LimitsTest, ShiftDrawsFiner)
     EXPECT_NEAR(tenths, std::round(tenths), 1e-6);
 }
 
-// REQ-UI-22: Plot, fields and tables change one draft. A text that is no value, or a horizon file that cannot be read,
-// changes nothing and shows why.
+// REQ-UI-22: Plot, fields and tables change one draft. An invalid text, or an unreadable horizon file, changes nothing
+// and shows the reason.
 TEST_F(LimitsTest, AFieldOrACellChangesTheSameDraft)
 {
     auto* const field = named<QDoubleSpinBox>("Lowest elevation");
@@ -279,7 +279,7 @@ TEST_F(LimitsTest, TheLiveCheckSpeaksBeforeApply)
     EXPECT_EQ(model.index(0, 4).data().toString(), QStringLiteral("48.0"));
 }
 
-// REQ-UI-994: The tooltip of a row of the limits has the whole text of the cell, because a long name has no room in it.
+// REQ-UI-994: The tooltip of a row of the limits shows the complete text of the cell, because a long name does not fit.
 TEST_F(LimitsTest, TheTooltipHasTheWholeName)
 {
     QAbstractItemModel& model = *named<QTableView>("Keep-outs")->model();
@@ -342,7 +342,7 @@ TEST_F(LimitsTest, KeepOutsAreAddedAndRemovedByButtons)
     EXPECT_FALSE(named<CommandButton>("Apply")->isEnabled());
 }
 
-// REQ-UI-24: A place that the station judges forbidden is not offered, with the reason.
+// REQ-UI-24: A place that the station reports as forbidden is not offered, and the reason is shown.
 TEST_F(LimitsTest, TheBarSaysWhyAPickedPlaceIsForbiddenAndOffersNoWayThere)
 {
     judge = [](const SkyPointing& at) {
@@ -359,7 +359,7 @@ TEST_F(LimitsTest, TheBarSaysWhyAPickedPlaceIsForbiddenAndOffersNoWayThere)
     EXPECT_FALSE(pick(68_deg, 30_deg)->isEnabled());
     EXPECT_EQ(named<CommandButton>("Go here")->toolTip(), QStringLiteral("Go here: forbidden: the mast"));
     EXPECT_FALSE(pick(180_deg, 15_deg)->isEnabled()) << "below the hill";
-    // The same place is permitted once the profile in force says so.
+    // The same place is permitted once the profile in effect permits it.
     judge = [](const SkyPointing&) { return DirectionVerdict{}; };
     StationStatus status = samples::bounded();
     profile::Profile open = *status.profile;
@@ -370,7 +370,7 @@ TEST_F(LimitsTest, TheBarSaysWhyAPickedPlaceIsForbiddenAndOffersNoWayThere)
     EXPECT_TRUE(named<CommandButton>("Go here")->isEnabled());
 }
 
-// A station that hangs: what needs no answer of it is offered all the same.
+// With a station that hangs, the actions that need no answer are offered all the same.
 TEST_F(LimitsTest, TheMenuOpensWithoutAnAnswerAfterHalfASecond)
 {
     auto& markers = *window.findChild<SkyMarkers*>();

@@ -40,8 +40,8 @@ protected:
     StationStatus status;
 };
 
-// REQ-UI-921: Why a direction is forbidden, and the nearest allowed one, is what the station answers about this
-// direction. An answer about another one is never shown.
+// REQ-UI-921: The window shows the station's answer about this direction: why it is forbidden, and the nearest allowed
+// one. It never shows an answer about another direction.
 TEST_F(DirectionQuestionTest, TheAnswerIsShownWhenItComes)
 {
     question.ask(kMast);
@@ -72,7 +72,7 @@ TEST_F(DirectionQuestionTest, AnAnswerAboutAnotherDirectionIsNeverShown)
     EXPECT_EQ(question.whyNot(), QString());
 }
 
-// REQ-UI-922: What is shown of a direction is asked again with another profile in force, and once a second.
+// REQ-UI-922: The window asks again about a direction when the profile changes, and once a second.
 TEST_F(DirectionQuestionTest, ItIsAskedAgainWithAnotherProfileAndOnceASecond)
 {
     showLater(std::chrono::seconds(5));

@@ -22,8 +22,8 @@ profile::Profile parkedAt(AxisPosition place)
     return profile;
 }
 
-// REQ-UI-711: When an edit makes the park position impossible, the bar says so in words and offers the one button that
-// moves the park position to the next elevation that is allowed.
+// REQ-UI-711: When an edit makes the park position forbidden, the bar says so and offers a button that moves the park
+// position to the next allowed elevation.
 TEST(ParkRemedy, TheNextElevationAtTheSameAzimuth)
 {
     profile::Profile profile = parkedAt({0_deg, 0_deg});

@@ -10,7 +10,7 @@
 namespace boresight::ui {
 namespace {
 
-// Of a profile whose bus may wait for its reconnect.
+// A profile whose bus may wait for a reconnect.
 class ProfileChangeTest : public ::testing::Test
 {
 protected:
@@ -31,7 +31,7 @@ protected:
         draft.showStatus(status);
     }
 
-    // All of it is in force at once but the bus, which waits for Reconnect.
+    // Everything is in effect at once except the bus, which waits for Reconnect.
     void applyBus(const std::string& bus)
     {
         draft.edit([&bus](profile::Profile& edited) { edited.bus = bus; });
@@ -72,7 +72,7 @@ TEST_F(ProfileChangeTest, StartedWithSimulateThereIsNoOtherBus)
     EXPECT_TRUE(change.whyNot(status, useAnother).contains(QStringLiteral("--bus socketcan:can1")));
 }
 
-// One press, and nothing of the simulated mount is applied on the way.
+// One press, and no setting of the simulated mount is applied on the way.
 TEST_F(ProfileChangeTest, ABusThatLeavesTheSimulationIsAReconnect)
 {
     put("simulated");
@@ -86,7 +86,7 @@ TEST_F(ProfileChangeTest, ABusThatLeavesTheSimulationIsAReconnect)
     EXPECT_FALSE(button.isWaiting());
 }
 
-// Story: "Connect" with the simulated mount selected began to lose what had been found of the real one.
+// Story: "Connect" with the simulated mount selected started to overwrite the calibration of the real mount.
 // REQ-PROFILE-17c
 TEST_F(ProfileChangeTest, ARealMountIsNotMadeTheSimulatedOne)
 {

@@ -65,8 +65,8 @@ protected:
     std::vector<std::optional<Error>> answers;
 };
 
-// REQ-UI-16: The profile in force is only read from the status. Edits stay edits until the station has taken them.
-// They are checked while they are made, and are lost neither to a refusal nor to a change from elsewhere.
+// REQ-UI-16: The profile in effect is only read from the status. Edits stay edits until the station has accepted them.
+// They are checked while they are made, and are lost neither by a refusal nor by a change made elsewhere.
 TEST_F(ProfileDraftTest, AnEditChangesNothingInForceUntilItIsAppliedAndSeenInTheStatus)
 {
     setParkAzimuth(12_deg);
@@ -124,10 +124,10 @@ TEST_F(ProfileDraftTest, WithoutEditsThereIsNothingToApplyRevertOrUndo)
     EXPECT_EQ(answers.size(), 2u);
     EXPECT_FALSE(draft.whyNoRevert().isEmpty());
     put(inForce);
-    EXPECT_EQ(changes.count(), 0);  // an equal profile in another object is no change of what is applied
+    EXPECT_EQ(changes.count(), 0);  // an equal profile in another object is no change
 }
 
-// A preset saved while the limits are being edited: it alone is applied, and nothing is overtaken by it.
+// A preset is saved while the limits are being edited: only the preset is applied, and it causes no conflict.
 // REQ-UI-02c
 TEST_F(ProfileDraftTest, AChangeAppliedAloneLeavesTheEditsEdits)
 {
@@ -145,13 +145,13 @@ TEST_F(ProfileDraftTest, AChangeAppliedAloneLeavesTheEditsEdits)
     EXPECT_EQ(draft.edited().presets.size(), 1u);
     EXPECT_EQ(draft.edited().park.azimuth, 12_deg);
 
-    draft.applyAlone(addPreset, &desk, answered);  // the same name twice
+    draft.applyAlone(addPreset, &desk, answered);  // the same name again
     EXPECT_EQ(requests.size(), 1u);
     ASSERT_EQ(answers.size(), 2u);
     EXPECT_NE(textOf(*answers[1]).find("is used twice"), std::string::npos);
 }
 
-// Story: the star of a satellite was lost, because a renamed antenna of another one was applied after it.
+// Story: the star of a satellite was lost, because the edited antenna of another satellite was applied after it.
 // REQ-UI-02c
 TEST_F(ProfileDraftTest, AChangeAloneIsRefusedWhereAnEditWouldTakeItBack)
 {
@@ -276,7 +276,7 @@ TEST_F(ProfileDraftTest, WhatWaitsForAReconnectIsAppliedAndGoesWithIt)
     draft.edit([](Profile& p) { p.control.tickHz = 100; });
     apply();
     accept();
-    put(inForce, {"control.tick_hz"});  // not in force yet
+    put(inForce, {"control.tick_hz"});  // not yet in effect
     EXPECT_EQ(draft.inForce().control.tickHz, 50);
     EXPECT_EQ(draft.applied().control.tickHz, 100);
     EXPECT_FALSE(draft.hasEdits());
@@ -306,8 +306,8 @@ TEST_F(ProfileDraftTest, AReconnectIsOfferedWhenTheStationPermitsIt)
     EXPECT_EQ(draft.whyNoApply(), QString());
 }
 
-// Story: the bus typed in the table took the simulated mount's north along, and the real one pointed 37.4° beside. What
-// was edited together with the bus is told apart from all else by what was applied before.
+// Story: the bus was typed in the table. The north of the simulated mount was taken along, and the real mount pointed
+// 37.4° wrong. What was edited together with the bus is found by comparing with what was applied before.
 // REQ-PROFILE-17a
 TEST_F(ProfileDraftTest, ABusTypedByHandLeavesTheSimulationWhole)
 {
@@ -335,7 +335,8 @@ TEST_F(ProfileDraftTest, ABusTypedByHandLeavesTheSimulationWhole)
     EXPECT_FALSE(draft.leavesSimulation());
 }
 
-// North found meanwhile would count as edited away together with the bus, and a north that was taken back as typed.
+// A north found meanwhile would count as changed together with the bus, and a north that was undone would count as
+// typed.
 // REQ-PROFILE-17a
 TEST_F(ProfileDraftTest, AChangeFromElsewhereIsDecidedUponBeforeTheSimulationIsLeft)
 {
@@ -368,8 +369,8 @@ TEST_F(ProfileDraftTest, AnInvalidEditIsNotTakenToTheRealMount)
     EXPECT_TRUE(draft.whyNoApply().startsWith(QStringLiteral("Source (Orientation sensor): ")));
 }
 
-// REQ-PROFILE-17b: A real mount's profile that is imported, taken back or undone while the simulated one runs is tried
-// there.
+// REQ-PROFILE-17b: If the profile of a real mount is imported, restored or undone while the simulated mount runs, it is
+// tried on the simulated mount.
 TEST_F(ProfileDraftTest, AProfileThatIsTakenOverStaysSimulated)
 {
     Profile real = inForce;
@@ -398,10 +399,10 @@ TEST_F(ProfileDraftTest, ARealMountTakesNothingFromASimulatedOne)
     EXPECT_EQ(draft.edited(), real);
 }
 
-// Story: a calibrated mount was turned into the simulated one to look around, and all that was found of it was set back
-// as the simulated mount's when its bus was typed again.
-// REQ-PROFILE-17c: The profile of a real mount does not become the simulated one's by another bus. `--simulate` tries
-// that one and leaves the file alone.
+// Story: an operator turned a calibrated mount into the simulated one to look around. When its bus was typed again, all
+// its calibration was reset as if it belonged to the simulated mount.
+// REQ-PROFILE-17c: Another bus does not turn the profile of a real mount into that of the simulated one. `--simulate`
+// tries such a profile and leaves its file unchanged.
 TEST_F(ProfileDraftTest, ARealMountDoesNotBecomeTheSimulatedOne)
 {
     Profile real;
@@ -421,7 +422,7 @@ TEST_F(ProfileDraftTest, ARealMountDoesNotBecomeTheSimulatedOne)
     EXPECT_TRUE(answers[0] && answers[1]);
 }
 
-// Story: the edit was made while another one was under way to the station.
+// Story: the edit was made while another one was on its way to the station.
 TEST_F(ProfileDraftTest, WhatSpeaksAgainstEditsIsToldUponWhatIsAppliedNow)
 {
     draft.edit([](Profile& p) { p.bus = "socketcan:can0"; });
@@ -446,7 +447,7 @@ TEST_F(ProfileDraftTest, StartedWithSimulateThereIsNoOtherBus)
     EXPECT_FALSE(draft.leavesSimulation());
 }
 
-// The bus of the real mount stays in its profile, and the simulated one has a sensor.
+// The bus of the real mount stays in its profile, and the simulated mount has a sensor.
 TEST_F(ProfileDraftTest, StartedWithSimulateTheProfileOfARealMountIsTriedWhole)
 {
     Profile real;

@@ -76,7 +76,7 @@ TEST(SettingWords, TheBarShowsWhereTheValueLiesInItsRange)
     const profile::Setting& end = *findSetting("azimuth.travel_max_deg");  // -3600 … 3600
     ASSERT_TRUE(putTyped(end, QStringLiteral("0"), profile));
     EXPECT_DOUBLE_EQ(*shareOfRange(end, profile), 0.5);
-    const profile::Setting& speed = *findSetting("azimuth.max_speed_deg_s");  // 0.01 … 360: by the logarithm
+    const profile::Setting& speed = *findSetting("azimuth.max_speed_deg_s");  // 0.01 … 360: logarithmic
     ASSERT_TRUE(putTyped(speed, QStringLiteral("0.01"), profile));
     EXPECT_DOUBLE_EQ(*shareOfRange(speed, profile), 0.0);
     ASSERT_TRUE(putTyped(speed, QStringLiteral("1.897366596"), profile));  // the geometric middle

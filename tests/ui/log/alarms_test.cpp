@@ -22,7 +22,7 @@ protected:
         EXPECT_TRUE(table().isVisible());
     }
     void show(const StationStatus& status) { give(samples::update(status)); }
-    // What a station does when the cause of its first alarm goes, and when the alarm is acknowledged.
+    // The status when the cause of the first alarm disappears, and when the alarm is acknowledged.
     static StationStatus over(StationStatus status)
     {
         status.alarms.front().active = false;
@@ -56,9 +56,9 @@ protected:
     static constexpr const char* kChoice = "Active alarms, and all alarms since the start of the window";
 };
 
-// REQ-UI-28: Every alarm is shown whole (what happened, what Boresight did, what to do), until its end, and kept for
-// the session, also across a new station. One or all are acknowledged. A new one sounds once unless silence was
-// chosen.
+// REQ-UI-28: Every alarm is shown completely (what happened, what Boresight did, what to do) until its end, and is kept
+// for the session, also across a new station. One or all can be acknowledged. A new alarm sounds once unless the sound
+// is off.
 TEST_F(AlarmsTest, SaysWhatHappenedWhatWasDoneAndWhatToDo)
 {
     show(samples::faulted());
@@ -132,7 +132,7 @@ TEST_F(AlarmsTest, FollowsAnAlarmToItsEndAndKeepsIt)
     EXPECT_EQ(named<ChoiceButton>(kChoice)->text(), QStringLiteral("Alarms"));
 }
 
-// Story: a new station counts its alarms from 1 again, as it does its lines.
+// Story: a new station counts its alarms, like its lines, from 1 again.
 // REQ-UI-28
 TEST_F(AlarmsTest, TakesTheAlarmsOfANewStationForNewOnes)
 {
@@ -143,7 +143,7 @@ TEST_F(AlarmsTest, TakesTheAlarmsOfANewStationForNewOnes)
     second.tick = 3;
     second.alarms.front().id = 1;
     second.alarms.front().since += std::chrono::seconds(60);
-    openPanel('5');  // with Ctrl: whatever key is down, the selection follows whole
+    openPanel('5');  // with Ctrl: the selection is complete whatever key is pressed
     show(second);
     ASSERT_EQ(rows(), 3);
     EXPECT_EQ(table().selectionModel()->selectedRows().size(), 1);

@@ -110,8 +110,8 @@ TEST_F(LogTest, NamesAClientByItsPortInTheNarrowColumn)
     EXPECT_EQ(rows(), 1) << "the filter looks at the whole source";
 }
 
-// REQ-UI-27: Every start of a motion is found with who asked and why. No line is lost or out of order when a new
-// station begins to count again.
+// REQ-UI-27: For every start of a motion the log shows who asked for it and why. When a new station starts to count
+// again, no line is lost or out of order.
 TEST_F(LogTest, TellsWhyItMovedFromTheMotionStartsAlone)
 {
     show();
@@ -129,13 +129,14 @@ TEST_F(LogTest, TellsWhyItMovedFromTheMotionStartsAlone)
     EXPECT_EQ(on<QPlainTextEdit>(panel.motions()).toPlainText(),
               QStringLiteral("17:06:01Z  rotctld 10.0.0.7:40112\n"
                              "moves the mount from 0.00° 0.00°: P 339.50° 57.00°"));
-    // By keys too: an arrow goes to the next choice.
+    // By keys too: an arrow key goes to the next choice.
     (*why)->setFocus();
     QTest::keyClick(*why, Qt::Key_Right);
     EXPECT_TRUE(events().isVisible());
 }
 
-// Story: in the window's narrow column half of the lines ended in dots, and below the list after the third line.
+// Story: in the narrow column of the window half of the lines ended in dots, and below the list the text ended after
+// its third line.
 // REQ-UI-26
 TEST_F(LogTest, ShowsTheCurrentLineWholeHoweverLong)
 {
@@ -162,9 +163,9 @@ TEST_F(LogTest, ShowsTheCurrentLineWholeHoweverLong)
     EXPECT_TRUE(whole.toPlainText().endsWith(QStringLiteral("park"))) << "the row of the filter, not of the log";
 }
 
-// Story: lines that came while another panel was open stood below the edge of the list when it was opened.
-// REQ-UI-26: The log opens at its newest line, stays there until it is scrolled away, and shows the selected line
-// whole, however long.
+// Story: lines arrived while another panel was open. When the log was opened they were below the edge of the list.
+// REQ-UI-26: The log opens at its newest line, stays there until it is scrolled away, and shows the complete selected
+// line, however long it is.
 TEST_F(LogTest, OpensAtTheNewestLineAndStaysThereUntilScrolledAway)
 {
     std::vector<LogEntry> many;

@@ -54,7 +54,7 @@ TEST_F(ManualTest, AChapterOfTheContentsComesToTheTop)
     EXPECT_LT(text().cursorRect().top(), 8);
 }
 
-// REQ-UI-1001: A search finds the next place, begins again after the last, and says when there is none.
+// REQ-UI-1001: A search finds the next match, starts again after the last one, and reports if there is none.
 TEST_F(ManualTest, TheSearchGoesOnAtTheBeginning)
 {
     search(QStringLiteral("Not yet in any manual"));
@@ -80,8 +80,8 @@ TEST(ManualBook, HasEveryPictureAndPageThatItNames)
     EXPECT_GT(links, 2);
 }
 
-// Story: the manual counted ten steps and the window nine, and six of them had other names.
-// REQ-UI-1410: The manual lists the steps of the guide under the names and in the order of the window.
+// Story: the manual listed ten steps and the window nine, and six of them had other names.
+// REQ-UI-1410: The manual lists the steps of the guide with the names and in the order of the window.
 TEST(ManualBook, NamesTheStepsOfTheGuideAsTheWindowDoes)
 {
     const QString book = readResource(QStringLiteral(":/boresight/manual/manual.md"));

@@ -13,8 +13,8 @@
 namespace boresight::ui {
 namespace {
 
-// REQ-UI-41: As long as the Sun is chosen the warning for eyes and feed stands there whole, in every language. STOP
-// works and is covered in no step. The tests also write the pictures to look at.
+// REQ-UI-41: While the Sun is chosen the complete warning about eyes and feed is shown, in every language. STOP works
+// and is not covered in any step. The tests also write pictures to look at.
 TEST_F(NorthTest, AsLongAsTheSunIsMeantTheWarningStandsThere)
 {
     show(CalibrationStep::Body, samples::beforeCalibration());
@@ -162,7 +162,7 @@ TEST_F(NorthTest, TheScanWaitsForTypedPowersAndTakesNumbersOnly)
     EXPECT_EQ(wanted<request::EndCalibration>().size(), 1u);
 }
 
-// Story: the Moon was followed, the Sun was chosen, and the page offered to scan the Moon.
+// Story: the Moon was tracked, the Sun was chosen, and the page offered to scan the Moon.
 TEST_F(NorthTest, TheScanIsOfTheBodyThatWasChosenLast)
 {
     show(CalibrationStep::Body, samples::followingSun());
@@ -211,7 +211,7 @@ TEST_F(NorthTest, HowFarTheBeamIsBesideTheBodyIsTold)
     EXPECT_TRUE(text("Position of the body").contains(QLatin1String("\nnot tracked\n")));
 }
 
-// It always said 6°, three beams of one operator's dish, and nothing was found.
+// Story: the page always proposed 6°, three beam widths of one operator's dish, and nothing was found.
 TEST_F(NorthTest, TheScanOffersTwiceTheBeam)
 {
     StationStatus status = samples::followingSun();

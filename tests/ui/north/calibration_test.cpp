@@ -6,7 +6,7 @@
 #include <QPlainTextEdit>
 #include <QTableView>
 
-// The panel North as a whole: its steps, STOP, what is applied and taken back.
+// The panel North as a whole: its steps, STOP, Apply and Undo.
 namespace boresight::ui {
 namespace {
 
@@ -69,8 +69,8 @@ TEST_F(NorthTest, WithoutACalibrationDeskNothingIsOffered)
     expectBlocked("Track Sun", "The position of the Sun is unknown.");
 }
 
-// REQ-UI-40: Finding north: each step asks only what its control says, and shows beside it why it cannot. What Apply
-// sends is the proposal that was seen when it was pressed, with every figure before and after.
+// REQ-UI-40: In the steps of finding north each control requests only what it says, and shows the reason if it cannot.
+// Apply sends the proposal that was shown when it was pressed, with every value before and after.
 TEST_F(NorthTest, ApplySendsTheProposalThatWasSeenWhenItWasPressed)
 {
     StationStatus status = samples::swung();
@@ -100,8 +100,8 @@ TEST_F(NorthTest, DiscardSendsTheProposalThatWasSeenWhenItWasPressed)
     EXPECT_EQ(wanted<request::DiscardCalibration>().front().proposal, 7u);
 }
 
-// Story: the text belonged to another mount and to another site, and the second was not to be seen beside Apply.
-// REQ-UI-1005: Beside Apply stands every warning of what is proposed, before what changes.
+// Story: the text was for another mount and another site, and the second warning was not visible beside Apply.
+// REQ-UI-1005: All warnings about the proposal are beside Apply, before the changes.
 TEST_F(NorthTest, EveryWarningStandsBesideApply)
 {
     StationStatus status = samples::swung();
@@ -120,8 +120,8 @@ TEST_F(NorthTest, EveryWarningStandsBesideApply)
     }
 }
 
-// Story: what the Sun and the Moon said of the level was computed, and shown nowhere.
-// REQ-UI-1496: Beside Apply stands what the proposal says of the level, before what changes.
+// Story: the result of Sun and Moon about the level was computed and shown nowhere.
+// REQ-UI-1496: The remark of the proposal about the level is beside Apply, before the changes.
 TEST_F(NorthTest, WhatWasFoundOfTheLevelStandsBesideApply)
 {
     StationStatus status = samples::swung();
@@ -136,7 +136,7 @@ TEST_F(NorthTest, WhatWasFoundOfTheLevelStandsBesideApply)
     EXPECT_EQ(named<ValueLabel>("What Apply changes")->tone(), Tone::Secondary);
 }
 
-// Story: a second Space on Discard took back the calibration that was in force.
+// Story: a second press of Space on Discard undid the calibration in effect.
 TEST_F(NorthTest, ASecondPressOfAButtonThatIsDoneIsNotTheNextOnes)
 {
     StationStatus status = samples::sixPoints();
@@ -183,7 +183,7 @@ TEST_F(NorthTest, EveryControlHasANameAndIsReachedByTheTabKey)
         const QWidget* const page = steps().currentWidget();
         std::vector<const QWidget*> missing;
         for (const QWidget* const widget : page->findChildren<QWidget*>()) {
-            // Of exclusive choices one stands for all: the arrows go on to the others.
+            // One of several exclusive choices counts for all, because the arrow keys reach the others.
             const auto* const choice = qobject_cast<const QAbstractButton*>(widget);
             const bool byArrows = choice != nullptr && choice->group() != nullptr && !choice->isChecked();
             if (widget->isVisible() && widget->isEnabled() && (widget->focusPolicy() & Qt::TabFocus) != 0 &&

@@ -13,9 +13,9 @@
 namespace boresight::ui {
 namespace {
 
-// REQ-UI-40a: Terms are typed or exchanged with a file like any other result: proposed, beside those in force and with
-// what the points show. A term that nobody typed into keeps all its decimals. The scan shows what the receiver sent
-// last, how old that is, and what is wrong with its line.
+// REQ-UI-40a: Terms are typed, or exchanged with a file, like any other result: they are proposed beside the terms in
+// effect, with the residuals of the points. A term without typing keeps all its decimals. The scan shows the last value
+// of the receiver, its age, and a problem of its line.
 TEST_F(NorthTest, TermsAreTypedAndProposed)
 {
     const StationStatus status = samples::sixPoints();
@@ -66,7 +66,8 @@ TEST_F(NorthTest, WhatIsTypedIsShownWithWhatThePointsSayOfIt)
                     .startsWith(QStringLiteral("The text belongs to another mount\nand site\n")));
 }
 
-// Story: a fit has more decimals than the field; a term stepped up and down again counted as given, and lost them.
+// Story: a fit has more decimals than the field. A term that was stepped up and down again counted as entered, and lost
+// decimals.
 // REQ-UI-40a
 TEST_F(NorthTest, WhatReadsTheSameWasNotTyped)
 {
@@ -84,7 +85,7 @@ TEST_F(NorthTest, WhatReadsTheSameWasNotTyped)
     expected.collimation = 0.3_deg;
     ASSERT_EQ(wanted<request::ProposeTerms>().size(), 1u);
     EXPECT_EQ(wanted<request::ProposeTerms>().front().terms, expected);
-    // Applied, and then taken back: the field shows what is in force again.
+    // Applied and then undone: the field shows the value in effect again.
     calibration.present.collimation = 0.3_deg;
     status.calibration = std::make_shared<const CalibrationStatus>(calibration);
     named<QDoubleSpinBox>("azimuth offset")->setFocus();
@@ -95,7 +96,7 @@ TEST_F(NorthTest, WhatReadsTheSameWasNotTyped)
     EXPECT_EQ(named<QDoubleSpinBox>("collimation")->value(), 0.0);
 }
 
-// Story: a full column "Proposed" stood beside "Nothing proposed yet".
+// Story: a filled column "Proposed" was beside "Nothing proposed yet".
 TEST_F(NorthTest, NothingIsShownAsProposedThatIsNot)
 {
     StationStatus status = samples::sixPoints();
@@ -115,7 +116,7 @@ TEST_F(NorthTest, NothingIsShownAsProposedThatIsNot)
         << text("How well the model fits").toStdString();
 }
 
-// Story: terms were typed, and the header went on to tell the rms of the fit as if it were theirs.
+// Story: terms were typed, and the header still showed the rms of the fit as if it was theirs.
 TEST_F(NorthTest, TheRmsIsThatOfWhatIsProposed)
 {
     StationStatus status = samples::sixPoints();
@@ -133,7 +134,7 @@ TEST_F(NorthTest, TheRmsIsThatOfWhatIsProposed)
     EXPECT_TRUE(told.endsWith(QStringLiteral("χ² 0.012"))) << told.toStdString();
 }
 
-// Story: six kept points waited for a drive, and only "No fit of these points" was to be read.
+// Story: six stored points waited for a drive, and only "No fit of these points" was shown.
 // REQ-NORTH-38i
 TEST_F(NorthTest, WhyThereIsNoFitIsSaid)
 {
@@ -150,7 +151,7 @@ TEST_F(NorthTest, WhyThereIsNoFitIsSaid)
     EXPECT_EQ(text("How well the model fits"), QStringLiteral("No fit: they wait"));
 }
 
-// Story: "found" was said of terms that the points only moved within what was known of them.
+// Story: terms that the points only changed within earlier knowledge were called "found".
 TEST_F(NorthTest, WhatIsOnlyHeldIsSaidSo)
 {
     StationStatus status = samples::sixPoints();
@@ -169,7 +170,7 @@ TEST_F(NorthTest, WhatIsOnlyHeldIsSaidSo)
     EXPECT_EQ(terms.data(terms.index(6, 4)).toString(), QStringLiteral("◐ held"));
 }
 
-// Story: a point of the Sun counts eleven times as much as a landmark, and nobody could see that.
+// Story: a point of the Sun counts eleven times as much as a landmark, and this was not visible.
 TEST_F(NorthTest, APointShowsItsSigma)
 {
     show(CalibrationStep::Model, samples::sixPoints());

@@ -11,7 +11,7 @@
 #include <QTabBar>
 #include <QTabWidget>
 
-// The panel North and everything it asks of the calibration.
+// The panel North and all its requests to the calibration.
 namespace boresight::ui {
 
 class NorthTest : public WindowFixture
@@ -19,7 +19,7 @@ class NorthTest : public WindowFixture
 protected:
     QTabWidget& steps() { return *named<QTabWidget>("Steps of finding north"); }
 
-    // By a click on its tab.
+    // Opens a step by a click on its tab.
     void open(CalibrationStep step)
     {
         openPanel('9');
@@ -46,7 +46,7 @@ protected:
         }
         return found;
     }
-    // Disabled, and the tooltip says why.
+    // The button is disabled, and its tooltip gives the reason.
     void expectBlocked(const char* button, const char* reason)
     {
         EXPECT_FALSE(named<CommandButton>(button)->isEnabled()) << button;

@@ -7,7 +7,7 @@
 
 #include <QTabWidget>
 
-// Every step of finding north, before, while and after.
+// Every step of finding north: before, during and after.
 namespace boresight::ui {
 namespace {
 
@@ -16,7 +16,7 @@ struct NorthScene
     const char* name;
     StationStatus (*status)();
     CalibrationStep step;
-    int choice = -1;  // of the page's own: Sun, Moon, Mark, Peak; Terms, Points, Type
+    int choice = -1;  // of the page itself: Sun, Moon, Mark, Peak; Terms, Points, Type
 };
 
 constexpr NorthScene kScenes[] = {{"1-before", samples::beforeCalibration, CalibrationStep::Sensor},
@@ -40,8 +40,8 @@ constexpr NorthScene kScenes[] = {{"1-before", samples::beforeCalibration, Calib
 class NorthPictures : public PictureBook
 {
 protected:
-    // Its long sentences have a tooltip with the whole; but for the warning of eyes and feed nobody may have to look in
-    // a tooltip.
+    // Long sentences of the panel have a tooltip with the complete text. But the warning about eyes and feed must be
+    // readable without a tooltip.
     NorthPictures()
     {
         const QString warning = BodyPage::tr("Eyes and feed");

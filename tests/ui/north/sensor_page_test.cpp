@@ -55,9 +55,9 @@ TEST_F(NorthTest, TheSimulatedMountWithoutASensorOffersItsOwn)
     expectBlocked("Average", "The profile has no orientation sensor.");
 }
 
-// REQ-UI-978: Details shows all that the sensor reports, in the place of the dial: revolutions, its time and
-// temperature, the firmware with what nobody knows of its status, and what was refused, by reason. What is old has its
-// age. Copy takes it as text.
+// REQ-UI-978: Details shows, in the place of the dial, all that the sensor reports: revolutions, its time and
+// temperature, the firmware with unknown parts of its status, and refused data by reason. Old values show their age.
+// Copy copies it as text.
 TEST_F(NorthTest, DetailsShowAllThatTheSensorReports)
 {
     StationStatus status = samples::swung();
@@ -177,8 +177,8 @@ TEST_F(NorthTest, ASwingThatRunsShowsHowFarItIsAndCanBeEnded)
     expectBlocked("Track Sun", "A calibration is running");
 }
 
-// REQ-UI-42: The deviation curve lies where Qwt's own scale puts it. The ways of turning, what was left out and
-// unreliable sectors differ in shape.
+// REQ-UI-42: The deviation curve agrees with Qwt's own scale. Directions of turning, readings left out and unreliable
+// sectors differ in shape.
 TEST_F(NorthTest, TheDeviationCurveLiesWhereItsSamplesAreAndShowsBothWays)
 {
     const StationStatus status = samples::swung();

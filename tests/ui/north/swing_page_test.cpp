@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The pages Sensor, Swing and History of the panel North: what is seen while the mount turns, and what is known how
-// well.
+// The pages Sensor, Swing and History of the panel North: what is shown while the mount turns, and how accurate the
+// results are.
 #include "tests/ui/sample_calibration.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/north/calibration_panel.h"
@@ -34,7 +34,7 @@ protected:
     QString found() { return named<QPlainTextEdit>("Result of the swing")->toPlainText(); }
 };
 
-// How many of the dots have something painted at their place.
+// The number of dots with something painted at their place.
 int painted(DeviationPlot& plot, const std::vector<calibration::SwingDot>& dots)
 {
     QImage image(plot.size(), QImage::Format_RGB32);
@@ -66,7 +66,7 @@ TEST_F(NorthPagesTest, TheReadingsOfASwingAreDrawnAsTheyCome)
     EXPECT_LT(painted(plot, dots), static_cast<int>(dots.size() / 4)) << "but the grid, nothing lies there now";
 }
 
-// Story: a curve from -11° to 8° lay between -20° and 20°, under black dots, and how they scatter could not be seen.
+// Story: a curve from -11° to 8° was drawn between -20° and 20°, below black dots, and the scatter was not visible.
 TEST_F(NorthPagesTest, TheCurveFillsThePlotAndIsSeenAmongItsReadings)
 {
     const StationStatus status = samples::swung();
@@ -102,7 +102,7 @@ TEST_F(NorthPagesTest, TheCurveFillsThePlotAndIsSeenAmongItsReadings)
     EXPECT_EQ(0, black) << "dots hide nothing";
 }
 
-// What is drawn may be thinned; what is told counts all, as the line of the run does.
+// The dots may be thinned. The text counts all readings, like the line of the run.
 TEST_F(NorthPagesTest, ThePlotTellsAsManyReadingsAsTheRun)
 {
     StationStatus status = samples::swinging();
@@ -115,7 +115,7 @@ TEST_F(NorthPagesTest, ThePlotTellsAsManyReadingsAsTheRun)
     }
 }
 
-// Where the operator has scrolled to, it stays; and a screen reader is not told the same ten times a second.
+// The scroll position stays, and a screen reader does not get the same text ten times a second.
 TEST_F(NorthPagesTest, WhatIsSaidWhileItTurnsIsSaidOnce)
 {
     show(CalibrationStep::Swing, samples::swinging());
@@ -124,7 +124,7 @@ TEST_F(NorthPagesTest, WhatIsSaidWhileItTurnsIsSaidOnce)
     EXPECT_EQ(0, said.count());
 }
 
-// The curve of the swing before would be taken for what comes now; it is back if nothing came.
+// The curve of the previous swing would be taken for the new one. It is shown again if the new swing gives no result.
 TEST_F(NorthPagesTest, TheCurveOfBeforeIsNotSeenWhileTheMountTurns)
 {
     const StationStatus before = samples::swung();
@@ -141,7 +141,8 @@ TEST_F(NorthPagesTest, TheCurveOfBeforeIsNotSeenWhileTheMountTurns)
     EXPECT_EQ(whole, found());
 }
 
-// Story: ten points knew north to 0.11°, and all that could be applied of the curve was "Apply north", to 2.39°.
+// Story: ten points gave north to 0.11°. The curve of a swing could only be applied together with the north of the
+// swing, which is known to only 2.39°.
 TEST_F(NorthPagesTest, ACurveThatLeavesNorthIsAppliedToTheSensor)
 {
     StationStatus status = samples::swung();
@@ -172,7 +173,7 @@ TEST_F(NorthPagesTest, TheSensorsAzimuthIsToldWithHowWellItIsKnown)
     EXPECT_FALSE(text("True azimuth from the sensor and its uncertainty").contains(QStringLiteral("58")));
 }
 
-// Story: "North: axis +39.93° ± 6.02°" stood there long after ten points of the Sun were in force.
+// Story: "North: axis +39.93° ± 6.02°" was shown long after ten points of the Sun were in effect.
 TEST_F(NorthPagesTest, AnAverageIsToldBesideWhatIsInForce)
 {
     StationStatus status = samples::heard();

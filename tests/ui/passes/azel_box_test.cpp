@@ -30,8 +30,8 @@ protected:
     void show(const StationStatus& status) { give(samples::update(status)); }
 };
 
-// REQ-AZEL-950: The panel Passes shows what azel.dat says: its Moon, its age, whether the radio transmits, and how it
-// compares with our own Moon. Track Moon asks the station to follow it, and Hold to end that.
+// REQ-AZEL-950: The panel Passes shows the contents of azel.dat: its Moon, its age, whether the radio transmits, and
+// the difference from the computed Moon. Track Moon asks the station to track it, and Hold ends the tracking.
 TEST_F(AzelBoxTest, ShowsTheFileAndAsksForItsMoon)
 {
     StationStatus status = withFile();
@@ -52,8 +52,8 @@ TEST_F(AzelBoxTest, ShowsTheFileAndAsksForItsMoon)
     EXPECT_EQ(asked<request::FollowAzel>().size(), 1U);
 }
 
-// REQ-AZEL-951: A file that cannot be used shows why, and blocks the button with the reason of the station. So does
-// each state in which the mount stands still.
+// REQ-AZEL-951: If the file cannot be used, the panel shows the reason, and the button is blocked with the reason of
+// the station. The panel also shows the reason whenever the mount stands still.
 TEST_F(AzelBoxTest, ShowsWhyItStandsStill)
 {
     StationStatus status = withFile();
@@ -91,7 +91,7 @@ TEST_F(AzelBoxTest, ShowsWhyItStandsStill)
     EXPECT_EQ(text("Moon by WSJT-X").toStdString(), "Not compared, because the site is not set.");
 }
 
-// REQ-AZEL-952: The header counts to the rise or set of the Moon in hours.
+// REQ-AZEL-952: The header counts the hours to the rise or set of the Moon.
 TEST_F(AzelBoxTest, TheHeaderCountsInHours)
 {
     StationStatus status = withFile();

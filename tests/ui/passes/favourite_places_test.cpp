@@ -16,7 +16,7 @@ const UtcTime kPlacesAt{std::chrono::sys_days{std::chrono::year{2026} / 3 / 1} +
 class FavouritePlacesTest : public ::testing::Test
 {
 protected:
-    // All around the Earth: at each moment some are up.
+    // Satellites all around the Earth, so that at each moment some are up.
     FavouritePlacesTest()
     {
         std::vector<orbit::ElementSet> all;
@@ -43,8 +43,8 @@ protected:
     FavouritePlaces places;
 };
 
-// REQ-PASSES-966: The sky shows all favourites that are up, each with its name, at most the 20 highest. The one that is
-// tracked has its own mark.
+// REQ-PASSES-966: The sky shows the favourites that are up, each with its name, at most the 20 highest. The tracked
+// satellite has its own mark.
 TEST_F(FavouritePlacesTest, AreThoseThatAreUp)
 {
     EXPECT_TRUE(places.at(kPlacesAt, {}).empty());

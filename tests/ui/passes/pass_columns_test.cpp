@@ -37,7 +37,7 @@ protected:
         return status;
     }
     [[nodiscard]] const PassTable& model() { return *qobject_cast<PassTable*>(table().model()); }
-    // A cell that is empty until the window has worked it out.
+    // A cell that stays empty until the window has computed it.
     QString worked(int row, PassTable::Column column)
     {
         EXPECT_TRUE(fakes::waitUntil([&] { return !cell(row, column).isEmpty(); }));
@@ -71,9 +71,10 @@ protected:
     }
 };
 
-// What the passes are worth takes some milliseconds each, and a list of 10,000 satellites has 50,000 of them.
-// REQ-PASSES-998: Sunlight and cable are never worked out while the list is painted or read, but one pass at a time
-// when the window has nothing else to do, what is looked at first. However far the list is scrolled, few are kept.
+// The extra facts of a pass take some milliseconds each, and a list of 10,000 satellites has 50,000 passes.
+// REQ-PASSES-998: Sunlight and cable are never computed while the list is painted or read. They are computed one pass
+// at a time when the window is idle, the visible passes first. However far the list is scrolled, only a few results are
+// kept.
 TEST_F(PassColumnsTest, NothingIsWorkedOutWhileItIsPainted)
 {
     giveFound(withSatellites());
@@ -103,9 +104,8 @@ TEST_F(PassColumnsTest, NothingIsWorkedOutWhileItIsPainted)
     EXPECT_EQ(details.kept(), PassDetails::kMostKept);
 }
 
-// REQ-PASSES-993: The list has for each pass when it rises, is highest and sets, how high it comes, how long it lasts,
-// for how long it is hidden, what unwrapping the cable loses of it, for how long it is in sunlight, and the age of the
-// elements.
+// REQ-PASSES-993: For each pass the list has the times of rise, highest point and set, the highest elevation, the
+// duration, the hidden time, the time lost by unwrapping the cable, the time in sunlight, and the age of the elements.
 TEST_F(PassColumnsTest, EachFactHasItsColumn)
 {
     giveFound(withShortCable());
@@ -126,7 +126,7 @@ TEST_F(PassColumnsTest, EachFactHasItsColumn)
     }
     EXPECT_GT(unwraps, 0) << "some pass goes through north";
     EXPECT_LT(unwraps, rows());
-    // With one and a half turns of cable none has to.
+    // With one and a half turns of cable no pass needs unwrapping.
     giveFound(withSatellites());
     ASSERT_TRUE(fakes::waitUntil([&] { return model().book()->antenna.reach.azimuths.max > 360_deg; }));
     for (int row = 0; row < rows(); ++row) {
@@ -134,8 +134,8 @@ TEST_F(PassColumnsTest, EachFactHasItsColumn)
     }
 }
 
-// REQ-PASSES-994: What unwrapping during a pass means stands in the tooltip, and among the facts of the selected pass.
-// Where the mount could go over the top instead, this is shown.
+// REQ-PASSES-994: The tooltip and the facts of the selected pass explain what unwrapping during a pass means. If the
+// mount could go over the top instead, this is shown.
 TEST_F(PassColumnsTest, UnwrappingIsExplained)
 {
     const targets::CableTurns none;
@@ -162,9 +162,9 @@ TEST_F(PassColumnsTest, UnwrappingIsExplained)
     }
 }
 
-// REQ-PASSES-995: By itself the list has as many columns as there is room for, the most wanted first. A menu chooses
-// among them. Where the chosen ones need more room the list is scrolled sideways: no number is cut. They are there
-// again at the next start.
+// REQ-PASSES-995: By default the list shows as many columns as fit, the most important first. A menu chooses columns.
+// If the chosen columns need more room the list scrolls sideways, and no number is cut. The choice is restored at the
+// next start.
 TEST_F(PassColumnsTest, ByItselfTheListHasWhatThereIsRoomFor)
 {
     giveFound(withShortCable());
@@ -218,14 +218,14 @@ TEST_F(PassColumnsTest, AMenuChoosesTheColumns)
     EXPECT_EQ(window.arrangement().passes.columns, QStringList());
 }
 
-// REQ-PASSES-996: The menu of the columns leaves the STOP button free, also in a low window.
+// REQ-PASSES-996: The menu of the columns does not cover the STOP button, not even in a low window.
 TEST_F(PassColumnsTest, TheMenuLeavesStopFree)
 {
     giveFound(withShortCable());
     QMenu* const menu = named<QToolButton>("Columns of the list")->menu();
     auto* const stop = named<QAbstractButton>("STOP");
     const QRect button(stop->mapToGlobal(QPoint()), stop->size());
-    menu->popup(QPoint(button.left(), 0));  // as Qt does where there is no room below
+    menu->popup(QPoint(button.left(), 0));  // as Qt does if there is no room below
     settle();
     EXPECT_FALSE(menu->geometry().intersects(button));
     menu->close();

@@ -22,7 +22,7 @@ class MarkedPassesTest : public PassesFixture
 protected:
     MarkedPassesTest() { giveFound(status); }
 
-    // What was asked last is put into force.
+    // Puts the last requested profile into effect.
     void accept()
     {
         status.profile = std::make_shared<const profile::Profile>(asked<request::ApplyProfile>().back().profile);
@@ -58,7 +58,7 @@ protected:
 };
 
 // REQ-PASSES-960: A click on the star of a row, Space, or the button makes the satellite a favourite of the profile, or
-// takes the star away. The list may be of favourites only.
+// removes it from the favourites. The list can be limited to favourites.
 TEST_F(MarkedPassesTest, AClickOnTheStarMakesAFavourite)
 {
     const QRect cell = table().visualRect(table().model()->index(1, PassTable::Favourite));
@@ -101,8 +101,8 @@ TEST_F(MarkedPassesTest, FavouritesOnly)
     EXPECT_EQ(names().size(), 3U);
 }
 
-// REQ-ANTENNA-931: Where there are several antennas, one is chosen for a satellite beside its note, and stored in the
-// profile. With one antenna there is nothing to choose.
+// REQ-ANTENNA-931: If there are several antennas, one can be chosen for a satellite beside its note, and is stored in
+// the profile. With one antenna there is nothing to choose.
 TEST_F(MarkedPassesTest, AnAntennaIsChosenForASatellite)
 {
     window.resize(1280, 1000);
@@ -126,8 +126,8 @@ TEST_F(MarkedPassesTest, AnAntennaIsChosenForASatellite)
     EXPECT_EQ(antenna->currentText(), QStringLiteral("70 cm"));
 }
 
-// REQ-PASSES-961: A satellite has a note of one line: frequency, polarisation. It stands with the selected pass, and is
-// edited there. Enter or leaving the line stores it in the profile, Esc takes it back.
+// REQ-PASSES-961: A satellite has a note of one line, for example about frequency and polarisation. It is shown with
+// the selected pass and edited there. Enter, or leaving the line, stores it in the profile. Esc reverts it.
 TEST_F(MarkedPassesTest, ANoteIsTypedAndStored)
 {
     window.resize(1280, 1000);

@@ -18,7 +18,7 @@ using namespace std::chrono_literals;
 
 const UtcTime kCurveBegin{std::chrono::sys_days{std::chrono::year{2026} / 3 / 1} + 5h};
 
-// Ten minutes, to 60° in the middle, hidden below 15° after it.
+// A pass of ten minutes that reaches 60° in the middle, and is hidden below 15° after that.
 targets::SkyWay hill()
 {
     auto way = std::make_shared<std::vector<targets::SkyMoment>>();
@@ -32,7 +32,7 @@ targets::SkyWay hill()
 }
 
 // REQ-PASSES-964: The curve of the selected pass goes from its rise to its set, is dotted where the limits hide it, and
-// marks the satellite where it is now.
+// marks the present place of the satellite.
 TEST(PassCurve, GoesFromRiseToSet)
 {
     PassCurve curve;
@@ -76,7 +76,7 @@ TEST(GroundMap, ThePlacesAreWhereTheyAre)
     EXPECT_EQ(map.pixelOf({.latitude = 0_deg, .longitude = -180_deg}), QPointF(100.0, 50.0)) << "in the middle";
 }
 
-// Story: a line from 179° to -179° went all across the map.
+// Story: a line from 179° to -179° was drawn across the whole map.
 TEST(GroundMap, ALineIsBrokenWhereItLeavesTheMap)
 {
     GroundMap map;
@@ -90,7 +90,7 @@ TEST(GroundMap, ALineIsBrokenWhereItLeavesTheMap)
     EXPECT_TRUE(line.elementAt(3).isLineTo());
 }
 
-// A satellite 629 km up sees a circle of 24.5°. Over a pole the circle goes around it.
+// From 629 km a satellite sees a circle with a radius of 24.5°. Over a pole the circle goes around the pole.
 TEST(GroundTrack, TheFootprintIsACircleOnTheEarth)
 {
     const Site below{.latitude = 40_deg, .longitude = 175_deg, .heightMetres = 629'000.0};
@@ -107,9 +107,9 @@ TEST(GroundTrack, TheFootprintIsACircleOnTheEarth)
     }
 }
 
-// The site is inside the circle of the satellite exactly while it is up.
-// REQ-PASSES-965: The map shows the way of the selected satellite over the Earth: during its pass, and an orbit
-// further. It marks the site, the place below the satellite now, and the circle that sees it.
+// The site is inside the circle of the satellite exactly while the satellite is up.
+// REQ-PASSES-965: The map shows the path of the selected satellite over the Earth, during its pass and for one orbit
+// more. It marks the site, the present place below the satellite, and the circle that sees the satellite.
 TEST(GroundTrack, TheTrackOfAPassIsSeenFromTheSite)
 {
     const Site site{.latitude = 38.757_deg, .longitude = -9.117_deg};
@@ -135,7 +135,7 @@ TEST(GroundTrack, TheTrackOfAPassIsSeenFromTheSite)
     EXPECT_NEAR(track.after.back().latitude.degrees(), track.after.front().latitude.degrees(), 2.0) << "one turn";
 }
 
-// What a map must have right: Lisbon on land, the middle of the Atlantic not.
+// A simple check of the map: Lisbon is on land, the middle of the Atlantic is not.
 TEST(Coast, LandIsLand)
 {
     QPainterPath land;

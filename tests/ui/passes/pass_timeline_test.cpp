@@ -20,7 +20,7 @@ using namespace std::chrono_literals;
 
 const UtcTime kTimelineNow{std::chrono::sys_days{std::chrono::year{2026} / 3 / 1} + 18h + 20min};
 
-// So many satellites, numbered from 1, each with a pass: the first one in 10 minutes, each other 5 minutes later.
+// This number of satellites, numbered from 1, each with one pass: the first in 10 minutes, the others 5 minutes apart.
 std::shared_ptr<const PassBook> bookOf(int satellites)
 {
     auto elements = std::make_shared<std::vector<orbit::ElementSet>>();
@@ -51,9 +51,10 @@ std::vector<std::int64_t> numbersOf(const Timeline& timeline)
     return numbers;
 }
 
-// REQ-PASSES-962: The timeline has a row for each listed satellite and a bar for each pass of a day: favourites first,
-// then those that the schedule watches. It has 40 rows at most, and says how many satellites are only in the list. What
-// the schedule tracks, and what it leaves out, looks different. A click, or the arrow keys, select a pass.
+// REQ-PASSES-962: The timeline has a row for each listed satellite and a bar for each pass of a day. Favourites come
+// first, then the satellites watched by the schedule. It has at most 40 rows, and says how many satellites are only in
+// the list. Passes that the schedule tracks, and passes that it leaves out, look different. A click or the arrow keys
+// select a pass.
 TEST(PassTimeline, FavouritesComeFirstThenWhatIsWatched)
 {
     const auto book = bookOf(4);
@@ -150,8 +151,8 @@ TEST_F(TimelineViewTest, HasTheFilteredPassesOnly)
     EXPECT_EQ(timeline().timeline().rows.front().bars.size(), before - 1) << "what is over has gone";
 }
 
-// REQ-PASSES-963: The page Coming shows the passes as a list, as a timeline, and of the selected pass its elevation
-// over time and its way over the Earth, in one place. The sky keeps its size.
+// REQ-PASSES-963: The page Coming shows in one place the passes as a list or as a timeline, and for the selected pass
+// its elevation over time and its path over the Earth. The sky keeps its size.
 TEST_F(TimelineViewTest, TheSkyKeepsItsSizeInEachView)
 {
     const QSize sky = window.findChild<PolarPlot*>()->size();

@@ -33,8 +33,8 @@ using testing::Not;
 
 using PassesPanelTest = PassesFixture;
 
-// REQ-PASSES-950: The panel Passes lists the coming passes of all satellites within a day, in the order in which they
-// rise. Typed words and a least height select among them. Without satellites, or without a site, it says what to do.
+// REQ-PASSES-950: The panel Passes lists the coming passes of all satellites within a day, in the order of their rise.
+// Typed words and a minimum elevation filter them. Without satellites or without a site it says what to do.
 TEST_F(PassesPanelTest, SaysWhatToDoWithoutSatellites)
 {
     EXPECT_TRUE(text("About the passes").startsWith(QStringLiteral("Boresight knows no satellites.")));
@@ -47,9 +47,8 @@ TEST_F(PassesPanelTest, SaysWhatToDoWithoutSatellites)
     EXPECT_TRUE(text("About the passes").startsWith(QStringLiteral("The site is not set.")));
 }
 
-// REQ-PASSES-990: What the list lacks is mended from the page itself. Without elements its button adds a file or a
-// group of CelesTrak to the profile at once, and a refusal stays readable. Without a site it opens that step of the
-// guide.
+// REQ-PASSES-990: What the list lacks can be added on the page itself. Without elements a button adds a file or a group
+// of CelesTrak to the profile at once, and a refusal stays readable. Without a site it opens that step of the guide.
 TEST_F(PassesPanelTest, TheButtonAddsElements)
 {
     StationStatus status = samples::idle();
@@ -123,9 +122,9 @@ TEST_F(PassesPanelTest, WordsAndHeightSelect)
     EXPECT_EQ(text("The selected pass"), QString());
 }
 
-// REQ-PASSES-991: The page counts the passes and satellites that are listed, and of how many passes they are. Where the
-// filter leaves out all of them it says so.
-// Story: with a name typed the page went on to count the satellites of all elements.
+// Story: with a name typed the page still counted the satellites of all elements.
+// REQ-PASSES-991: The page counts the listed passes and satellites, and the number of all passes. If the filter hides
+// all passes it says so.
 TEST_F(PassesPanelTest, CountsWhatIsListed)
 {
     const StationStatus status = withSatellites();
@@ -142,8 +141,8 @@ TEST_F(PassesPanelTest, CountsWhatIsListed)
     EXPECT_EQ(text("About the passes"), QStringLiteral("No pass matches the filter. It leaves out %1.").arg(all));
 }
 
-// REQ-PASSES-958: The age of the elements is judged: how many seconds and degrees the satellite has to be expected
-// elsewhere, and whether that is more than half the beam.
+// REQ-PASSES-958: The age of the elements is evaluated: the expected error of the satellite in seconds and degrees, and
+// whether it exceeds half the beam width.
 TEST_F(PassesPanelTest, JudgesTheAgeOfTheElements)
 {
     StationStatus status = withSatellites();
@@ -161,7 +160,7 @@ TEST_F(PassesPanelTest, JudgesTheAgeOfTheElements)
                 HasSubstr("elements 0.0 days old, more than half the beam off"));
     EXPECT_FALSE(named<ValueLabel>("The selected pass")->isElided());
 
-    // By the antenna in use, or by the one that the satellite has of its own.
+    // With the antenna in use, or with the satellite's own antenna.
     profile.mount.beamWidth = 10_deg;
     profile.antennas = {{.name = "thin", .beamWidth = 0.01_deg}};
     status.profile = std::make_shared<const profile::Profile>(profile);
@@ -175,7 +174,7 @@ TEST_F(PassesPanelTest, JudgesTheAgeOfTheElements)
     ASSERT_TRUE(fakes::waitUntil([&] { return facts().contains(u"° off, more than half the beam"); }));
 }
 
-// REQ-PASSES-967: The chosen view and "Favourites only" are there again at the next start.
+// REQ-PASSES-967: The chosen view and "Favourites only" are restored at the next start.
 TEST_F(PassesPanelTest, TheViewAndFavouritesOnlyAreRemembered)
 {
     giveFound(withSatellites());
@@ -188,13 +187,13 @@ TEST_F(PassesPanelTest, TheViewAndFavouritesOnlyAreRemembered)
     EXPECT_EQ(again.arrangement().passes, next.layout.passes);
     EXPECT_TRUE(findNamed<QToolButton>(again, "The way of the selected satellite over the Earth")->isChecked());
     EXPECT_TRUE(findNamed<QToolButton>(again, "Favourites only")->isChecked());
-    next.layout.passes.view = 77;  // of a file that somebody has edited
+    next.layout.passes.view = 77;  // from a file that was edited by hand
     const MainWindow wrong(clock, next);
     EXPECT_EQ(wrong.arrangement().passes.view, PassViews::List);
 }
 
-// REQ-PASSES-957: What is wrong with the elements stands above the passes of those that are good, a download without a
-// network included. It takes no room while all is well.
+// REQ-PASSES-957: Problems with the elements, including a download without a network, are shown above the passes of the
+// good elements. Without problems this takes no room.
 TEST_F(PassesPanelTest, TellsWhatIsWrongWithTheElements)
 {
     StationStatus status = withSatellites();
@@ -212,8 +211,8 @@ TEST_F(PassesPanelTest, TellsWhatIsWrongWithTheElements)
     EXPECT_EQ(text("Problems with the elements"), problem + QStringLiteral(" The log has more problems."));
 }
 
-// REQ-PASSES-951: The selected pass is shown with its way over the sky, its times and what the limits of the mount hide
-// of it. Track asks the station to follow that satellite. A new search keeps the selection.
+// REQ-PASSES-951: The selected pass is shown with its path across the sky, its times, and the part hidden by the limits
+// of the mount. Track asks the station to track this satellite. A new search keeps the selection.
 TEST_F(PassesPanelTest, TrackAsksForTheSelectedSatellite)
 {
     giveFound(withSatellites());
@@ -244,9 +243,9 @@ TEST_F(PassesPanelTest, TrackAsksForTheSelectedSatellite)
     EXPECT_FALSE(isShown()) << "it was about another satellite";
 }
 
-// REQ-PASSES-979: In a low window the table of the passes has the room: the facts of the selected pass fold to what the
-// table does not show. The age of the elements stays on the page.
-// Story: at 1024×700 with an alarm one pass was to be seen.
+// Story: at 1024×700 with an alarm only one pass was visible.
+// REQ-PASSES-979: In a low window the table of the passes has the room: the facts of the selected pass are reduced to
+// those that the table does not show. The age of the elements stays on the page.
 TEST_F(PassesPanelTest, TheFactsFoldWhereTheWindowIsLow)
 {
     giveFound(withSatellites());
@@ -263,7 +262,7 @@ TEST_F(PassesPanelTest, TheFactsFoldWhereTheWindowIsLow)
 TEST_F(PassesPanelTest, TellsWhatTheLimitsHide)
 {
     targets::SkyWay way;
-    const QObject here;  // the window goes after it
+    const QObject here;  // the window is destroyed after it
     QObject::connect(window.findChild<PassesPanel*>(), &PassesPanel::wayChosen, &here,
                      [&way](const targets::SkyWay& chosen) { way = chosen; });
     StationStatus status = withSatellites();
@@ -287,7 +286,7 @@ TEST_F(PassesPanelTest, TellsWhatTheLimitsHide)
     }
 }
 
-// REQ-PASSES-952: The plot shows the way of the selected pass while the page Coming is open.
+// REQ-PASSES-952: The plot shows the path of the selected pass while the page Coming is open.
 TEST_F(PassesPanelTest, ThePlotShowsTheWayOfTheSelectedPass)
 {
     const StationStatus status = withSatellites();
@@ -325,8 +324,8 @@ TEST_F(PassesPanelTest, APassThatIsOverLeavesTheTable)
     EXPECT_GT(model.pass(0).pass.los.utc, status.utc);
 }
 
-// REQ-PASSES-989: When the selected pass is over, the next pass of the same satellite is selected: Track never changes
-// to another satellite by itself.
+// REQ-PASSES-989: When the selected pass is over, the next pass of the same satellite is selected. So Track never
+// changes to another satellite by itself.
 TEST_F(PassesPanelTest, TheSelectionStaysWithItsSatellite)
 {
     StationStatus status = withSatellites();
@@ -335,7 +334,7 @@ TEST_F(PassesPanelTest, TheSelectionStaysWithItsSatellite)
     const auto numberAt = [&](int row) { return model.book()->elementsOf(model.pass(row)).number; };
     int row = 0;
     while (numberAt(row + 1) == numberAt(row)) {
-        ++row;  // else another row shows nothing
+        ++row;  // otherwise another row would prove nothing
     }
     const std::int64_t number = numberAt(row);
     table().selectRow(row);
@@ -349,7 +348,8 @@ TEST_F(PassesPanelTest, TheSelectionStaysWithItsSatellite)
     EXPECT_EQ(std::get<orbit::ElementSet>(asked<request::Track>().back().target.kind).number, number);
 }
 
-// REQ-SCHEDULE-953: The satellite of the selected pass is added to the watched ones of the profile, and removed again.
+// REQ-SCHEDULE-953: The satellite of the selected pass can be added to the watched satellites of the profile, and
+// removed again.
 TEST_F(PassesPanelTest, AddsTheSatelliteToTheScheduleAndRemovesIt)
 {
     StationStatus status = withSatellites();

@@ -19,8 +19,8 @@ protected:
 };
 
 // REQ-POSITION-40: The panel Passes shows the balloon or rocket whose positions arrive: direction, distance, height,
-// age and what is wrong. Track position asks the station to follow it, and Hold to end that. Without a source it is
-// hidden.
+// age, and a problem. Track position asks the station to track it, and Hold ends the tracking. Without a source the box
+// is hidden.
 TEST_F(PositionBoxTest, ShowsWhatArrivesAndAsksForIt)
 {
     StationStatus status = samples::idle();

@@ -60,8 +60,8 @@ private:
 };
 
 // REQ-PASSES-997: While the selected satellite is above the horizon, its line has the range, the range rate and the
-// Doppler shift of the full second. While a satellite is tracked they stand in the header. Below the horizon, and for
-// what is no satellite, nothing is shown.
+// Doppler shift at the full second. While a satellite is tracked, the header has them. Below the horizon, and for
+// targets that are no satellites, nothing is shown.
 TEST_F(RangeWordsTest, TheSelectedSatelliteHasThemWhileItIsUp)
 {
     const UtcTime rises = std::chrono::ceil<std::chrono::seconds>(pass().pass.aos.utc);

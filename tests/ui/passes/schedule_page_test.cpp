@@ -33,7 +33,7 @@ protected:
         pass.tca.direction.elevation = 38_deg;
         return {.number = number, .name = QString::fromLatin1(name), .pass = pass};
     }
-    // One that is over, one to come, one left out, one that is hidden.
+    // One pass that is over, one to come, one left out, one that is hidden.
     static StationStatus withPlan()
     {
         using std::chrono::minutes;
@@ -71,8 +71,8 @@ protected:
     }
 };
 
-// REQ-SCHEDULE-950: The page Schedule shows the night in the order of time: what is over and how it was tracked, what
-// is to come, and what is left out with the reason. It says whether the schedule is armed.
+// REQ-SCHEDULE-950: The page Schedule shows the night in the order of time: past passes with the quality of their
+// tracking, coming passes, and passes left out with the reason. It says whether the schedule is armed.
 TEST_F(SchedulePageTest, ShowsTheNightInTheOrderOfTime)
 {
     show(withPlan());
@@ -104,9 +104,9 @@ TEST_F(SchedulePageTest, SaysWhatToDoWhileNothingIsWatched)
     EXPECT_EQ(text("State of the schedule"), QStringLiteral("Off. Nothing moves by itself. No pass within a day."));
 }
 
-// REQ-SCHEDULE-954: Rehearse and Stop rehearsal are one button. Its progress, what came of it, and why it came to
-// nothing stand above the table. In the table each pass has the part of its time within 3 dB as rehearsed, with the
-// seconds in the tooltip. Each warning has a row.
+// REQ-SCHEDULE-954: Rehearse and Stop rehearsal are one button. The progress, the result, or the reason of a failure is
+// above the table. In the table each pass has the part of its time within 3 dB from the rehearsal, with the seconds in
+// the tooltip. Each warning has a row.
 TEST_F(SchedulePageTest, RehearsesTheNight)
 {
     StationStatus status = withPlan();
@@ -148,7 +148,8 @@ TEST_F(SchedulePageTest, RehearsesTheNight)
     EXPECT_EQ(text("Rehearsal"), QStringLiteral("STOP is latched."));
 }
 
-// REQ-SCHEDULE-951: Arm and Disarm are one button, blocked with the reason of the station. Disarm is never blocked.
+// REQ-SCHEDULE-951: Arm and Disarm are one button. Arm is blocked with the reason of the station. Disarm is never
+// blocked.
 TEST_F(SchedulePageTest, ArmsAndDisarms)
 {
     StationStatus status = withPlan();
@@ -177,8 +178,8 @@ TEST_F(SchedulePageTest, ArmsAndDisarms)
     EXPECT_TRUE(text("State of the schedule").contains(QStringLiteral("STOP of operator.")));
 }
 
-// REQ-SCHEDULE-952: Priority and lowest elevation of a watched satellite are set in the profile, and it is removed
-// there.
+// REQ-SCHEDULE-952: The priority and lowest elevation of a watched satellite are set in the profile, and the satellite
+// can be removed.
 TEST_F(SchedulePageTest, ChangesAndRemovesAWatchedSatellite)
 {
     show(withPlan());

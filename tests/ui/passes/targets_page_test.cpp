@@ -38,8 +38,8 @@ protected:
     [[nodiscard]] QString trackedLast() { return asked<request::Track>().back().target.name; }
 };
 
-// REQ-TARGETS-950: Sun, Moon, planets and radio sources are listed with where they stand over the site now and when
-// they rise or set, and the selected one is tracked. Without a site only their names are shown.
+// REQ-TARGETS-950: Sun, Moon, planets and radio sources are listed with their present direction at the site and the
+// time of their next rise or set. The selected one can be tracked. Without a site only their names are shown.
 TEST_F(TargetsPageTest, ListsWhereEachStandsAndTracksTheSelectedOne)
 {
     StationStatus status = atSite();
@@ -66,8 +66,8 @@ TEST_F(TargetsPageTest, ListsWhereEachStandsAndTracksTheSelectedOne)
     EXPECT_FALSE(named<CommandButton>("Track selected")->isEnabled());
 }
 
-// REQ-TARGETS-960: The list shows where a target appears by the rule of the profile for refraction, and when it rises
-// by it.
+// REQ-TARGETS-960: The list shows the apparent direction of a target and its rise by the refraction rule of the
+// profile.
 TEST_F(TargetsPageTest, GoesByTheRuleForRefraction)
 {
     using ephemeris::RefractionRule;
@@ -90,8 +90,8 @@ TEST_F(TargetsPageTest, GoesByTheRuleForRefraction)
     EXPECT_TRUE(cell(0, TargetTable::Next).startsWith(QStringLiteral("rises")));
 }
 
-// REQ-TARGETS-951: A typed target is tracked by the same words as boresightctl track takes. What makes no sense is
-// refused with the reason, and nothing is asked.
+// REQ-TARGETS-951: A typed target is tracked, with the same words as for boresightctl track. An invalid text is refused
+// with the reason, and no request is sent.
 TEST_F(TargetsPageTest, TracksWhatIsTyped)
 {
     show(atSite());
@@ -113,8 +113,8 @@ TEST_F(TargetsPageTest, TracksWhatIsTyped)
     EXPECT_TRUE(isTold);
 }
 
-// REQ-TARGETS-952: The way of a file is tracked by a button that asks for the file, or by its path in the field. The
-// field also takes another rotator to follow.
+// REQ-TARGETS-952: The table of a file is tracked by a button that asks for the file, or by its path in the field. The
+// field also accepts another rotator to follow.
 TEST_F(TargetsPageTest, TracksTheWayOfAFile)
 {
     const QString path = QStringLiteral("/tmp/way.csv");

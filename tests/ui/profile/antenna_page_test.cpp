@@ -11,7 +11,7 @@ namespace {
 
 using profile::Profile;
 
-// The antennas changed as an operator does it, by keys and mouse.
+// The antennas are changed as by an operator, by keys and mouse.
 class AntennaPageTest : public ProfilePageTest
 {
 protected:
@@ -40,7 +40,7 @@ protected:
         table().setFocus();
         table().setCurrentIndex(table().model()->index(row, column));
     }
-    // Into the open editor of a cell.
+    // Types into the open editor of a cell.
     void typeInto(const char* words)
     {
         const QPointer<QLineEdit> editor = qobject_cast<QLineEdit*>(QApplication::focusWidget());
@@ -66,9 +66,9 @@ protected:
 };
 
 // REQ-ANTENNA-950 (AntennaPageTest.*): The antennas of a mount are added, named, measured and removed on the page
-// Profile, as edits of the profile. A text that is no value and a name that is taken are refused with the reason. The
-// main antenna stays, and only its beam width changes. A satellite keeps its antenna under the new name, and loses one
-// that is removed.
+// Profile, as edits of the profile. An invalid text, or a name that is in use, is refused with the reason. The main
+// antenna stays, and only its beam width can be changed. A satellite keeps its antenna under the new name, and loses
+// one that is removed.
 TEST_F(AntennaPageTest, AnAntennaIsAddedByKeyboardAndApplied)
 {
     openFromSettings();
@@ -148,7 +148,7 @@ TEST_F(AntennaPageTest, WhatIsNoAntennaIsRefusedWithTheReason)
     EXPECT_EQ(table().model()->rowCount(), 13);
 }
 
-// REQ-ANTENNA-951: The button beside the antenna in use leads to the same table, from any panel.
+// REQ-ANTENNA-951: The button beside the antenna in use opens the same table, from any panel.
 TEST_F(AntennaPageTest, TheRowBelowTheNumbersLeadsThere)
 {
     openPanel('1');

@@ -19,10 +19,10 @@
 #include <QTemporaryDir>
 #include <QTreeView>
 
-// The page of the profile in the window, over a store of two mounts.
+// The page of the profile in the window, with a store of two mounts.
 namespace boresight::ui {
 
-// Two mounts are kept, "Roof" is in force.
+// Two stored mounts. "Roof" is in effect.
 struct StoreFolder
 {
     StoreFolder()
@@ -75,7 +75,7 @@ protected:
     void choose(const char* mount)
     {
         mounts()->setFocus();
-        // In one event: of keys that come slowly each begins another search.
+        // As one event, because slow key presses would each start another search.
         mounts()->view()->keyboardSearch({});
         QKeyEvent word(QEvent::KeyPress, Qt::Key_unknown, Qt::NoModifier, QLatin1String(mount));
         QApplication::sendEvent(mounts(), &word);
@@ -108,7 +108,7 @@ protected:
         }
         FAIL() << "no button " << button;
     }
-    // In the field of the open question.
+    // Types into the field of the open question.
     void type(const char* name, const char* words)
     {
         auto* const typed = named<QLineEdit>(name);
@@ -135,7 +135,7 @@ protected:
         QTest::keyClick(editor, Qt::Key_Return);
         ASSERT_TRUE(comesTrue([&editor] { return !editor; })) << "the editor stays open";
     }
-    // Of the first line that is shown.
+    // From the first visible line.
     QString firstCell(int column)
     {
         const QModelIndex group = tree()->model()->index(0, 0);

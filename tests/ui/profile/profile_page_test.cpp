@@ -16,9 +16,10 @@ namespace {
 
 using profile::Profile;
 
-// REQ-UI-29: The profile is shown whole: each setting once, with unit, range and when it applies. A setting is found
-// by words of its name or meaning, and edited by keyboard. What is no value is refused with the reason. What clashes
-// is marked and not applied. A bus that leaves the simulation shows what goes to the real mount.
+// REQ-UI-29: The complete profile is shown: each setting once, with unit, range and when it applies. A setting is found
+// by words of its name or meaning, and edited by keyboard. An invalid value is refused with the reason. Settings that
+// contradict each other are marked and not applied. A bus that leaves the simulation shows which values go to the real
+// mount.
 TEST_F(ProfilePageTest, EverySettingIsThereOnceWithItsUnitRangeAndWhenItApplies)
 {
     const QAbstractItemModel& model = *tree()->model();
@@ -49,7 +50,7 @@ TEST_F(ProfilePageTest, TheSearchLooksThroughNamesAndMeanings)
     EXPECT_GT(tree()->model()->rowCount(tree()->model()->index(0, 0)), 5);
 }
 
-// REQ-UI-906: The page of the profile names each setting in plain words. The key of the file is only in the tooltip.
+// REQ-UI-906: The page of the profile names each setting in plain words. The key in the file is only in the tooltip.
 // The settings about the motion of the mount have a picture.
 TEST_F(ProfilePageTest, EverySettingHasANameAndItsKeyIsInTheTooltip)
 {
@@ -113,7 +114,7 @@ TEST_F(ProfilePageTest, AValueIsEditedByKeyboardAppliedAndReverted)
 }
 
 // REQ-UI-29
-// REQ-UI-953: The beam width can be reckoned from dish and frequency, or from the gain.
+// REQ-UI-953: The beam width can be computed from dish and frequency, or from the gain.
 TEST_F(ProfilePageTest, TheBeamWidthComesFromDishOrGain)
 {
     EXPECT_FALSE(named<QPushButton>("Use the beam width of the dish")->isVisible());
@@ -191,8 +192,8 @@ TEST_F(ProfilePageTest, WhatWaitsForAReconnectIsMarkedAndShownAlone)
     EXPECT_TRUE(says("Waits for a reconnect: Set-points per second (Control)"));
 }
 
-// REQ-UI-30: Choosing a mount does nothing. Switching asks with the differences, is one Reconnect, and is offered
-// neither in motion nor over edits.
+// REQ-UI-30: Selecting a mount does nothing. Switching asks with the differences, is one Reconnect, and is not offered
+// during motion or with open edits.
 TEST_F(ProfilePageTest, SwitchingAsksWithTheDifferencesAndIsOneRequest)
 {
     EXPECT_FALSE(named<CommandButton>("Switch …")->isEnabled()) << "Roof is in force";

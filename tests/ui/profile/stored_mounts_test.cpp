@@ -140,7 +140,7 @@ TEST_F(ProfilePageTest, AFileOfTheSimulatedMountDoesNotReplaceARealOnes)
     EXPECT_EQ(*profile::loadProfile(fieldFile), field);
 }
 
-// Else it could be imported over the file of the real mount, with all that was found in the simulation.
+// Otherwise it could be imported over the file of the real mount, with all calibrations from the simulation.
 // REQ-PROFILE-17a
 TEST_F(ProfilePageTest, AnExportFromASimulationNamesNoBus)
 {
@@ -177,8 +177,8 @@ TEST_F(ProfilePageTest, ADuplicateMadeInTheSimulationIsOfTheMountItself)
     EXPECT_EQ(*profile::loadProfile(copy->path), wanted);
 }
 
-// REQ-UI-31: What overwrites a profile shows the differences first and keeps the version before. A wrong file is
-// refused with line and reason. What the command line overrides is not taken back.
+// REQ-UI-31: An action that overwrites a profile shows the differences first, and the previous version is kept. An
+// invalid file is refused with line and reason. Settings overridden by the command line are not reverted.
 TEST_F(ProfilePageTest, AnImportOverAnotherMountShowsWhatItWouldChangeAndKeepsTheVersionBefore)
 {
     Profile changed = field;
@@ -217,7 +217,7 @@ TEST_F(ProfilePageTest, TheLastSavedChangeIsTakenBackKeyByKey)
     changed.park.azimuth = 77_deg;
     ASSERT_TRUE(store.save(changed, roofFile));
     Profile applied = changed;
-    applied.bus = "socketcan:can7";  // what the command line says is nobody's to take back
+    applied.bus = "socketcan:can7";  // the command line sets this, so it is not reverted
     put(applied);
     fromMenu("Undo the last saved change …");
     ASSERT_TRUE(asks());

@@ -21,7 +21,7 @@
 namespace boresight::ui {
 namespace {
 
-// The plain tone of the sky at this elevation, in any theme. A raster rounds.
+// The plain colour of the sky at this elevation, in any theme. The picture has rounding errors.
 bool isSky(const QColor& colour, Angle elevation)
 {
     const double part = 1.0 - elevation / 90_deg;
@@ -45,7 +45,7 @@ protected:
     }
     SkyMarkers& markers() { return *plot.findChild<SkyMarkers*>(); }
     QColor pixel(QPointF at) { return plot.grab().toImage().pixelColor(at.toPoint()); }
-    // Nothing is drawn there, nor beside it.
+    // Nothing is drawn there or next to it.
     bool isFree(const SkyPointing& direction)
     {
         const QImage image = plot.grab().toImage();
@@ -61,7 +61,7 @@ protected:
     PolarPlot plot;
 };
 
-// A wrong origin or direction of Qwt's azimuth scale would put the grid elsewhere than the markers.
+// A wrong origin or direction of Qwt's azimuth scale would draw the grid at another place than the markers.
 // REQ-UI-08
 TEST_F(PlotTest, QwtAndTheMarkersAgree)
 {
@@ -91,9 +91,10 @@ TEST_F(PlotTest, ActualIsPaintedWhereItPointsAndOnlyWhileItIsLive)
     EXPECT_FALSE(plot.markers().markers().commanded.has_value());
 }
 
-// Story: the plot showed an antenna of a mount with an azimuth only at the horizon, and a keep-out that held for all
-// elevations as a part of them.
-// REQ-MOUNT-14: The plot shows the beam of a mount with one axis as a line, which is all places that it may have. What
+// Story: for a mount with an azimuth only, the plot showed the antenna at the horizon. A keep-out for all elevations
+// was drawn as a part of them.
+// REQ-MOUNT-14: The plot shows the beam of a mount with one axis as a line of all its possible places. Forbidden areas
+// are drawn as they apply, and no text contains the missing angle.
 // is forbidden is drawn as it holds, and no text has the angle that is missing.
 TEST_F(PlotTest, TheBeamOfAMountWithOneAxisIsALine)
 {
@@ -179,7 +180,7 @@ TEST_F(PlotTest, ThePastPathGrowsWithTheMotionAndNotWithOldData)
     EXPECT_EQ(plot.markers().trail().length(), length);
 }
 
-// A jump after silence is not a way the mount went.
+// A jump after silence is not a part of the path.
 TEST_F(PlotTest, ThePastPathHasAGapWhereTheMountWasNotSeen)
 {
     for (const double second : {300.0, 301.0, 302.0, 60.0, 70.0, 80.0}) {
@@ -225,8 +226,8 @@ TEST_F(PlotTest, IsDescribedInWords)
     EXPECT_TRUE(plot.accessibleDescription().startsWith(QStringLiteral("Last seen at az 62.0°")));
 }
 
-// REQ-UI-20: The plot draws the region of the profile in force, again only when it changes. What is edited is dashed
-// until applied.
+// REQ-UI-20: The plot draws the region of the profile in effect, again only when it changes. Edits are dashed until
+// applied.
 TEST_F(PlotTest, TheRegionInForceIsDrawnAndItsNewOneWithTheNextStatus)
 {
     applyTheme(ThemeKind::Day);
@@ -252,7 +253,7 @@ TEST_F(PlotTest, TheSunIsDrawnWhileTheBeamIsKeptAwayFromIt)
     const auto shade = [this](Angle azimuth, Angle elevation) {
         return pixel(plot.markers().projection().toPixel({azimuth, elevation}));
     };
-    const auto isShaded = [&](const SkyPointing& middle) {  // hatched: look at some pixels
+    const auto isShaded = [&](const SkyPointing& middle) {  // hatched, so several pixels are checked
         for (const Angle beside : {0_deg, 0.7_deg, 1.4_deg}) {
             if (!isSky(shade(middle.azimuth + beside, middle.elevation + beside), middle.elevation + beside)) {
                 return true;
@@ -311,7 +312,7 @@ TEST_F(PlotTest, ThePastPathIsAQuarterOfAnHourLong)
     EXPECT_LE(plot.markers().trail().length(), 17u);
 }
 
-// REQ-UI-23: The magnified plot is framed, with its scale, and moves only when the target leaves its inner half.
+// REQ-UI-23: The magnified plot has a frame and a scale, and moves only when the target leaves its inner half.
 TEST_F(PlotTest, ZoomMagnifiesAroundTheTargetAndSaysSo)
 {
     applyTheme(ThemeKind::Day);

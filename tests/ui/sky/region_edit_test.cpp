@@ -77,7 +77,7 @@ TEST(RegionDrag, AnAzimuthLimitKeepsItsTurnAndStopsAtTheTravel)
     const Grip max{RegionPart::AzimuthMax};
     EXPECT_EQ(dragged(region, max, {90_deg, 5_deg}, {60.2_deg, 3_deg}).azimuth.max, 420_deg);
     EXPECT_EQ(dragged(region, max, {90_deg, 5_deg}, {120_deg, 3_deg}).azimuth.max, 450_deg);
-    // Back through north in steps, as a hand goes.
+    // Back through north in steps, as a hand drags.
     RegionDrag drag(region, kTravel, max, {90_deg, 5_deg});
     Region now;
     for (const Angle azimuth : {30_deg, 350_deg, 300_deg}) {
@@ -113,7 +113,7 @@ TEST(RegionDrag, AHorizonPointPassesOthersAndNorthAndKeepsTheOrder)
     now = drag.to({350_deg, 10_deg}, 0.5_deg);
     EXPECT_EQ(drag.grip().index, 2u);
     EXPECT_EQ(now.horizon[2].azimuth, 350_deg);
-    now = drag.to({100_deg, 30_deg}, 0.5_deg);  // taken: the azimuth stays, each is there once
+    now = drag.to({100_deg, 30_deg}, 0.5_deg);  // already used: the azimuth stays, because each is allowed once
     EXPECT_EQ(now.horizon.size(), 3u);
     EXPECT_EQ(now.horizon[0].azimuth, 30_deg);
     EXPECT_EQ(now.horizon[0].elevation, 30_deg);
@@ -128,7 +128,7 @@ TEST(RegionDrag, SidesAndWholeOfAKeepOut)
     EXPECT_EQ(drag({.to = true, .max = true}, {20_deg, 45_deg}), (KeepOut{"mast", 350_deg, 30_deg, 30_deg, 55_deg}));
     EXPECT_EQ(drag({true, true, true, true}, {90_deg, 30_deg}), (KeepOut{"mast", 80_deg, 100_deg, 20_deg, 40_deg}));
     EXPECT_EQ(drag({true, true, true, true}, {0_deg, 90_deg}).elevationMax, 90_deg);
-    // Drawn together it stays half a degree wide, whichever way the hand goes on.
+    // Made as narrow as possible it stays half a degree wide, in whatever direction the drag continues.
     EXPECT_EQ(drag({.to = true}, {300_deg, 40_deg}).azimuthTo, 350.5_deg);
     EXPECT_EQ(drag({.min = true}, {0_deg, 85_deg}).elevationMin, 49.5_deg);
 }
@@ -155,9 +155,9 @@ Angle heightAt(const Region& region, Angle azimuth)
     return pointing::Skyline(region.horizon).at(azimuth);
 }
 
-// Story: the first point of a horizon raised it all round, and the park position lay below it.
-// REQ-UI-710: A new point of a level horizon changes it within 15° only. A sky without a horizon is level at 0°, or at
-// the lowest elevation that the beam reaches.
+// Story: the first point of a horizon raised it all round, and the park position was below it.
+// REQ-UI-710: A new point of a level horizon changes it only within 15°. A sky without a horizon is level at 0°, or at
+// the lowest elevation that the beam can reach.
 TEST(RegionEdit, AFirstHorizonPointIsAHill)
 {
     Region region;
@@ -214,7 +214,7 @@ TEST(RegionEdit, SaysWhatIsHeld)
               QStringLiteral("mast\naz 350.0°…10.0°\nel 30.0°…50.0°"));
 }
 
-// A mount that does not know north: its limits lie where the beam looks there, and are dragged there.
+// On a mount that does not know north, limits are drawn and dragged where the beam points.
 // REQ-UI-39
 TEST(RegionDrag, LimitsOfAMountThatLeansAreHeldWhereTheyLook)
 {
@@ -236,7 +236,7 @@ TEST(RegionDrag, LimitsOfAMountThatLeansAreHeldWhereTheyLook)
     EXPECT_EQ(drag(RegionPart::AzimuthMax, {300_deg, 40_deg}, {280.1_deg, 70_deg}).azimuth.max, 280_deg);
     EXPECT_EQ(drag(RegionPart::AzimuthMin, {40_deg, 40_deg}, {60.1_deg, 20_deg}).azimuth.min, 60_deg);
     EXPECT_EQ(drag(RegionPart::ElevationMin, {50_deg, 0_deg}, {80_deg, 7.3_deg}).elevation.min, 7.5_deg);
-    // A point of the horizon is a direction.
+    // A point of the horizon is a true direction.
     const Grip point{RegionPart::HorizonPoint, 0};
     EXPECT_EQ(RegionDrag(region, leaning, point, {30_deg, 10_deg}).to({40.1_deg, 12.1_deg}, 0.5_deg).horizon[0],
               (HorizonPoint{40_deg, 12_deg}));

@@ -11,7 +11,7 @@
 namespace boresight::ui {
 namespace {
 
-// REQ-UI-08 (SkyProjection.*): The plot has north up and east right. Qwt's grid lies where the markers are.
+// REQ-UI-08 (SkyProjection.*): The plot has north up and east right. Qwt's grid agrees with the markers.
 TEST(SkyProjection, NorthIsUpAndEastIsRight)
 {
     const SkyProjection sky{QPointF(100, 100), 90.0};
@@ -87,7 +87,7 @@ TEST(SkyLimits, TheHorizonIsClosedThroughNorth)
     const SkyProjection sky{QPointF(250, 250), 225.0};
     const QPainterPath line = horizonLine({{90_deg, 20_deg}, {270_deg, 40_deg}}, sky);
     EXPECT_TRUE(horizonLine({}, sky).isEmpty());
-    // Half way between the points, on both sides: 30°. Inside the line is the sky above the horizon.
+    // Halfway between the points, on both sides: 30°. The area inside the line is the sky above the horizon.
     for (const Angle azimuth : {0_deg, 180_deg}) {
         EXPECT_TRUE(line.contains(sky.toPixel({azimuth, 30.5_deg})));
         EXPECT_FALSE(line.contains(sky.toPixel({azimuth, 29.5_deg})));

@@ -34,7 +34,7 @@ bool alike(const QColor& one, const QColor& other)
            std::abs(one.blue() - other.blue()) <= 8;
 }
 
-// A pass over a mast, with all that the plot can show.
+// A pass across a mast, with everything that the plot can show.
 StationStatus everything()
 {
     StationStatus status = samples::bounded();
@@ -80,7 +80,7 @@ protected:
     static void paintIn(ThemeKind theme)
     {
         applyTheme(theme);
-        QApplication::processEvents();  // widgets get their palette by an event
+        QApplication::processEvents();  // widgets receive their palette by an event
     }
     QColor pixelAt(QPointF at) { return plot.grab().toImage().pixelColor(at.toPoint()); }
     QColor skyPixel(const SkyPointing& at) { return pixelAt(plot.markers().projection().toPixel(at)); }
@@ -134,8 +134,8 @@ protected:
     PolarPlot plot;
 };
 
-// REQ-UI-700: The disc of the sky is nine tenths of its square. Tools, distance, legend and cable stand in the free
-// corners and overlap neither the disc nor its ring and labels, at 440 px of disc and more.
+// REQ-UI-700: The disc of the sky takes nine tenths of its square. Tools, distance, legend and cable are in the free
+// corners and overlap neither the disc nor its ring and labels, for discs of 440 px and more.
 TEST_F(SkyLook, TheDiscIsNineTenthsAndTheCornersAreFree)
 {
     show(unwrapping());
@@ -166,7 +166,7 @@ TEST_F(SkyLook, WhatIsInACornerIsWhole)
     }
 }
 
-// REQ-UI-701: The plot shows how far the mount is off its target, as an angle on the sky.
+// REQ-UI-701: The plot shows the distance of the mount from its target, as an angle on the sky.
 TEST_F(SkyLook, OffByIsAnAngleOnTheSky)
 {
     StationStatus status = samples::bounded();
@@ -178,8 +178,8 @@ TEST_F(SkyLook, OffByIsAnAngleOnTheSky)
     EXPECT_EQ(words("Off by"), QString()) << "an old place is no error";
 }
 
-// REQ-UI-702: The tone of the sky goes from the rim to the zenith, and the land below the horizon is filled, in every
-// theme.
+// REQ-UI-702: In every theme the colour of the sky changes from the rim to the zenith, and the land below the horizon
+// is filled.
 TEST_F(SkyLook, TheSkyHasATone)
 {
     show(samples::bounded());
@@ -191,8 +191,8 @@ TEST_F(SkyLook, TheSkyHasATone)
     }
 }
 
-// REQ-UI-703: The azimuth cable is a ring around the sky, and a spiral where its travel exceeds a turn. It shows the
-// used part, both ends, a warning zone before each, and where the axis is.
+// REQ-UI-703: The azimuth cable is a ring around the sky, and a spiral if its travel exceeds 360°. It shows the used
+// part, both ends, a warning zone before each, and the position of the axis.
 TEST_F(SkyLook, TheCableIsASpiralWithItsUsedPart)
 {
     StationStatus status = samples::bounded();  // travel -90° to 450°
@@ -214,9 +214,9 @@ TEST_F(SkyLook, TheCableIsASpiralWithItsUsedPart)
     EXPECT_EQ(words("Travel of the azimuth cable"), QStringLiteral("travel -90…450°"));
 }
 
-// Story: after north was set the dot of the cable was at the axis angle, and the beam somewhere else.
-// REQ-UI-976: Once north is set the ring is turned with it: the dot of the cable is beside the beam, and each end is
-// where the beam looks when the axis stands there.
+// Story: after north was set the dot of the cable was at the axis angle, and the beam at another azimuth.
+// REQ-UI-976: Once north is set the ring is turned along: the dot of the cable is beside the beam, and each end is
+// where the beam points when the axis stands there.
 TEST_F(SkyLook, TheCableIsTurnedWithNorth)
 {
     StationStatus status = samples::bounded();  // travel -90° to 450°
@@ -258,7 +258,7 @@ TEST_F(SkyLook, TheCableIsAPlainRingWithoutOverlap)
     EXPECT_TRUE(alike(pixelAt(ring.pixel(200_deg)), currentTheme().grid));
 }
 
-// REQ-UI-704: While the wrap of the azimuth is unknown the ring shows no used part and the words say so. A screen
+// REQ-UI-704: While the wrap of the azimuth is unknown the ring shows no used part, and the words say so. A screen
 // reader gets the cable in sentences.
 TEST_F(SkyLook, AnUnknownWrapShowsNoUsedPart)
 {
@@ -282,8 +282,8 @@ TEST_F(SkyLook, AnUnknownWrapShowsNoUsedPart)
         << plot.accessibleDescription().toStdString();
 }
 
-// REQ-UI-1653: A rotator that counts its turns itself has no unknown wrap: while it is silent its place is unknown, and
-// nothing else.
+// REQ-UI-1653: A rotator that counts its turns itself never has an unknown wrap. While it is silent only its position
+// is unknown.
 TEST_F(SkyLook, ASilentRotatorThatCountsItselfHasNoUnknownWrap)
 {
     StationStatus status = samples::bounded();
@@ -309,7 +309,7 @@ TEST_F(SkyLook, AMountWithoutAnAzimuthHasNoCable)
     EXPECT_FALSE(plot.markers().cable().isThere());
 }
 
-// REQ-UI-705: A slew shows the way the mount will go, with the time of arrival at its end.
+// REQ-UI-705: During a slew the plot shows the coming way of the mount, with the time of arrival at its end.
 TEST_F(SkyLook, TheWayOfASlewIsTheOneThatTheStationReports)
 {
     show(unwrapping());
@@ -319,7 +319,7 @@ TEST_F(SkyLook, TheWayOfASlewIsTheOneThatTheStationReports)
     EXPECT_TRUE(plot.markers().markers().way.empty()) << "no slew, no way";
 }
 
-// REQ-UI-706: The warning colour is for an error that nobody planned: the rest of a slew is no error.
+// REQ-UI-706: The warning colour is only for an unplanned error: the rest of a slew is no error.
 TEST_F(SkyLook, APlannedWayIsNoError)
 {
     StationStatus status = unwrapping();
@@ -336,7 +336,7 @@ TEST_F(SkyLook, APlannedWayIsNoError)
     EXPECT_EQ(plot.markers().markers().expected, status.target);
 }
 
-// REQ-UI-707: Sun and Moon are drawn where they are while they are above the horizon.
+// REQ-UI-707: Sun and Moon are drawn at their places while they are above the horizon.
 TEST_F(SkyLook, SunAndMoonAreWhereTheyAre)
 {
     show(everything());
@@ -355,8 +355,8 @@ TEST_F(SkyLook, SunAndMoonAreWhereTheyAre)
     EXPECT_EQ(plot.markers().bodies()[0].body, ephemeris::Body::Moon);
 }
 
-// REQ-UI-713: What changes on the plot is painted anew everywhere, also below words that are not shown now: the legend
-// names the sensor as soon as there is one.
+// REQ-UI-713: A change of the plot is repainted everywhere, also below hidden words: the legend names the sensor as
+// soon as there is one.
 TEST_F(SkyLook, TheScreenShowsTheLegendOfNow)
 {
     StationStatus status = samples::tracking(1);
@@ -391,7 +391,8 @@ TEST(SkyTrail, FadesOverAMinute)
 }
 
 // REQ-UI-709: A right click offers Go here, Add horizon point and Keep-out here. The last two are edits of the draft
-// and open the editing. What cannot be done is disabled with its reason. Opening the menu moves and changes nothing.
+// and open the editing. An action that is not possible is disabled with its reason. Opening the menu moves and changes
+// nothing.
 TEST_F(SkyLook, TheMenuOffersWhatCanBeDoneThere)
 {
     show(everything());
@@ -464,7 +465,7 @@ TEST_F(SkyLook, APictureHasTheWordsOfTheCorners)
     EXPECT_GT(inked, 5);
 }
 
-// For the eye: pictures/sky-*.png of the folder it runs in.
+// Pictures to look at: pictures/sky-*.png in the working folder.
 TEST_F(SkyLook, Pictures)
 {
     StationStatus pass = everything();

@@ -15,7 +15,7 @@ using namespace std::chrono_literals;
 const SkyProjection kPathSky{.zenith = {200.0, 200.0}, .radius = 180.0};
 const UtcTime kPathBegin{std::chrono::sys_days{std::chrono::year{2026} / 3 / 1} + 5h + 10min + 30s};
 
-// From the west horizon over the zenith to the east horizon in so long, hidden below 30° in the east.
+// From the west horizon over the zenith to the east horizon in this time, hidden below 30° in the east.
 targets::SkyWay overTheZenith(UtcTime::duration length)
 {
     constexpr int kParts = 36;
@@ -30,8 +30,9 @@ targets::SkyWay overTheZenith(UtcTime::duration length)
     return way;
 }
 
-// REQ-PASSES-953: The plot shows the way of what is tracked, and of the selected pass: with a dot at each whole minute,
-// or hour of a long way, the times of both ends, and dotted where the limits hide it. What is over is not shown.
+// REQ-PASSES-953: The plot shows the path of the tracked target and of the selected pass: with a dot at each whole
+// minute, or each hour of a long path, the times of both ends, and dotted where the limits hide it. The past part is
+// not shown.
 TEST(SkyPath, HasADotAtEachWholeMinuteAndTheTimesOfItsEnds)
 {
     SkyPath path;
@@ -75,7 +76,7 @@ TEST(SkyPath, ALongWayHasADotEachHour)
     EXPECT_EQ(path.dots().size(), 9U);
 }
 
-// Of a way along the horizon as of one that comes straight up.
+// For a path along the horizon as well as for one that rises vertically.
 TEST(SkyPath, ATimeStandsBesideTheWayAndNotOnIt)
 {
     SkyPath path;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The figures and the curves of a run, each by itself.
+// The figures and the curves of a run, tested separately.
 #include "tests/ui/tuning/tuning_fixture.h"
 #include "ui/kit/theme.h"
 #include "ui/tuning/figures_model.h"
@@ -10,8 +10,8 @@
 namespace boresight::ui {
 namespace {
 
+// Story: the first frequency of one run gave no result, and 0.3 Hz was compared with 0.6 Hz.
 // REQ-TUNING-33: Figures before and after are paired by their names.
-// Story: where the first frequency of one run told nothing, the swings of 0.3 Hz stood beside those of 0.6 Hz.
 TEST(FiguresModelTest, PairsByName)
 {
     TuningResult before = sampleResult(TuningRun::Sweep, true);
@@ -32,7 +32,7 @@ TEST(FiguresModelTest, PairsByName)
     EXPECT_EQ(cell(2, FiguresModel::After), "0.70×,");
 }
 
-// REQ-TUNING-34: What is selected in the table of figures stays when only values change.
+// REQ-TUNING-34: The selection in the table of figures stays when only values change.
 TEST(FiguresModelTest, RowsStay)
 {
     const TuningResult before = sampleResult(TuningRun::Step, true);
@@ -45,8 +45,8 @@ TEST(FiguresModelTest, RowsStay)
     EXPECT_NE(model.index(0, FiguresModel::After).data().toString(), QStringLiteral("---"));
 }
 
-// REQ-TUNING-35: Where a drive reports no torque, the curve has a gap.
 // Story: a torque that was not reported was drawn as 0 Nm.
+// REQ-TUNING-35: Where a drive reports no torque, the curve has a gap.
 TEST(ResponseChartTest, HasAGapWhereNothingIsReported)
 {
     TuningResult result = sampleResult(TuningRun::Step, false);

@@ -29,8 +29,8 @@ protected:
     bool isWriteEnabled() { return named<CommandButton>("Write")->isEnabled(); }
 };
 
-// REQ-UI-932: A gain is changed from the table within its bounds; what is on trial says so; storing asks first and
-// lists what changes.
+// REQ-UI-932: A gain is changed in the table within its bounds. A gain on trial is marked. Storing asks first and lists
+// the changes.
 TEST_F(GainsPageTest, AGainIsChangedAndStored)
 {
     select(Gain::Damping);
@@ -53,8 +53,8 @@ TEST_F(GainsPageTest, AGainIsChangedAndStored)
     EXPECT_EQ(asked<request::StoreGains>().size(), 1U);
 }
 
-// REQ-TUNING-28: A gain is shown with as many decimals as its bounds ask for, and can be stepped from 0.
 // Story: a feed-forward of 0.0001 was shown as 0.000, and a step from 0 was 0.
+// REQ-TUNING-28: A gain is shown with the decimals that its bounds need, and can be stepped from 0.
 TEST_F(GainsPageTest, SmallGainsAreShownAndStepped)
 {
     GainLine& small = line(Gain::InertiaFeedforward);
@@ -77,8 +77,8 @@ TEST_F(GainsPageTest, SmallGainsAreShownAndStepped)
     EXPECT_NEAR(box().value(), 211062.0, 1.0);
 }
 
-// REQ-TUNING-29: What was not edited is not written.
-// Story: Write without an edit wrote the value as the box had rounded it.
+// Story: Write without an edit wrote the value that the box had rounded.
+// REQ-TUNING-29: A gain that was not edited is not written.
 TEST_F(GainsPageTest, WriteNeedsAnEdit)
 {
     line(Gain::Stiffness).value = 201062.4;
@@ -100,8 +100,8 @@ TEST_F(GainsPageTest, WriteNeedsAnEdit)
     EXPECT_DOUBLE_EQ(asked<request::SetGain>().back().value, 800000.0);
 }
 
-// REQ-TUNING-30: A typed gain stays until the axis, the row or the value in force changes.
-// Story: whenever the permission to write came or went, the typed value was overwritten.
+// Story: whenever the permission to write changed, the typed value was overwritten.
+// REQ-TUNING-30: A typed gain stays until the axis, the row or the value in effect changes.
 TEST_F(GainsPageTest, ATypedGainStays)
 {
     select(Gain::Damping);
@@ -130,7 +130,7 @@ TEST_F(GainsPageTest, ATypedGainStays)
     EXPECT_DOUBLE_EQ(box().value(), 60.0);
 }
 
-// REQ-TUNING-31: Put back asks first where the encoder filter is among the gains, for the wrap is unknown afterwards.
+// REQ-TUNING-31: Restoring asks first if the encoder filter is among the gains, because the wrap is unknown afterwards.
 TEST_F(GainsPageTest, PutBackAsksBeforeTheFilter)
 {
     gains() = sampleGains(kOtherDamping);
@@ -147,7 +147,7 @@ TEST_F(GainsPageTest, PutBackAsksBeforeTheFilter)
     EXPECT_EQ(asked<request::PutGainsBack>().size(), 2U);
 }
 
-// REQ-TUNING-32: Whichever gain needs the drives off asks first and has the permission for it.
+// REQ-TUNING-32: Every gain that needs the drives off asks first and has the permission for this.
 TEST_F(GainsPageTest, WhatNeedsTheDrivesOffAsksFirst)
 {
     line(Gain::IntegralLimit).needsOff = true;

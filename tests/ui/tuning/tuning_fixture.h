@@ -34,7 +34,7 @@ inline DriveGains sampleGains(double damping = kFoundDamping)
     return gains;
 }
 
-// With the gains as found, or with the other damping.
+// With the gains first found, or with the other damping.
 inline TuningResult sampleResult(TuningRun run, bool asFound, double error = 0.01)
 {
     TuningResult result{.run = run,
@@ -76,7 +76,7 @@ protected:
         status.drives->azimuth.gains = sampleGains();
     }
 
-    // What is in `status` and `tuning`.
+    // Shows the contents of `status` and `tuning`.
     void show()
     {
         status.tuning = std::make_shared<const TuningStatus>(tuning);

@@ -30,8 +30,8 @@ protected:
     TuningPanelTest() { open<TuningPanel>(); }
 };
 
-// REQ-UI-930: The first tuning of an axis leads from press to press: gains, step, ramp, swings, and ends with a
-// verdict. Each run is a press of its own, which asks first and says where it moves.
+// REQ-UI-930: The first tuning of an axis leads from press to press: gains, step, ramp, sweep, and ends with a verdict.
+// Each run needs a separate press, which asks first and says where it moves.
 TEST_F(TuningPanelTest, TheFirstTuningLeadsFromPressToPress)
 {
     gains() = {};
@@ -73,9 +73,9 @@ TEST_F(TuningPanelTest, ARunAsksFirstAndSaysWhereItMoves)
     EXPECT_EQ(started().back().run, TuningRun::Ramp);
 }
 
-// REQ-TUNING-23: A result of the first tuning counts only for the gains with which it was measured. With others in
-// force the run is to be made again.
-// Story: after Write the panel still said "well tuned", of gains that were no longer in force.
+// Story: after Write the panel still said "well tuned", about gains that were not in effect any more.
+// REQ-TUNING-23: A result of the first tuning counts only for the gains with which it was measured. With other gains in
+// effect the run must be repeated.
 TEST_F(TuningPanelTest, ResultsCountForTheGainsInForce)
 {
     show(firstResults(true));
@@ -87,7 +87,7 @@ TEST_F(TuningPanelTest, ResultsCountForTheGainsInForce)
     results.push_back(sampleResult(TuningRun::Step, false));
     show(results);
     EXPECT_THAT(first(), HasSubstr("First tuning, 3 of 5"));
-    gains() = sampleGains(kFoundDamping * (1.0 + 5e-6));  // put back, as the drive prints it
+    gains() = sampleGains(kFoundDamping * (1.0 + 5e-6));  // restored, as the drive prints it
     show();
     EXPECT_THAT(first(), HasSubstr("well tuned"));
     gains().lines.back().value.reset();
@@ -95,7 +95,7 @@ TEST_F(TuningPanelTest, ResultsCountForTheGainsInForce)
     EXPECT_THAT(first(), HasSubstr("2 of 5")) << "not known to be the same";
 }
 
-// REQ-TUNING-24: The verdict of a run that is shown is the one that counts in the first tuning.
+// REQ-TUNING-24: The verdict shown for a run is the one that counts in the first tuning.
 TEST_F(TuningPanelTest, OneVerdictIsShownAndCounts)
 {
     auto results = firstResults(true);
@@ -116,8 +116,8 @@ TEST_F(TuningPanelTest, OneVerdictIsShownAndCounts)
     EXPECT_THAT(state(), HasSubstr("Moves the azimuth")) << "to be measured with these gains";
 }
 
-// REQ-TUNING-25: Why a run ended without a result is shown at this run of this axis only.
-// Story: after one run was ended, each kind of run of both axes showed that STOP had ended it.
+// Story: after one run was ended by STOP, every kind of run of both axes was shown as ended by STOP.
+// REQ-TUNING-25: The reason why a run ended without a result is shown only at this run of this axis.
 TEST_F(TuningPanelTest, AFailedRunIsShownAtItsOwnPlace)
 {
     tuning.outcome = {.axis = Axis::Azimuth,
@@ -136,9 +136,9 @@ TEST_F(TuningPanelTest, AFailedRunIsShownAtItsOwnPlace)
     EXPECT_THAT(state(), HasSubstr("Moves the"));
 }
 
-// REQ-TUNING-26: A run is shown when it begins, and can be ended from its page. The figures of the others may be looked
-// at meanwhile.
 // Story: during a run a press on another kind of run did nothing.
+// REQ-TUNING-26: A run is shown when it begins, and can be ended from its page. The figures of other runs can be viewed
+// meanwhile.
 TEST_F(TuningPanelTest, OtherFiguresCanBeSeenDuringARun)
 {
     show({sampleResult(TuningRun::Step, true)});
@@ -163,7 +163,7 @@ TEST_F(TuningPanelTest, OtherFiguresCanBeSeenDuringARun)
     EXPECT_TRUE(named<CommandButton>("Measure …")->isEnabled());
 }
 
-// REQ-TUNING-27: The panel leaves an axis whose drive is not there, whichever of the two it is.
+// REQ-TUNING-27: The panel changes to the other axis if the drive of the shown axis is missing.
 TEST_F(TuningPanelTest, AMissingAxisIsLeft)
 {
     for (const bool azimuth : {false, true}) {
@@ -182,7 +182,7 @@ TEST_F(TuningPanelTest, AMissingAxisIsLeft)
     }
 }
 
-// REQ-UI-931: The figures and curves of a run before and after a change of the gains stand side by side.
+// REQ-UI-931: The figures and curves of a run before and after a change of the gains are side by side.
 TEST_F(TuningPanelTest, BeforeAndAfterStandSideBySide)
 {
     show({sampleResult(TuningRun::Step, true, 0.01), sampleResult(TuningRun::Step, false, 0.03)});

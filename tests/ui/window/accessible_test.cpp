@@ -13,8 +13,7 @@
 #include <QSet>
 #include <QWindow>
 
-// What a screen reader is told and what the keyboard reaches: on each panel, in each step of the guide, on the help
-// page.
+// What a screen reader reads and what the keyboard reaches: on each panel, in each step of the guide, on the help page.
 namespace boresight::ui {
 namespace {
 
@@ -23,7 +22,7 @@ std::string nameOf(const QWidget& widget)
     return std::string(widget.metaObject()->className()) + " \"" + widget.accessibleName().toStdString() + "\"";
 }
 
-// A part of a control of Qt's own, which speaks for it.
+// A part of one of Qt's own controls, which has the name for it.
 bool isPart(const QWidget& widget)
 {
     return widget.focusProxy() != nullptr || qobject_cast<const QComboBox*>(widget.parentWidget()) != nullptr ||
@@ -38,7 +37,7 @@ bool takesFocus(const QWidget& widget)
 class AccessibleTest : public WindowFixture
 {
 protected:
-    // All that the window can show, one after the other.
+    // Everything that the window can show, one after the other.
     template <class Check>
     void everywhere(Check check)
     {
@@ -72,7 +71,8 @@ protected:
         return QApplication::focusWidget();
     }
 
-    // In the order of Tab, from the control that has the focus; ends where it comes round, or after too many.
+    // The widgets in the order of Tab, from the control that has the focus. Ends when it comes round, or after too
+    // many.
     static QList<QWidget*> tabRound(QWidget& top)
     {
         QList<QWidget*> round;
@@ -84,7 +84,7 @@ protected:
 };
 
 // REQ-UI-37 (AccessibleTest.*): A screen reader gets the name and role of each control and the value of each readout.
-// Tab reaches all, from above to below, and is never caught. The focus is seen in every theme.
+// Tab reaches all controls from top to bottom, and can leave each of them. The focus is visible in every theme.
 TEST_F(AccessibleTest, EveryControlHasANameAndARole)
 {
     everywhere([](QWidget& top) {
@@ -136,7 +136,7 @@ TEST_F(AccessibleTest, TabReachesEveryControlAndIsNeverCaught)
         const QList<QWidget*> round = tabRound(top);
         ASSERT_LT(round.size(), 200) << "it does not come round";
         for (QWidget* const widget : top.findChildren<QWidget*>()) {
-            // Of exclusive choices one stands for all: the arrows go on to the others.
+            // One of several exclusive choices counts for all, because the arrow keys reach the others.
             const auto* const choice = qobject_cast<QAbstractButton*>(widget);
             const bool byArrows = choice != nullptr && choice->group() != nullptr && !choice->isChecked();
             if (takesFocus(*widget) && !isPart(*widget) && widget->window() == &top && !byArrows) {
@@ -149,7 +149,7 @@ TEST_F(AccessibleTest, TabReachesEveryControlAndIsNeverCaught)
     });
 }
 
-// Within the panel from above to below; a control beside the one before may stand a little higher.
+// Within the panel from top to bottom. A control beside the previous one may be slightly higher.
 TEST_F(AccessibleTest, TabGoesFromAboveToBelow)
 {
     everywhere([](QWidget& top) {
@@ -160,7 +160,7 @@ TEST_F(AccessibleTest, TabGoesFromAboveToBelow)
         std::string where;
         for (qsizetype i = 1; i < round.size(); ++i) {
             const bool both = isInPanel(round[i - 1]) && isInPanel(round[i]);
-            // Wholly above it: not beside it, in another column.
+            // Completely above it, not beside it in another column.
             if (both && place(round[i]).bottom() < place(round[i - 1]).top()) {
                 ++upwards;
                 where += nameOf(*round[i - 1]) + " -> " + nameOf(*round[i]) + "; ";
@@ -184,7 +184,7 @@ protected:
         }
         return different;
     }
-    // With what surrounds it, where a frame may be drawn.
+    // With its surroundings, where a frame may be drawn.
     static QImage picture(QWidget& top, QWidget& widget)
     {
         return top.grab(QRect(widget.mapTo(&top, QPoint()), widget.size()).adjusted(-3, -3, 3, 3)).toImage();
@@ -211,7 +211,7 @@ TEST_P(FocusIsSeen, OnEveryControl)
     applyTheme(ThemeKind::Day);
 }
 
-// REQ-UI-1590: A control of a panel that scrolls comes into sight with the focus, also where no Tab brought it there.
+// REQ-UI-1590: A control of a scrolling panel scrolls into view when it receives the focus, also without Tab.
 TEST_F(AccessibleTest, AControlWithTheFocusComesIntoSight)
 {
     auto* const room = window.findChild<QScrollArea*>();

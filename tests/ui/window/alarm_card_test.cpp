@@ -16,7 +16,7 @@
 namespace boresight::ui {
 namespace {
 
-constexpr QSize kWithRoom{1920, 1080};  // for a line of each sentence
+constexpr QSize kWithRoom{1920, 1080};  // room for one line for each sentence
 
 class AlarmCardTest : public WindowFixture
 {
@@ -26,9 +26,9 @@ protected:
     bool seen(const char* button) { return named<QPushButton>(button)->isVisible(); }
 };
 
-// REQ-UI-802 (AlarmCardTest.*): The alarm on top stands in the window whole, with the one button that helps. The card
-// is there only while there is an alarm, a latched STOP or a notice. A click on its text opens its line in the log, and
-// the count opens the list.
+// REQ-UI-802 (AlarmCardTest.*): The top alarm is shown completely in the window, with the one button that helps. The
+// card is shown only while there is an alarm, a latched STOP or a notice. A click on its text opens its line in the
+// log, and the count opens the list.
 TEST_F(AlarmCardTest, IsThereOnlyWhileThereIsAnAlarm)
 {
     window.resize(kWithRoom);
@@ -73,7 +73,7 @@ TEST_F(AlarmCardTest, StopInAFaultLeavesBothWaysBackOneAfterTheOther)
 }
 
 // Story: a second click on Re-arm hit Acknowledge, which had moved under the pointer.
-// REQ-UI-1006: No button of the alarm card moves into the place of another one that has just gone.
+// REQ-UI-1006: No button of the alarm card moves to the place of another one that has just disappeared.
 TEST_F(AlarmCardTest, ASecondClickOnAButtonThatIsGoneHitsNoOther)
 {
     for (const QSize size : {QSize(1024, 700), QSize(1280, 800)}) {
@@ -150,7 +150,7 @@ TEST_F(AlarmCardTest, TheButtonOpensThePanelThatHelps)
     EXPECT_EQ(opens(alarmEntry("rotctld.open"), "Open Profile"), 8);
 }
 
-// Every help of the catalogue has a button with a text, and does something.
+// Every help in the catalogue has a button with a text and an effect.
 TEST_F(AlarmCardTest, EveryHelpActs)
 {
     for (const AlarmEntry* const entry : alarmCatalogue()) {

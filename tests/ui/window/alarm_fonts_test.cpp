@@ -19,7 +19,7 @@
 namespace boresight::ui {
 namespace {
 
-// A card as narrow as the window's right column, on the desktop of other fonts and languages.
+// A card as narrow as the window's right column, with the fonts and languages of other desktops.
 struct NarrowDesktop
 {
     int points;
@@ -49,7 +49,7 @@ private:
 
 constexpr int kNarrow = 400;  // px
 
-// REQ-UI-803: No sentence and no button of any alarm of the catalogue is cut at a width of 400 px, with the fonts of
+// REQ-UI-803: At a width of 400 px no sentence and no button of any alarm in the catalogue is cut, with the fonts of
 // every desktop, in every language.
 TEST_P(AlarmFontsTest, NoAlarmOfTheCatalogueIsCut)
 {

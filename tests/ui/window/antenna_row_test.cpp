@@ -21,7 +21,7 @@ protected:
         return status;
     }
     void show(const StationStatus& status) { give(samples::update(status)); }
-    // As a person chooses it.
+    // Chooses as a person does.
     void choose(int index)
     {
         box().setCurrentIndex(index);
@@ -30,8 +30,8 @@ protected:
     TouchCombo& box() { return *named<TouchCombo>("Antenna"); }
 };
 
-// REQ-ANTENNA-930: Where the mount has several antennas the window shows the one in use and its beam width, and another
-// one is chosen there. The choice is shown when the station has taken it. What it refuses is told. With one antenna
+// REQ-ANTENNA-930: If the mount has several antennas the window shows the one in use and its beam width, and another
+// one can be chosen. The choice is shown when the station has accepted it. A refusal is reported. With one antenna
 // there is nothing to choose.
 TEST_F(AntennaRowTest, ShowsTheOneInUseAndChooses)
 {

@@ -21,7 +21,7 @@ QString shown(const AxisReadout& readout, const char* name)
     return findNamed<ValueLabel>(readout, name)->text();
 }
 
-// At 62.6° and 20° of the axes, on the way to 72.6°.
+// At axis angles of 62.6° and 20°, on the way to 72.6°.
 StationStatus pointed(const pointing::PointingTerms& terms)
 {
     StationStatus status = samples::idle();
@@ -35,8 +35,8 @@ StationStatus pointed(const pointing::PointingTerms& terms)
     return samples::judged(status);
 }
 
-// REQ-UI-39 (AxisReadout.*): Numbers and plot show true directions. What counts the axis (the readout's second line,
-// cable, limits) says so. Limits are drawn and dragged where the beam looks.
+// REQ-UI-39 (AxisReadout.*): Numbers and plot show true directions. Axis angles (the second line of the readout, cable,
+// limits) are marked. Limits are drawn and dragged where the beam points.
 TEST(AxisReadout, TheNumbersAreTrueAndTheAxisStandsBelow)
 {
     AxisReadout readout;
@@ -94,8 +94,8 @@ TEST(AxisReadout, AnAxisThatTheMountDoesNotHaveShowsNoNumbers)
     EXPECT_EQ(shown(readout, "Actual azimuth"), QStringLiteral("62.60°"));
 }
 
-// REQ-UI-950 (ErrorBar.*): A bar shows the error of each axis in beam widths. It has the warning colour only where
-// nobody planned so large an error.
+// REQ-UI-950 (ErrorBar.*): A bar shows the error of each axis in beam widths. Only an unplanned large error has the
+// warning colour.
 TEST(ErrorBar, IsScaledInBeamWidthsOnTheSky)
 {
     StationStatus status = pointed({});
@@ -130,7 +130,7 @@ TEST(ErrorBar, WarnsOfAnErrorThatNobodyPlanned)
     EXPECT_FALSE(bar->error().has_value()) << "an old place is not compared";
 }
 
-// REQ-UI-951: The numerals of the axes scale with the window: 44 pt from 1280×760, 60 pt from 1900×1000.
+// REQ-UI-951: The numbers of the axes scale with the window: 44 pt from 1280×760, 60 pt from 1900×1000.
 TEST(AxisReadout, TheNumeralsScaleWithTheWindow)
 {
     AxisReadout readout;

@@ -18,10 +18,10 @@ namespace {
 class ColumnHeadTest : public WindowFixture
 {
 protected:
-    // Where the tabs begin while this is shown.
+    // The place where the tabs begin with this status.
     int tabs(const StationStatus& status)
     {
-        for (int i = 0; i < 3; ++i) {  // the card is as high as its text once it has its width
+        for (int i = 0; i < 3; ++i) {  // the height of the card follows from its text once it has its width
             give(samples::update(status));
             QCoreApplication::sendPostedEvents();
             QCoreApplication::processEvents();
@@ -29,8 +29,8 @@ protected:
         auto* const panels = window.findChild<PanelTabs*>();
         return panels->mapTo(&window, QPoint()).y();
     }
-    // Each alarm of the catalogue comes and goes. Returns which move the tabs. Nothing is cut meanwhile, and a sentence
-    // that is left out stands behind the button More.
+    // Shows and clears each alarm of the catalogue. Returns those that move the tabs. Meanwhile nothing may be cut, and
+    // a sentence that is left out must be behind the button More.
     QStringList movers(const SensorStatus& sensor)
     {
         const auto with = [&sensor](StationStatus status) {
@@ -50,7 +50,7 @@ protected:
         EXPECT_EQ(tabs(with(samples::idle())), before);
         return found;
     }
-    // What is not shown whole above the tabs.
+    // The parts above the tabs that are not shown completely.
     QStringList cut()
     {
         QStringList found;
@@ -64,7 +64,7 @@ protected:
         }
         return found;
     }
-    // All sentences, or what happened, what to do and the way to the rest.
+    // Either all sentences, or what happened, what to do, and the way to the rest.
     bool isWhole(const Alarm& alarm)
     {
         const auto textOf = [this](const QString& name) { return labelOf(name.toUtf8()).text(); };
@@ -83,11 +83,11 @@ struct Portuguese
     Translation translation{QStringLiteral("pt")};
 };
 
-// The texts are longer, and the window is made in the language.
+// Portuguese texts are longer. The language applies before the window is made.
 class PortugueseColumnHeadTest : private Portuguese, public ColumnHeadTest
 {};
 
-// Story: an alarm came while the hand was on the pad, and the button under the pointer was another one.
+// Story: an alarm came while the hand was on the pad, and another button came under the pointer.
 // REQ-UI-975: At 1280×800 and above no alarm of the catalogue moves the tabs, the panel or its buttons, with or without
 // a sensor. The readouts of the axes make room.
 TEST_F(ColumnHeadTest, NoAlarmMovesTheTabs)
@@ -100,8 +100,8 @@ TEST_F(ColumnHeadTest, NoAlarmMovesTheTabs)
 }
 
 // Story: at 1024×700 each alarm of the catalogue moved the tabs by 14 to 65 px.
-// REQ-UI-1461: At 1024×700 no alarm of the catalogue moves the tabs, with or without a sensor. The card has smaller
-// letters and margins there, and the last line of the log stands below the sky, whose disc keeps its size.
+// REQ-UI-1461: At 1024×700 no alarm of the catalogue moves the tabs, with or without a sensor. There the card has
+// smaller letters and margins, and the last line of the log is below the sky, whose disc keeps its size.
 TEST_F(ColumnHeadTest, NoAlarmMovesTheTabsOfASmallWindow)
 {
     window.resize(1024, 700);
@@ -118,8 +118,8 @@ TEST_F(PortugueseColumnHeadTest, NoAlarmMovesTheTabs)
     }
 }
 
-// REQ-UI-1570: Where the longest alarms find no room for three sentences, the card leaves out what Boresight did, and
-// its button More opens the whole alarm in the log. The time stands there, too.
+// REQ-UI-1570: If the longest alarms have no room for three sentences, the card leaves out what Boresight did. Its
+// button More opens the complete alarm in the log. The time is in the log, too.
 TEST_F(ColumnHeadTest, TheLongestAlarmIsWholeBehindMore)
 {
     window.resize(1024, 700);
@@ -145,7 +145,7 @@ TEST_F(ColumnHeadTest, TheBareCardShowsTheAgeOfLateData)
 {
     window.resize(1024, 700);
     StationStatus status = samples::alarmed(alarmEntry("sun.clock"));
-    status.trim = SkyPointing{.azimuth = 0.3_deg, .elevation = -0.1_deg};  // the detail is longer
+    status.trim = SkyPointing{.azimuth = 0.3_deg, .elevation = -0.1_deg};  // this detail is longer
     tabs(status);
     EXPECT_TRUE(labelOf("Error of azimuth").isVisible());
     EXPECT_FALSE(labelOf("Detail of azimuth").isVisible());
@@ -158,8 +158,8 @@ TEST_F(ColumnHeadTest, TheBareCardShowsTheAgeOfLateData)
     EXPECT_EQ(cut().join(u", ").toStdString(), "");
 }
 
-// REQ-UI-1462: The last line of the log follows the size of the window: below the sky of a low one, else at the end of
-// the right column.
+// REQ-UI-1462: The place of the last log line depends on the size of the window: below the sky of a low window,
+// otherwise at the end of the right column.
 TEST_F(ColumnHeadTest, TheLastLineOfTheLogStandsWhereThereIsRoom)
 {
     const auto left = [this](QSize size) {

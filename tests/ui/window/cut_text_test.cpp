@@ -16,8 +16,8 @@
 #include <QPushButton>
 #include <QTableView>
 
-// What is asked is read before it is answered: no question, no banner and no word about a client is cut off at the
-// smallest size, in any language.
+// A question must be readable before it is answered: no question, no banner and no text about a client is cut off at
+// the smallest size, in any language.
 namespace boresight::ui {
 namespace {
 
@@ -56,7 +56,7 @@ protected:
         EXPECT_EQ(window.size(), QSize(1024, 700)) << "something needed more room than there is";
     }
 
-    // Each button of the panel in front that asks first, one after the other; how many there were.
+    // Presses each button of the front panel that asks first, one after the other. Returns their number.
     int askAll()
     {
         int asked = 0;
@@ -67,7 +67,7 @@ protected:
                     asked += expectQuestion(*panel, button->text());
                 }
                 if (button->isVisible() && button->menu() != nullptr) {
-                    for (const int action : {0, 1}) {  // what follows asks for a file
+                    for (const int action : {0, 1}) {  // the next actions ask for a file
                         button->menu()->actions().at(action)->trigger();
                         asked += expectQuestion(*panel, button->text());
                     }
@@ -86,8 +86,8 @@ protected:
     }
 };
 
-// REQ-UI-36 (CutTextTest.*): A question, a banner and what a client may do are read whole at 1024×700, in every
-// language.
+// REQ-UI-36 (CutTextTest.*): Questions, banners and the permissions of a client are completely readable at 1024×700, in
+// every language.
 TEST_P(CutTextTest, TheQuestionBeforeClosingIsWhole)
 {
     give(samples::update(samples::tracking(10)));
@@ -137,8 +137,8 @@ TEST_P(CutTextTest, WhyADirectionIsForbiddenIsWhole)
     }
 }
 
-// REQ-UI-1412: What the calibration proposes is read whole at 1024×700: the title with its residuals, the warnings and
-// every term that changes.
+// REQ-UI-1412: The proposal of a calibration is completely readable at 1024×700: the title with its residuals, the
+// warnings and every term that changes.
 TEST_P(CutTextTest, AProposedCalibrationIsWhole)
 {
     openPanel('9');
@@ -164,7 +164,7 @@ TEST_P(CutTextTest, QuestionsBeforeAnActAreWhole)
     named.profile = std::make_shared<const profile::Profile>(profile);
     int asked = 0;
     for (StationStatus status : {samples::idle(), samples::factoryDrives(), named}) {
-        status.simulated = false;  // of a simulation without a profile nothing can be duplicated
+        status.simulated = false;  // a simulated mount without a profile cannot be duplicated
         give(samples::update(status));
         for (const char panel : {'6', '7', '8'}) {
             openPanel(panel);
@@ -196,8 +196,8 @@ TEST_P(CutTextTest, WhatAClientMayDoIsWholeWheneverItChanges)
     }
 }
 
-// REQ-UI-1413: The address of a client is whole at 1024×700, also of a client that came while another panel was open
-// and of one whose address is longer than those before it.
+// REQ-UI-1413: The address of a client is complete at 1024×700, also for a client that connected while another panel
+// was open and for an address longer than the earlier ones.
 TEST_P(CutTextTest, TheAddressOfAClientIsWhole)
 {
     StationStatus status = samples::fighting();

@@ -20,7 +20,7 @@
 
 #include <algorithm>
 
-// From the hand to the antenna and back: the window before a real station with a simulated mount.
+// From the operator to the antenna and back: the window, a real station and a simulated mount.
 namespace boresight::ui {
 namespace {
 
@@ -95,11 +95,10 @@ protected:
     double leftmost = 1e9;  // the true azimuth
 };
 
-// The limit that is dragged is the limit that the antenna obeys.
 // REQ-UI-02d: The limit dragged on the plot is the limit that the antenna obeys.
 TEST_F(DeskTest, AnAzimuthLimitDraggedOnThePlotIsEnforcedAfterApply)
 {
-    goTo("310", "30");  // -50°, permitted still
+    goTo("310", "30");  // -50°, still permitted
     ASSERT_TRUE(rig.settle());
     EXPECT_NEAR(rig.truth(Axis::Azimuth), -50.0, 0.2);
     goTo("0", "30");
@@ -163,7 +162,7 @@ TEST_F(DeskTest, AJogEndsWithTheHandTheFocusTheWindowAndTheMouseLeaving)
         EXPECT_GT(rig.truth(Axis::Azimuth), before + 1.0) << what;
         EXPECT_EQ(rig.status().state, StationState::Jog) << what;
         end();
-        rig.run(Seconds(0.6));  // 2°/s is braked in 0.2 s, and the antenna swings
+        rig.run(Seconds(0.6));  // braking from 2°/s takes 0.2 s, and the antenna swings
         const double stood = rig.truth(Axis::Azimuth);
         rig.run(Seconds(1.0));
         EXPECT_NEAR(rig.truth(Axis::Azimuth), stood, 0.02) << what;
@@ -201,7 +200,7 @@ TEST_F(DeskTest, PresetHorizonParkAndUnparkMoveTheAntennaWhereTheySay)
     EXPECT_TRUE(rig.status().profile->presets.empty());
 }
 
-// What the window shows of a direction comes from the station, and follows the limits in force.
+// The window shows the station's answer about a direction, with the limits in effect.
 // REQ-UI-24
 TEST_F(DeskTest, AForbiddenDirectionIsNotOfferedAndTheNearestAllowedIs)
 {
@@ -237,7 +236,7 @@ TEST_F(DeskTest, AForbiddenDirectionIsNotOfferedAndTheNearestAllowedIs)
     EXPECT_TRUE(named<CommandButton>("Go to").isEnabled());
 }
 
-// A step while a client is followed shifts the client's target, and the client keeps the mount.
+// A step while a client's target is tracked shifts this target, and the client keeps control.
 // REQ-UI-02b
 TEST_F(DeskTest, AStepDuringAPassTrimsItAndClearTakesItAway)
 {

@@ -55,8 +55,8 @@ protected:
     }
 };
 
-// REQ-UI-32 (DiagnosticsSaverTest.*): Diagnostics are saved by a worker, from anywhere by Ctrl+B. An unwritable place
-// is reported. The telemetry is taken within one frame.
+// REQ-UI-32 (DiagnosticsSaverTest.*): A worker saves the diagnostics, from anywhere by Ctrl+B. An unwritable place is
+// reported. The telemetry is copied within one frame.
 TEST_F(DiagnosticsSaverTest, AreSavedByKeyWithLogAndTelemetry)
 {
     const QString path = folder.filePath(QStringLiteral("bundle.tar.gz"));
@@ -67,7 +67,7 @@ TEST_F(DiagnosticsSaverTest, AreSavedByKeyWithLogAndTelemetry)
     chooseFile(path);
     ASSERT_TRUE(says("Diagnostics saved: "));
     EXPECT_EQ(fileOf(path, "events.log"), "the log\n");
-    elapse(Seconds(10.0));  // Story: what to do about a fault was cut by it for as long as nobody pressed anything
+    elapse(Seconds(10.0));  // Story: this text cut off the remedy of a fault until a key was pressed
     const auto labels = window.findChildren<ValueLabel*>();
     EXPECT_TRUE(std::ranges::none_of(labels, [](const ValueLabel* label) {
         return label->isVisible() && label->text().startsWith(QLatin1String("Diagnostics saved"));
@@ -113,8 +113,8 @@ TEST(TelemetryExcerpt, HasTheValuesAndTheirTimes)
     EXPECT_EQ(lines[50].left(24), "2026-11-21T18:17:29.990Z");
 }
 
-// On the gui thread: a frame is late after 50 ms. Processor time, and the best of several, so that what else this
-// computer has to do does not count.
+// On the gui thread a frame is late after 50 ms. Measured in processor time, as the best of several runs, so that other
+// load of this computer does not count.
 TEST(TelemetryExcerpt, IsTakenWithoutHoldingTheWindowUp)
 {
     TelemetryStore store;

@@ -11,7 +11,7 @@
 #include <QTableView>
 #include <QTreeView>
 
-// The panels while the operator is at work in them: asked before an act, looking back, with edits that are not applied.
+// The panels while the operator works in them: a question before an act, past events, edits that are not applied.
 namespace boresight::ui {
 namespace {
 
@@ -36,7 +36,7 @@ TEST_P(EditingPictures, AreTakenOfTheQuestions)
     }
 }
 
-// Alarms with a past, and who moved the mount.
+// Past alarms, and who moved the mount.
 TEST_P(EditingPictures, AreTakenOfTheViewsOfTheLog)
 {
     show(samples::disconnected(), '5');
@@ -54,7 +54,7 @@ TEST_P(EditingPictures, AreTakenOfTheViewsOfTheLog)
     }
 }
 
-// And what it asks before a mount gets a new name.
+// Including the question before a mount is renamed.
 TEST_P(EditingPictures, AreTakenOfTheProfile)
 {
     show(samples::bounded(), '8');

@@ -14,7 +14,7 @@
 #include <ostream>
 #include <string>
 
-// The window keeps 1024×700 with the fonts of every desktop. ctest runs these tests once for each family.
+// The window fits into 1024×700 with the fonts of every desktop. ctest runs these tests once for each font family.
 namespace boresight::ui {
 namespace {
 
@@ -29,7 +29,7 @@ void PrintTo(const Desktop& desktop, std::ostream* out)
     *out << desktop.points << " pt, " << desktop.language;
 }
 
-// In force before the window is made.
+// Applied before the window is made.
 class OnADesktop : public ::testing::WithParamInterface<Desktop>
 {
 protected:
@@ -123,7 +123,7 @@ TEST_P(FontsTest, EveryStepOfTheGuideHasRoom)
     }
 }
 
-// What a line loses of its height is never a part of a digit.
+// The part by which a line is shortened never contains a part of a digit.
 TEST_P(FontsTest, LargeNumbersAreDrawnWhole)
 {
     give(samples::update(samples::tracking(330)));
@@ -136,7 +136,7 @@ TEST_P(FontsTest, LargeNumbersAreDrawnWhole)
     }
 }
 
-// Story: with Noto Sans the tails of letters were cut off in the header and in the alarm.
+// Story: with Noto Sans the descenders of letters were cut off in the header and in the alarm.
 TEST_P(FontsTest, WordsAreDrawnWhole)
 {
     give(samples::update(samples::faulted()));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How the last status looks when the station is silent.
+// The last status while the station is silent.
 #include "ui/window/last_status.h"
 
 #include "tests/fakes/manual_clock.h"
@@ -66,7 +66,7 @@ TEST_F(LastStatusTest, AnOldPlaceIsNotUsed)
     EXPECT_TRUE(may.allows(Action::Move)) << "the station judges that when it is asked";
 }
 
-// Story: with a silent station the line of the energy and the part of a run that is done stood there as live.
+// Story: while the station was silent the line of the energy and the progress of a run looked live.
 TEST_F(LastStatusTest, WorkThatNobodyReportsIsNotShown)
 {
     StationStatus status = last.received();

@@ -42,7 +42,8 @@ protected:
     }
 };
 
-// REQ-UI-903: The menu holds what belongs to no panel. A button, F10 and Alt open it. Each line with a key shows it.
+// REQ-UI-903: The menu contains what belongs to no panel. A button, F10 and Alt open it. Each line with a key shows the
+// key.
 TEST_F(MainMenuTest, AButtonAndTwoKeysOpenIt)
 {
     QTest::mouseClick(named<QToolButton>("Menu"), Qt::LeftButton);
@@ -130,7 +131,7 @@ TEST_F(MainMenuTest, ThePagesOpenWithoutCoveringAnything)
 // REQ-UI-907: Each tab has a picture beside its word.
 TEST_F(MainMenuTest, EachTabHasAPicture)
 {
-    window.resize(1280, 800);  // narrower there are the words alone
+    window.resize(1280, 800);  // a narrower window shows the words alone
     settle();
     const auto* const tabs = window.findChild<QTabWidget*>();
     for (int tab = 0; tab < tabs->count(); ++tab) {

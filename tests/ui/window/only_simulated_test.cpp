@@ -10,7 +10,7 @@
 #include <QPlainTextEdit>
 #include <QTemporaryDir>
 
-// A window of a program that was started with --simulate: it says that no other mount's bus will be used.
+// A window of a program that was started with --simulate: it says that no bus of another mount will be used.
 namespace boresight::ui {
 namespace {
 
@@ -42,7 +42,7 @@ protected:
     OnlySimulatedTest() : WindowFixture(simulatedWith(*this)) {}
 };
 
-// REQ-UI-38 (OnlySimulatedTest.*): Started with --simulate the window shows that no other mount's bus is used, and
+// REQ-UI-38 (OnlySimulatedTest.*): Started with --simulate, the window says that no bus of another mount is used, and
 // offers no adapter.
 TEST_F(OnlySimulatedTest, TheQuestionBeforeASwitchSaysThatTheOtherBusIsNotUsed)
 {

@@ -3,7 +3,7 @@
 
 #include <span>
 
-// Every panel and every trouble.
+// Pictures of every panel and every kind of trouble.
 namespace boresight::ui {
 namespace {
 
@@ -81,7 +81,7 @@ protected:
     }
 };
 
-// REQ-UI-15 (PanelPictures.*): Nothing that must be read is cut off at 1024×700. The tests also write the pictures to
+// REQ-UI-15 (PanelPictures.*): Nothing that must be readable is cut off at 1024×700. The tests also write pictures to
 // look at.
 TEST_P(PanelPictures, AreTakenOfEveryPanel)
 {

@@ -90,9 +90,9 @@ TEST(HeaderBar, ShowsTheSensorIfThereIsOne)
     EXPECT_EQ(shown(header, "Orientation sensor"), QStringLiteral("Sensor lost"));
 }
 
-// Story: while the broker did not answer, the header said "Sensor awaited", as if everything were well.
-// REQ-UI-1463: A sensor that is awaited and has a problem, such as a broker that does not answer, is silent in the
-// header.
+// Story: while the broker did not answer, the header said "Sensor awaited", as if everything was well.
+// REQ-UI-1463: A sensor that is awaited and has a problem, such as a broker that does not answer, is shown as silent in
+// the header.
 TEST(HeaderBar, CallsASensorWithAProblemSilent)
 {
     RequestDesk desk;
@@ -108,8 +108,8 @@ TEST(HeaderBar, CallsASensorWithAProblemSilent)
     EXPECT_EQ(shown(header, "Orientation sensor"), QStringLiteral("Sensor silent"));
 }
 
-// REQ-TRANSMIT-30: The header shows whether the transmit output is on, and its tooltip what keeps it off. Without an
-// output there is nothing.
+// REQ-TRANSMIT-30: The header shows whether the transmit output is on, and its tooltip shows what keeps it off. Without
+// an output nothing is shown.
 TEST(HeaderBar, ShowsTheTransmitOutputIfThereIsOne)
 {
     RequestDesk desk;

@@ -10,7 +10,7 @@
 
 #include <string>
 
-// The sky is the window: how large its disc is, and that nothing changes it.
+// The size of the sky's disc: nothing may change it.
 namespace boresight::ui {
 namespace {
 
@@ -58,7 +58,7 @@ struct InThisLanguage : public ::testing::WithParamInterface<const char*>
 class SkyRoomTest : public InThisLanguage, public WindowFixture
 {
 protected:
-    // What stands in the column is not wider than the column, which scrolls only up and down.
+    // The contents of the column are not wider than the column, which scrolls only vertically.
     void expectRoomBeside(const std::string& where)
     {
         settle();
@@ -67,8 +67,8 @@ protected:
     }
 };
 
-// REQ-UI-1497: The sky's disc is at least 590 px wide in a window of 1280×800 and 440 px in one of 1024×700. No panel,
-// no step of the guide and no state changes it.
+// REQ-UI-1497: The disc of the sky is at least 590 px wide in a window of 1280×800 and 440 px in one of 1024×700. No
+// panel, no step of the guide and no state changes it.
 TEST_P(SkyRoomTest, TheDiscKeepsItsSizeWithEveryPanelAndAlarm)
 {
     for (const auto& [size, least] : kRooms) {
@@ -104,7 +104,7 @@ TEST_P(SkyRoomTest, TheDiscKeepsItsSizeBesideTheGuide)
 
 INSTANTIATE_TEST_SUITE_P(All, SkyRoomTest, ::testing::Values("en", "pt"));
 
-// REQ-UI-1498: The disc is the same in every language.
+// REQ-UI-1498: The disc has the same size in every language.
 TEST(SkyInLanguages, TheDiscIsTheSame)
 {
     for (const auto& [size, least] : kRooms) {

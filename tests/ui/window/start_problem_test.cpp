@@ -24,8 +24,8 @@ QPushButton& buttonOf(const StartProblem& problem, const char* text)
     throw std::runtime_error(std::string("no button ") + text);
 }
 
-// REQ-UI-801 (StartProblem.*): A program that cannot start says so in a window: the reason whole, what Boresight did,
-// what to do. It starts with another profile, or quits.
+// REQ-UI-801 (StartProblem.*): A program that cannot start shows a window with the complete reason, what Boresight did,
+// and what to do. It starts with another profile, or quits.
 TEST(StartProblem, ShowsTheReasonAsItIsAndQuits)
 {
     const QString reason = QStringLiteral("mount.toml:3: azimuth.id: \"<b>one</b>\" is not a number");

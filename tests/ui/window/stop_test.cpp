@@ -57,7 +57,7 @@ TEST_F(StopTest, IsWholeAndUncoveredInEveryPanelAndLargeEnough)
     EXPECT_EQ(window.size(), QSize(1024, 700)) << "a panel does not fit into the smallest window";
 }
 
-// Every button that opens a question or a dialog ends in "…": each is pressed in each panel that shows it.
+// Every button that opens a question or a dialog ends in "…". Each is pressed in each panel that shows it.
 TEST_F(StopTest, IsThereAndWorksInEveryQuestionDialogAndPrompt)
 {
     std::size_t expected = 0;
@@ -91,7 +91,7 @@ TEST_F(StopTest, IsThereAndWorksInEveryQuestionDialogAndPrompt)
         give(samples::update(status));
         for (const char panel : kPanels) {
             openPanel(panel);
-            const auto all = window.findChildren<QAbstractButton*>();  // those of a dialog end with it
+            const auto all = window.findChildren<QAbstractButton*>();  // the buttons of a dialog are deleted with it
             for (const QPointer<QAbstractButton>& button :
                  std::vector<QPointer<QAbstractButton>>(all.begin(), all.end())) {
                 if (button && button->window() == &window && button->isVisible() && button->isEnabled() &&
@@ -123,7 +123,7 @@ TEST_F(StopTest, IsThereAndWorksInEveryQuestionDialogAndPrompt)
     expectStopWorks("the question before closing");
 }
 
-// A prompt wider than the plot once pushed STOP off the screen.
+// Story: a prompt wider than the plot pushed STOP off the screen.
 TEST_F(StopTest, StaysInPlaceWhenQuestionsAppear)
 {
     give(samples::update(samples::tracking(10)));
@@ -200,8 +200,8 @@ TEST_F(StopTest, EscStopsUnlessAMenuOrDialogIsOpen)
     EXPECT_EQ(stops(), 2u);
 }
 
-// REQ-UI-800: Esc first leaves what has the keyboard: a text field, a search, a list, a table, a spin box, a combo box
-// or a prompt. The next Esc stops. Pause and F12 stop at once.
+// REQ-UI-800: Esc first leaves the part that has the keyboard: a text field, a search, a list, a table, a spin box, a
+// combo box or a prompt. The next Esc stops the mount. Pause and F12 stop at once.
 TEST_F(StopTest, EscLeavesAFieldFirst)
 {
     give(samples::update(samples::factoryDrives()));
@@ -253,7 +253,7 @@ TEST_F(StopTest, EscDismissesAPromptThatHasTheKeyboard)
     EXPECT_EQ(stops(), 1u);
 }
 
-// Esc in the editor of a cell takes the typed text back.
+// Esc in the editor of a cell reverts the typed text.
 // REQ-UI-800
 TEST_F(StopTest, EscTakesBackWhatIsTypedInACell)
 {
@@ -309,13 +309,13 @@ TEST_F(StopTest, AnUnansweredStopIsAnAlarmAfterASecond)
     EXPECT_FALSE(text("Worst alarm").contains(QLatin1String("not confirmed")));
     elapse(Seconds(0.2));
     EXPECT_TRUE(text("Worst alarm").contains(QLatin1String("not confirmed")));
-    give(samples::update(samples::tracking(2)));  // the station talks, but does not stop
+    give(samples::update(samples::tracking(2)));  // the station sends statuses, but does not stop
     EXPECT_TRUE(text("Worst alarm").contains(QLatin1String("not confirmed")));
     give(samples::update(samples::stopped()));
     EXPECT_FALSE(text("Worst alarm").contains(QLatin1String("not confirmed")));
 }
 
-// DISCONNECTED and FAULT hide the word STOPPED, not the latch.
+// DISCONNECTED and FAULT replace the word STOPPED on the screen. The latch stays.
 TEST_F(StopTest, IsConfirmedAlsoWhileTheDrivesAreSilentOrInFault)
 {
     for (StationStatus status : {samples::disconnected(), samples::faulted()}) {

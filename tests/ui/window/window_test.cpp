@@ -57,9 +57,9 @@ TEST_F(WindowTest, ShowsStateTargetSourceLinksAndTime)
     EXPECT_EQ(named<ValueLabel>("Line to the mount")->symbol(), Symbol::Alarm);
 }
 
-// An armed schedule moves the mount by itself, and only the page of the schedule showed it.
-// REQ-UI-1495: While the schedule is armed and the mount rests, the header says so, with the next pass and the time to
-// it.
+// Story: an armed schedule moves the mount by itself, and only the page of the schedule showed that it was armed.
+// REQ-UI-1495: While the schedule is armed and the mount stands still, the header says so, with the next pass and the
+// time until then.
 TEST_F(WindowTest, TheHeaderSaysThatTheScheduleIsArmed)
 {
     StationStatus status = samples::idle();
@@ -91,8 +91,8 @@ TEST_F(WindowTest, TheHeaderSaysThatTheScheduleIsArmed)
     EXPECT_EQ(text("Target and its source"), QStringLiteral("no target"));
 }
 
-// REQ-UI-1440: The clock says how far it is off by its time source, and what that is on the sky for what is tracked.
-// One that nothing sets has a question mark and says what to do.
+// REQ-UI-1440: The clock shows its error by its time source, and the effect on the sky for the tracked target. A clock
+// that no time source sets has a question mark and says what to do.
 TEST_F(WindowTest, TheClockSaysHowFarItIsOff)
 {
     StationStatus status = samples::operatorMoving();
@@ -153,7 +153,7 @@ TEST_F(WindowTest, OldNumbersAreDimmedWithTheirAgeThenNotShown)
     EXPECT_EQ(text("State of azimuth"), QStringLiteral("NO DATA"));
 }
 
-// The station thread itself may hang: then no status says that the numbers are old.
+// The station thread itself may hang: then no status reports that the numbers are old.
 // REQ-UI-04
 TEST_F(WindowTest, ASilentStationAgesTheScreenByItself)
 {
@@ -192,7 +192,7 @@ TEST_F(WindowTest, GoToByKeyboardAlone)
     EXPECT_NEAR(asked<request::PointSky>().front().direction.elevation.degrees(), 10.0, 1e-9);
 }
 
-// REQ-UI-05: A pressed control shows "requested" until the answer. A refusal stands next to it and the typed value
+// REQ-UI-05: A pressed control shows "requested" until the answer. A refusal is shown next to it, and the typed value
 // stays.
 TEST_F(WindowTest, ARefusedGoToKeepsTheValueAndShowsTheReason)
 {
@@ -246,7 +246,7 @@ TEST_F(WindowTest, ParkHomeAndHoldHaveTheirRequests)
     EXPECT_TRUE(requests.empty());
 }
 
-// REQ-UI-07: Motion begins only by an explicit act. Typing, letters and a click on the plot move nothing.
+// REQ-UI-07: A motion begins only by an explicit act. Typing, letters and a click on the plot move nothing.
 TEST_F(WindowTest, LettersAloneNeverMoveTheAntenna)
 {
     for (int key = Qt::Key_A; key <= Qt::Key_Z; ++key) {
@@ -280,7 +280,7 @@ TEST_F(WindowTest, AClickOnThePlotOffersGoHereAsASecondAct)
 
 TEST_F(WindowTest, AlarmsAreShownAcknowledgedAndFaultsReArmed)
 {
-    window.resize(1920, 1080);  // with room for a line of each sentence
+    window.resize(1920, 1080);  // with room for one line for each sentence
     QCoreApplication::processEvents();
     give(samples::update(samples::faulted()));
     EXPECT_TRUE(text("Worst alarm").contains(QLatin1String("fault 38")));
@@ -360,7 +360,8 @@ TEST_F(WindowTest, ClosingAsksOnceOnlyWhileTheMountMoves)
     EXPECT_EQ(close.count(), 0);
     window.close();
     EXPECT_TRUE(window.findChild<ClosePrompt*>()->isVisible());
-    give(samples::update(samples::idle()));  // Story: after Esc the question stayed, and closing did nothing more
+    // Story: after Esc the question stayed, and a further closing had no effect
+    give(samples::update(samples::idle()));
     EXPECT_FALSE(window.findChild<ClosePrompt*>()->isVisible()) << "it stands";
     give(samples::update(samples::tracking(11)));
     window.close();
@@ -371,7 +372,7 @@ TEST_F(WindowTest, ClosingAsksOnceOnlyWhileTheMountMoves)
     EXPECT_FALSE(window.isVisible());
 }
 
-// REQ-UI-33: Panels and charts chosen are there again at the next start. A magnified plot is not.
+// REQ-UI-33: The chosen panels and charts are restored at the next start. A magnified plot is not.
 TEST_F(WindowTest, TheChosenPanelsAndChartsAreRemembered)
 {
     openPanel('2');
@@ -392,7 +393,7 @@ TEST_F(WindowTest, TheChosenPanelsAndChartsAreRemembered)
     openPanel('8');
     next.layout = window.arrangement();
     EXPECT_EQ(next.layout.panel, 8) << "a panel within Mount";
-    next.layout.panel = 77;  // of a file that somebody has edited
+    next.layout.panel = 77;  // from a file that was edited by hand
     next.layout.charts.window = std::chrono::seconds(7);
     const MainWindow wrong(clock, next);
     EXPECT_EQ(wrong.arrangement().panel, 8) << "that of Mount was brought up";

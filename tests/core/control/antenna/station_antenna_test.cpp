@@ -28,7 +28,7 @@ profile::Profile withAntennas()
     profile.antennas = {{.name = "70 cm", .beamWidth = 20_deg, .across = 2_deg, .up = 3_deg},
                         {.name = "13 cm", .beamWidth = 1_deg, .across = -8_deg}};
     profile.satellites = {{.number = 25544, .note = {}, .antenna = "70 cm"}};
-    profile.control.tickHz = 20;  // the lowest: passes last for minutes
+    profile.control.tickHz = 20;  // the lowest, because passes last for minutes
     profile.control.watchdog = Seconds(0.2);
     return profile;
 }
@@ -38,7 +38,7 @@ class StationAntenna : public ::testing::Test
 protected:
     explicit StationAntenna(const profile::Profile& profile = withAntennas()) : rig(profile) { rig.run(Seconds(0.5)); }
 
-    // Empty: accepted.
+    // Empty if accepted, else the reason.
     std::string ask(const Request& request, const Source& by = kOperator)
     {
         const Result<> answer = rig.ask(request, by);
@@ -54,7 +54,7 @@ protected:
         const StationStatus status = rig.control.status();
         return {*status.azimuth.commanded, *status.elevation.commanded};
     }
-    // A pass that begins within half an hour and gets high, and the way there.
+    // A pass that begins within half an hour and reaches a high elevation, and its path.
     [[nodiscard]] targets::Target risingSoon() const
     {
         for (int anomaly = 0; anomaly < 360; anomaly += 3) {
@@ -97,9 +97,9 @@ protected:
     StationRig rig;
 };
 
-// The axes that antenna_test.cpp has for the same direction.
-// REQ-ANTENNA-910: Go-to, actual, target and commanded direction are those of the beam of the antenna in use. After the
-// start it is the main one.
+// The axis angles are those of antenna_test.cpp for the same direction.
+// REQ-ANTENNA-910: Go-to, actual, target and commanded direction belong to the beam of the antenna in use. After the
+// start the main antenna is in use.
 TEST_F(StationAntenna, DirectionsAreThoseOfItsBeam)
 {
     EXPECT_EQ(inUse(), "main");
@@ -119,8 +119,9 @@ TEST_F(StationAntenna, DirectionsAreThoseOfItsBeam)
     EXPECT_LT(angleBetween(*rig.control.directionBy(rig.profile.pointing), {175.9976_deg, 57.0605_deg}), 0.01_deg);
 }
 
-// REQ-ANTENNA-911: To choose another antenna moves nothing. It is refused to clients, while a client's target is
-// followed, on the way to a target, and where the profile has no such antenna, with the names that there are.
+// REQ-ANTENNA-911: Choosing another antenna moves nothing. The choice is refused to clients, while a client's target is
+// tracked, on the way to a target, and for an antenna that is not in the profile. That refusal lists the antennas of
+// the profile.
 TEST_F(StationAntenna, ToChooseItMovesNothing)
 {
     ASSERT_EQ(ask(request::PointAxes{{100_deg, 30_deg}}), "");
@@ -148,8 +149,8 @@ TEST_F(StationAntenna, ToChooseItMovesNothing)
     EXPECT_EQ(inUse(), "main");
 }
 
-// REQ-ANTENNA-912: A satellite is tracked with the antenna of its own. When it has set, the one that was chosen by hand
-// is in use again. A satellite without one is tracked with that.
+// REQ-ANTENNA-912: A satellite that has its own antenna is tracked with it. When the satellite has set, the antenna
+// that was chosen by hand is in use again. A satellite without its own antenna is tracked with the one chosen by hand.
 TEST_F(StationAntenna, ASatelliteHasItsOwn)
 {
     ASSERT_EQ(use("13 cm"), "");
@@ -171,7 +172,7 @@ TEST_F(StationAntenna, ASatelliteHasItsOwn)
 }
 
 // REQ-ANTENNA-913: While Boresight tracks a target itself another antenna may be chosen. Its beam goes to the target
-// within the limits of speed, without a jump of the set-points, and follows it.
+// within the speed limits, without a jump of the set-points, and tracks it.
 TEST_F(StationAntenna, MayBeChosenWhileATargetIsTracked)
 {
     const targets::Target satellite = risingSoon();
@@ -197,8 +198,8 @@ TEST_F(StationAntenna, MayBeChosenWhileATargetIsTracked)
     EXPECT_TRUE(rig.control.status().tracked);
 }
 
-// REQ-ANTENNA-914: A target that is refused leaves the antenna that was in use. Another command that ends the tracking
-// was meant for the beam that was in use: it stays so until the mount holds.
+// REQ-ANTENNA-914: A target that is refused does not change the antenna in use. Another command that ends the tracking
+// applies to the beam in use. That antenna stays in use until the mount holds.
 TEST_F(StationAntenna, GoesBackWhenTheMountRests)
 {
     const targets::Target satellite = risingSoon();
@@ -220,8 +221,8 @@ TEST_F(StationAntenna, GoesBackWhenTheMountRests)
     EXPECT_EQ(axes(), there);
 }
 
-// REQ-ANTENNA-915: Travel and limits hold at the axes, whatever antenna is in use. Horizon and keep-outs hold for its
-// beam.
+// REQ-ANTENNA-915: Travel and limits apply to the axes, whatever antenna is in use. Horizon and keep-outs apply to the
+// beam of the antenna in use.
 TEST_F(StationAntenna, LimitsHoldAtTheMount)
 {
     ASSERT_EQ(use("70 cm"), "");
@@ -239,8 +240,8 @@ TEST_F(StationAntenna, LimitsHoldAtTheMount)
     EXPECT_THAT(ask(request::PointAxes{{149.5_deg, 20_deg}}), HasSubstr("mast"));
 }
 
-// REQ-ANTENNA-916: An antenna that the profile has no more gives way to the main one. A change of its offsets that
-// would move the mount is refused.
+// REQ-ANTENNA-916: If the antenna in use is removed from the profile, the main one is used. A change of its offsets
+// that would move the mount is refused.
 TEST_F(StationAntenna, FollowsTheProfile)
 {
     ASSERT_EQ(use("70 cm"), "");
@@ -266,8 +267,8 @@ TEST_F(StationAntenna, FollowsTheProfile)
     EXPECT_EQ(rig.control.status().actual->azimuth.wrapped360(), rig.control.status().azimuth.actual->wrapped360());
 }
 
-// Story: the main beam was pointed from then on, without a word.
-// REQ-ANTENNA-919: The antenna in use stays in use under another name, also while a client is tracked.
+// Story: from then on the main beam was pointed, without a report.
+// REQ-ANTENNA-919: The antenna in use stays in use when it is renamed, also while a client's target is tracked.
 TEST_F(StationAntenna, StaysInUseUnderAnotherName)
 {
     ASSERT_EQ(use("70 cm"), "");
@@ -286,8 +287,8 @@ TEST_F(StationAntenna, StaysInUseUnderAnotherName)
     EXPECT_EQ(use("UHF"), "");
 }
 
-// REQ-ANTENNA-918: Another antenna for a satellite is refused after its tracking was handed over to a client: it would
-// move that client's beam.
+// REQ-ANTENNA-918: After the tracking of a satellite was handed over to a client, another antenna for that satellite is
+// refused, because it would move the client's beam.
 TEST_F(StationAntenna, AnotherChoiceForASatelliteMovesNoClientsBeam)
 {
     ASSERT_EQ(ask(request::Track{risingSoon()}), "");
@@ -304,15 +305,15 @@ TEST_F(StationAntenna, AnotherChoiceForASatelliteMovesNoClientsBeam)
 }
 
 // Lisbon at noon: the Sun stands in the south.
-// REQ-ANTENNA-917: The Sun is kept away from each antenna of the mount, in use or not. The alarm tells of the beam that
-// is nearest to it.
+// REQ-ANTENNA-917: Each antenna of the mount is kept away from the Sun, whether in use or not. The alarm names the beam
+// that is nearest to the Sun.
 TEST_F(StationAntenna, NoneIsPointedAtTheSun)
 {
     rig.clock.stepUtc(std::chrono::hours(12));
     ephemeris::Almanac almanac(kMast);
     const SkyPointing sun = ephemeris::apparent(almanac.place(ephemeris::Body::Sun, rig.clock.utc()).direction,
                                                 ephemeris::Refraction::Light);
-    // There "13 cm", 8° counterclockwise on the sky, looks into the Sun.
+    // In this direction the beam of "13 cm", 8° counterclockwise on the sky, points at the Sun.
     const Angle turn = Angle::fromRadians(std::atan(std::tan((8_deg).radians()) / std::cos(sun.elevation.radians())));
     const SkyPointing beside{.azimuth = sun.azimuth + turn, .elevation = sun.elevation};
     profile::Profile away = rig.profile;

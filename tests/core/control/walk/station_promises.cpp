@@ -12,24 +12,26 @@ namespace {
 
 using moteus::Register;
 
-// From full speed: 1 s, the averaging 0.2 s, and a second drive that is captured first.
+// A stop from full speed takes 1 s, the averaging takes 0.2 s, and a second drive is captured before it brakes.
 constexpr int kStopTicks = 90;
-// The first steps of a motion can be smaller than a float on the wire shows.
+// The first steps of a motion can be too small to show in a float of the frame.
 constexpr int kUnseenTicks = 3;
-// An axis that brakes in the midst of turning round stands for a moment, at most for the averaging of 0.2 s.
+// An axis that reverses its direction stands still for a moment, at most for the averaging time of 0.2 s.
 constexpr int kTurningTicks = 10;
 constexpr double kStill = 1e-9;     // turns between two set-points
 constexpr double kAtBorder = 0.05;  // degrees
 constexpr Angle kSamePlace = Angle::fromDegrees(1e-3);
-constexpr double kLongestStep = 0.1;  // s: after a stall the mount is slower, it does not jump
-// A drive that slipped while it was not heard comes back as long afterwards as it may be silent.
+constexpr double kLongestStep = 0.1;  // seconds: a longer step only slows the mount, it must not jump
+// A drive that slipped while it received nothing catches up at most this long afterwards, which is as long as it may be
+// silent.
 constexpr int kSlipTicks = 15;
-constexpr double kPlaceNoise = 0.3;  // degrees: an error of a reply as small as this is believed
-// A drive that is captured on replies that stand still while the axis brakes goes back by five ticks of full speed; an
-// ideal one at once.
+constexpr double kPlaceNoise = 0.3;  // degrees: a smaller error of a reply is believed
+// A drive can be captured on replies that stand still while its axis brakes. Then it goes back by five ticks of full
+// speed. An ideal drive does this at once.
 constexpr double kCaptureNoise = 1.0;  // degrees
 constexpr int kCaptureTicks = 3;
-// So long a drive may still be told to ignore its bounds after the axis has come back inside them.
+// Number of ticks for which a drive may still be commanded to ignore its bounds after the axis has come back inside
+// them.
 constexpr int kBoundsTicks = 6;
 
 const AxisStatus& axisOf(const StationStatus& status, Axis axis)
@@ -115,7 +117,7 @@ void StationPromises::asked(const Request& request, const Source& source, bool a
     }
 }
 
-// Of clients only one moves the mount, and none that is read-only.
+// Only one client moves the mount, and no client that is read-only.
 void StationPromises::watchLead(const Request& request, const Source& source)
 {
     if (const auto* const given = std::get_if<request::GiveLead>(&request)) {
@@ -233,7 +235,7 @@ void StationPromises::watchFrames(const StationStatus& now)
     for (const Axis axis : kAxes) {
         const fakes::IdealDrive& drive = axis == Axis::Azimuth ? m_rig.azimuth : m_rig.elevation;
         if (drive.seen.empty()) {
-            m_traces[index(axis)].position.reset();  // unheard: it may go on all the same
+            m_traces[index(axis)].position.reset();  // the drive received nothing and may go on with its last command
         }
         for (const auto& seen : drive.seen) {
             watchFrame(axis, seen, now);
@@ -262,7 +264,7 @@ void StationPromises::watchFrame(Axis axis, const fakes::IdealDrive::Seen& seen,
     watchSetpoint(axis, field(Register::CommandPosition), field(Register::CommandVelocity), now);
 }
 
-// A moving set-point is a velocity without a place, or a place.
+// A set-point that moves: a velocity without a position, or a position that changes.
 void StationPromises::watchSetpoint(Axis axis, double position, double velocity, const StationStatus& now)
 {
     AxisTrace& trace = m_traces[index(axis)];
@@ -295,7 +297,7 @@ void StationPromises::watchSetpoint(Axis axis, double position, double velocity,
     trace.still = moves ? 0 : trace.still + 1;
 }
 
-// After a loss, a set-point at rest begins anew at the measured place: that is no motion.
+// After a loss a set-point that stands still starts again at the measured position. That is no motion.
 bool StationPromises::takesOver(Axis axis, const StationStatus& now) const
 {
     const AxisStatus& is = axisOf(now, axis);
@@ -317,7 +319,7 @@ void StationPromises::watchBounds(Axis axis, const fakes::IdealDrive::Seen& seen
     }
 }
 
-// The axis itself, whatever its drive says about it.
+// The real axis, whatever its drive reports.
 void StationPromises::watchAxis(Axis axis, const StationStatus& now, Seconds step)
 {
     const fakes::IdealDrive& drive = axis == Axis::Azimuth ? m_rig.azimuth : m_rig.elevation;
@@ -327,7 +329,7 @@ void StationPromises::watchAxis(Axis axis, const StationStatus& now, Seconds ste
     const double moved = degrees(drive.travelled - trace.travelled);
     const double time = std::min(step.count(), kLongestStep);
     trace.travelled = drive.travelled;
-    // One that did not hear us makes up for it at once.
+    // A drive that has missed commands catches up at once.
     const bool deaf = drive.silent || drive.deaf || drive.mode != moteus::Mode::Position;
     trace.sinceSlip = deaf ? 0 : trace.sinceSlip + 1;
     const double noise = trace.sinceHold > kCaptureTicks ? kPlaceNoise : kCaptureNoise;
@@ -378,7 +380,7 @@ void StationPromises::watchPath(Axis axis, const StationStatus& now, Seconds ste
     if (abs(*is.commandedRate).degrees() > limits.speed.degrees() * 1.001) {
         fail("a set-point is faster than the limit");
     }
-    // STOP may brake as hard as a drive that is left alone.
+    // STOP may brake as hard as a drive that has lost its commands.
     const AngularAcceleration allowed = now.stopLatched ? tracking::emergencyBraking(limits) : limits.acceleration;
     const double moved = (*is.commanded - *was.commanded).degrees();
     const double mean = (is.commandedRate->degrees() + was.commandedRate->degrees()) / 2.0;

@@ -8,9 +8,9 @@
 #include <optional>
 #include <string>
 
-// What the station promises whatever happens, judged from outside: by what was asked and answered, what the test did to
-// drives, bus and survey, and the frames that leave. Call asked() after each request and ticked() after each tick; the
-// first broken promise stays in broken().
+// The promises that the station keeps whatever happens. They are judged from outside: by the requests and their
+// answers, by what the test did to drives, bus and drive check, and by the frames that leave. Call asked() after each
+// request and ticked() after each tick. The first broken promise stays in broken().
 namespace boresight {
 
 class StationPromises
@@ -18,12 +18,13 @@ class StationPromises
 public:
     explicit StationPromises(const StationRig& rig) : m_rig(rig), m_before(rig.control.status()) {}
 
-    void fitness(bool fit) { m_fit = fit; }  // what the survey says now
+    void fitness(bool fit) { m_fit = fit; }  // the result of the drive check
     void asked(const Request& request, const Source& source, bool accepted, const StationStatus& before);
     void sourceGone(const Source& source);
-    // The test has put the axis, or what its drive counts, somewhere else: a drive under orders comes back at once.
+    // The test has changed the position of the axis or the count of its drive. A drive under command comes back at
+    // once.
     void slipped(Axis axis) { m_traces[index(axis)].sinceSlip = 0; }
-    // `step`: since the last tick. The frames of the drives are those seen since then.
+    // `step` is the time since the last tick. The frames of the drives are those of this time.
     void ticked(Seconds step);
 
     [[nodiscard]] const std::string& broken() const { return m_broken; }
@@ -31,24 +32,24 @@ public:
     [[nodiscard]] long losses() const { return m_losses; }
 
 private:
-    // An accepted request that lets the axes move until something ends it.
+    // An accepted request that allows the axes to move until something ends it.
     struct Permit
     {
         Source source;
         bool jog = false;   // ends with its keep-alive
         bool run = false;   // ends with its source
-        bool slow = false;  // the operator's jog at the speed for an unknown turn
+        bool slow = false;  // the operator's jog at the speed for an unknown wrap
         SteadyTime given{};
     };
     static constexpr std::size_t kManyClients = 3;
     struct AxisTrace
     {
-        std::optional<double> position;  // turns, of the last set-point, if the last frame had one
-        int still = 1000;                // ticks; a drive just taken over stands
+        std::optional<double> position;  // turns: the last set-point, if the last frame had one
+        int still = 1000;                // ticks; a drive that was just taken over stands still
         int faultyTicks = 0;
         int sinceSlip = 1000;    // ticks
         int sinceHold = 1000;    // ticks since the drive was last told to hold where it is
-        int inside = 0;          // ticks that the axis has really been inside its travel
+        int inside = 0;          // ticks for which the real axis has been inside its travel
         double travelled = 0.0;  // turns, at the end of the last tick
     };
 
@@ -73,14 +74,14 @@ private:
     StationStatus m_before;
     std::array<AxisTrace, 2> m_traces;
     std::optional<Permit> m_permit;
-    std::optional<Permit> m_lead;  // of clients: whose motion was accepted last, or who was given control
+    std::optional<Permit> m_lead;  // the client whose motion was accepted last, or that was given control
     std::array<bool, kManyClients> m_readOnly{};  // by client
     int m_sinceEnd = 0;                           // ticks without a permit
-    int m_sinceUnknown = 0;                       // ticks since the turns were known
+    int m_sinceUnknown = 0;                       // ticks since the wraps were known
     bool m_fit = true;
     bool m_stopped = false;
     bool m_faulty = false;
-    bool m_rearmed = false;  // asked for since the fault
+    bool m_rearmed = false;  // a re-arm was requested since the fault
     long m_motions = 0;
     long m_losses = 0;
     std::string m_broken;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Random walks through the station's rules: whatever is asked, by whomever, and whatever happens to drives, survey, bus
-// and computer, the promises hold after each event.
+// Random walks through the rules of the station. The promises hold after each event, whatever is requested by any
+// source, and whatever happens to drives, drive check, bus and computer.
 #include "tests/core/control/walk/station_promises.h"
 
 #include <QLoggingCategory>
@@ -18,9 +18,9 @@ constexpr int kEvents = 1000;
 #else
 constexpr int kEvents = 10000;
 #endif
-constexpr Angle kPlace = Angle::fromTurns(0.01);  // that look the same to a drive that has lost its turn
+constexpr Angle kPlace = Angle::fromTurns(0.01);  // positions that look the same to a drive that has lost its wrap
 
-// Re-arms by itself what may pass, and leaves the clients to themselves.
+// Boresight re-arms by itself after temporary faults, and does not restrict the clients.
 profile::Profile unattended()
 {
     profile::Profile profile;
@@ -71,7 +71,7 @@ public:
 
     [[nodiscard]] const StationPromises& promises() const { return m_promises; }
 
-    // Of the log, to see what led to a broken promise.
+    // The last lines of the log, to see what led to a broken promise.
     [[nodiscard]] std::string lastLines() const
     {
         std::string text;
@@ -101,7 +101,7 @@ private:
     }
     AxisRates rates()
     {
-        const double fastest = m_random() % 2 == 0 ? 2.0 : 8.0;  // 2°/s: what is allowed on an unknown turn
+        const double fastest = m_random() % 2 == 0 ? 2.0 : 8.0;  // 2°/s is allowed on an unknown wrap
         return {AngularRate::fromDegrees(number(-fastest, fastest)),
                 AngularRate::fromDegrees(number(-fastest, fastest))};
     }
@@ -172,7 +172,7 @@ private:
         }
     }
 
-    // What brings the station back to work; else the walk would stand still for most of its length.
+    // Brings the station back to work. Otherwise the walk would stand still for most of its length.
     void mend()
     {
         if (m_random() % 2 == 0) {
@@ -231,7 +231,7 @@ private:
         }
     }
 
-    // The operator at the mast tells the turn, now and then another one.
+    // The operator at the mast enters the wrap, sometimes a wrong one.
     void look(Axis axis)
     {
         const StationStatus status = m_rig.control.status();
@@ -297,7 +297,7 @@ private:
         }
     }
 
-    // Up to 0.3 s of replies that agree with each other, or do not, or are no numbers; the axis stays where it is.
+    // Up to 0.3 s of replies that agree with each other, differ, or are no numbers. The axis stays where it is.
     void sayFalsePlaces(Axis axis)
     {
         const double offset = number(-0.4, 0.4);
@@ -309,7 +309,7 @@ private:
         }
     }
 
-    // A drive without its home: it knows its place only within one turn of its rotor.
+    // A drive that has lost its home: it knows its position only within one turn of its rotor.
     void restart(Axis axis)
     {
         drive(axis).mode = moteus::Mode::Stopped;
@@ -319,14 +319,14 @@ private:
         m_facts[index(axis)].bootedAt = m_rig.clock.now();
         m_promises.slipped(axis);
         if (m_random() % 2 == 0) {
-            drive(axis).silent = true;  // for as long as it takes
+            drive(axis).silent = true;  // until another event ends it
         } else {
             m_rig.mount.driveRestarted(axis);
             m_rig.learn(axis, m_facts[index(axis)]);
         }
     }
 
-    // This computer does nothing for a while: the drives' watchdogs end what they did.
+    // This computer stalls. The watchdogs of the drives end their motion.
     void stall()
     {
         const Seconds time(number(0.02, 1.0));
@@ -379,9 +379,9 @@ protected:
     }
 };
 
-// REQ-CONTROL-09 (StationWalk.*): Whatever is asked, and whatever happens to drives, drive check, bus and computer:
-// set-points never leave the travel, never jump and never exceed the speed. Nothing moves unasked, STOP wins, and a
-// fault waits for a re-arm.
+// REQ-CONTROL-09 (StationWalk.*): Whatever is requested, and whatever happens to drives, drive check, bus and computer:
+// set-points never leave the travel, never jump and never exceed the speed limit. No motion starts without a request,
+// STOP wins, and a fault waits for a re-arm.
 // REQ-AXES-19a (StationWalk.*)
 // REQ-CONTROL-27 (StationWalk.*)
 TEST_P(StationWalk, PromisesHoldAmongHillsAndMasts)
