@@ -3,7 +3,7 @@
 
 #include "core/alarms/log_throttle.h"
 #include "core/messages/position_status.h"
-#include "core/position_stream/position_port.h"
+#include "core/datagrams/position_port.h"
 #include "core/profile/in_force.h"
 #include "core/station/station_broker.h"
 

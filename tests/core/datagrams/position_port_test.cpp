@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // With real sockets.
-#include "core/position_stream/position_port.h"
+#include "core/datagrams/position_port.h"
 
 #include "tests/fakes/unused_port.h"
 #include "tests/fakes/wait_until.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/paced_outlet.h"
-#include "core/position_stream/position_port.h"
+#include "core/datagrams/position_port.h"
 
 #include <QTimer>
 #include <QUdpSocket>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/position_stream/datagram_worker.h"
+#include "core/datagrams/datagram_worker.h"
 
 #include "core/base/text.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/position_stream/position_port.h"
+#include "core/datagrams/position_port.h"
 
-#include "core/position_stream/datagram_worker.h"
+#include "core/datagrams/datagram_worker.h"
 
 namespace boresight::position {
 
