@@ -24,9 +24,17 @@ void MessageInlet::openTopic(const QString& topic)
     m_broker.addReader();
 }
 
+void MessageInlet::openPage(const QUrl& url, std::chrono::milliseconds period)
+{
+    close();
+    m_page = std::make_unique<page::PagePoll>(m_name, url, period);
+    connect(m_page.get(), &page::PagePoll::received, this, &MessageInlet::received);
+}
+
 void MessageInlet::close()
 {
     m_port.reset();
+    m_page.reset();
     if (!m_topic.isEmpty()) {
         m_broker.connection().unsubscribe(m_topic);
         m_topic.clear();
@@ -38,6 +46,9 @@ QString MessageInlet::trouble() const
 {
     if (m_port) {
         return m_port->trouble();
+    }
+    if (m_page) {
+        return m_page->trouble();
     }
     return m_topic.isEmpty() ? QString() : m_broker.status().problem;
 }

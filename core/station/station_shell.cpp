@@ -54,14 +54,25 @@ Request requestOf(const local::LocalRequest& asked)
     return request::Stop{};
 }
 
+QJsonObject windObject(const WindStatus& wind)
+{
+    return {{QStringLiteral("speed"), wind.speed ? QJsonValue(*wind.speed) : QJsonValue()},
+            {QStringLiteral("age"), wind.age.count()},
+            {QStringLiteral("silent"), wind.isSilent},
+            {QStringLiteral("obstacle"), wind.obstacle}};
+}
+
 // As the header of the window shows it. `motion` is what the mount carries out.
 QByteArray statusJson(const StationStatus& status)
 {
     const QString reason = status.stateReason == status.targetText ? QString() : status.stateReason;
-    return QJsonDocument(QJsonObject{{QStringLiteral("state"), protocolWord(status.state)},
-                                     {QStringLiteral("reason"), reason},
-                                     {QStringLiteral("motion"), status.targetText}})
-        .toJson(QJsonDocument::Compact);
+    QJsonObject all{{QStringLiteral("state"), protocolWord(status.state)},
+                    {QStringLiteral("reason"), reason},
+                    {QStringLiteral("motion"), status.targetText}};
+    if (!status.wind.source.isEmpty()) {
+        all[QStringLiteral("wind")] = windObject(status.wind);
+    }
+    return QJsonDocument(all).toJson(QJsonDocument::Compact);
 }
 
 // An object without fields: the profile names no output.

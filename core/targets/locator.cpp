@@ -30,7 +30,8 @@ std::int64_t stepsOf(double degrees, double step)
 {
     // The edge of a square belongs to it, also where degrees and radians have rounded it off.
     constexpr double kRounding = 1e-6;
-    return std::clamp(static_cast<std::int64_t>(std::floor(degrees / step + kRounding)), std::int64_t{0}, kLocatorSteps - 1);
+    return std::clamp(static_cast<std::int64_t>(std::floor(degrees / step + kRounding)), std::int64_t{0},
+                      kLocatorSteps - 1);
 }
 
 char smallLetter(char character)

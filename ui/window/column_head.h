@@ -6,8 +6,9 @@
 #include <QWidget>
 
 // What stands above the tabs: the alarm card while there is one, the readouts of the axes, the antenna in use where
-// there are several, the readout of the sensor. Tabs and buttons stay where the operator's hand is: an alarm takes its
-// room from the readouts, which get smaller. The longest alarms leave out a sentence. Gui thread.
+// there are several, the wind where it is read, the readout of the sensor. Tabs and buttons stay where the operator's
+// hand is: an alarm takes its room from the readouts, which get smaller. The longest alarms leave out a sentence. Gui
+// thread.
 namespace boresight::ui {
 
 class AlarmCard;
@@ -15,6 +16,7 @@ class AntennaRow;
 class AxisReadout;
 class RequestDesk;
 class SensorReadout;
+class WindReadout;
 enum class AlarmForm;
 
 class ColumnHead : public QWidget
@@ -38,6 +40,7 @@ private:
     AxisReadout* m_axes;
     AntennaRow* m_antenna;
     SensorReadout* m_sensor;
+    WindReadout* m_wind;
     QSize m_window;
 };
 
