@@ -50,6 +50,11 @@ void WindGuard::step()
     }
     const SteadyTime now = m_clock.now();
     m_watch.step(limitsOf(m_profile->wind), now);
+    if (m_watch.isSilent() && !m_isSilent) {
+        const auto age = std::chrono::duration_cast<UtcTime::duration>(m_watch.age(now));
+        m_lastHeard = timeOfDayText(m_clock.utc() - age);
+    }
+    m_isSilent = m_watch.isSilent();
     if (m_override && now >= m_override->until) {
         m_override.reset();
     }
@@ -76,23 +81,21 @@ void WindGuard::profileChanged(const profile::Profile& before, const profile::Pr
     m_watch = wind::WindWatch(m_clock.now());
     m_override.reset();
     m_forbids = false;
+    m_isSilent = false;
     m_accepted = 0;
     m_alarms.clear(alarmEntry("wind.parks"));
     m_alarms.clear(alarmEntry("wind.silent"));
 }
 
-QString WindGuard::lastHeard() const
-{
-    const auto age = std::chrono::duration_cast<UtcTime::duration>(m_watch.age(m_clock.now()));
-    return timeOfDayText(m_clock.utc() - age);
-}
-
 QString WindGuard::causeText() const
 {
-    return m_watch.cause() == wind::WindWatch::Cause::Silence
-               ? Text::tr("The wind is unknown. No reading came since %1").arg(lastHeard())
-               : Text::tr("The wind reached %1 m/s. The limit is %2 m/s")
-                     .arg(speedText(m_watch.peak()), speedText(m_profile->wind.stowAbove));
+    if (m_watch.cause() == wind::WindWatch::Cause::Silence) {
+        return (m_isSilent ? Text::tr("The wind is unknown. No reading came since %1")
+                           : Text::tr("The wind was unknown. No reading came after %1, until now"))
+            .arg(m_lastHeard);
+    }
+    return Text::tr("The wind reached %1 m/s. The limit is %2 m/s")
+        .arg(speedText(m_watch.peak()), speedText(m_profile->wind.stowAbove));
 }
 
 void WindGuard::tellStow(bool parks)
@@ -113,7 +116,7 @@ void WindGuard::tellStow(bool parks)
 void WindGuard::tellSilence()
 {
     if (m_watch.isSilent() && m_watch.cause() != wind::WindWatch::Cause::Silence) {
-        m_alarms.raise(alarmEntry("wind.silent"), {lastHeard()});
+        m_alarms.raise(alarmEntry("wind.silent"), {m_lastHeard});
     } else {
         m_alarms.clear(alarmEntry("wind.silent"));
     }

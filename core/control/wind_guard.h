@@ -47,7 +47,6 @@ public:
 private:
     [[nodiscard]] bool isStrong() const { return m_watch.cause() != wind::WindWatch::Cause::None; }
     [[nodiscard]] QString causeText() const;
-    [[nodiscard]] QString lastHeard() const;
     void tellStow(bool parks);
     void tellSilence();
 
@@ -57,6 +56,8 @@ private:
     wind::WindWatch m_watch;
     std::uint64_t m_onsets = 0;
     bool m_forbids = false;  // as of the last tick
+    bool m_isSilent = false;
+    QString m_lastHeard;  // when the last reading came, before the silence
     std::uint64_t m_accepted = 0;
     struct Override
     {

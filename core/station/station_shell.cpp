@@ -32,6 +32,8 @@ Request requestOf(const local::LocalRequest& asked)
             return request::GiveAuthority{};
         case local::LocalCommand::ResetStop:
             return request::ResetStop{};
+        case local::LocalCommand::OverrideWind:
+            return request::OverrideWind{};
         case local::LocalCommand::ScheduleArm:
             return request::ArmSchedule{};
         case local::LocalCommand::ScheduleDisarm:

@@ -249,6 +249,12 @@ TEST_F(WindStowTest, SilenceIsToldOrParks)
     EXPECT_THAT(alarmOf("wind.parks")->what.toStdString(), HasSubstr("The wind is unknown. No reading came since "));
     blow(std::nullopt, Seconds(60.0));
     EXPECT_EQ(rig.state(), StationState::Parked);
+    const QString since = alarmOf("wind.parks")->what.section(QLatin1Char(' '), -1);
+    blow(5.0, Seconds(10.0));
+    EXPECT_EQ(alarmOf("wind.parks")->what,
+              QStringLiteral("The wind was unknown. No reading came after %1, until now.").arg(since.chopped(1)));
+    blow(5.0, Seconds(60.0));
+    EXPECT_FALSE(isRaised("wind.parks"));
 }
 
 // REQ-WIND-27: Without a source the wind forbids nothing, whatever was known of it.
