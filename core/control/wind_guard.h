@@ -45,6 +45,8 @@ public:
     [[nodiscard]] WindStatus status() const;
 
 private:
+    // With the time that this computer slept: a reading from before is old.
+    [[nodiscard]] SteadyTime now() const;
     [[nodiscard]] bool isStrong() const { return m_watch.cause() != wind::WindWatch::Cause::None; }
     [[nodiscard]] QString causeText() const;
     void tellStow(bool parks);

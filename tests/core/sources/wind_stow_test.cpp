@@ -257,6 +257,18 @@ TEST_F(WindStowTest, SilenceIsToldOrParks)
     EXPECT_FALSE(isRaised("wind.parks"));
 }
 
+// REQ-WIND-26
+TEST_F(WindStowTest, AReadingFromBeforeASuspendIsOld)
+{
+    goUp();
+    rig.clock.sleep(Seconds(3600.0));
+    blow(std::nullopt, Seconds(0.1));
+    EXPECT_TRUE(rig.control.status().wind.isSilent);
+    EXPECT_GT(rig.control.status().wind.age, Seconds(3600.0));
+    blow(5.0, Seconds(1.0));
+    EXPECT_FALSE(rig.control.status().wind.isSilent);
+}
+
 // REQ-WIND-27: Without a source the wind forbids nothing, whatever was known of it.
 TEST_F(WindStowTest, WithoutASourceTheWindForbidsNothing)
 {
