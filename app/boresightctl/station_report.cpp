@@ -42,9 +42,14 @@ QString windText(const QJsonObject& wind)
     const QString reading = isKnown
                                 ? QStringLiteral("%1 m/s, %2 s old").arg(QString::number(speed.toDouble(), 'f', 1), age)
                                 : QStringLiteral("unknown, no reading for %1 s").arg(age);
-    const QString obstacle = wind[QStringLiteral("obstacle")].toString();
-    return QStringLiteral("wind:     %1\n")
-        .arg(obstacle.isEmpty() ? reading : reading + QStringLiteral(". ") + obstacle);
+    QStringList parts{reading};
+    if (const QString until = wind[QStringLiteral("overriddenUntil")].toString(); !until.isEmpty()) {
+        parts << QStringLiteral("Motion is permitted until %1").arg(until);
+    }
+    if (const QString obstacle = wind[QStringLiteral("obstacle")].toString(); !obstacle.isEmpty()) {
+        parts << obstacle;
+    }
+    return QStringLiteral("wind:     %1\n").arg(parts.join(QStringLiteral(". ")));
 }
 
 // Empty: rotctld does not report it, or there is none.

@@ -2,6 +2,7 @@
 #include "core/station/station_shell.h"
 
 #include "core/base/text.h"
+#include "core/base/time_of_day.h"
 #include "core/elements/julian_date.h"
 #include "core/night/schedule_json.h"
 #include "core/station/state_word.h"
@@ -61,7 +62,9 @@ QJsonObject windObject(const WindStatus& wind)
     return {{QStringLiteral("speed"), wind.speed ? QJsonValue(*wind.speed) : QJsonValue()},
             {QStringLiteral("age"), wind.age.count()},
             {QStringLiteral("silent"), wind.isSilent},
-            {QStringLiteral("obstacle"), wind.obstacle}};
+            {QStringLiteral("obstacle"), wind.obstacle},
+            {QStringLiteral("overriddenUntil"),
+             wind.overriddenUntil ? QJsonValue(timeOfDayText(*wind.overriddenUntil)) : QJsonValue()}};
 }
 
 // As the header of the window shows it. `motion` is what the mount carries out.

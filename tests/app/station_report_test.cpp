@@ -64,6 +64,10 @@ TEST(StationReport, HasTheWind)
     EXPECT_EQ(ends(wind), QStringLiteral("wind:     7.2 m/s, 1 s old\n"));
     wind[QStringLiteral("obstacle")] = QStringLiteral("The wind reached 17.0 m/s.");
     EXPECT_EQ(ends(wind), QStringLiteral("wind:     7.2 m/s, 1 s old. The wind reached 17.0 m/s.\n"));
+    wind[QStringLiteral("obstacle")] = QString();
+    wind[QStringLiteral("overriddenUntil")] = QStringLiteral("01:01:59Z");
+    EXPECT_EQ(ends(wind), QStringLiteral("wind:     7.2 m/s, 1 s old. Motion is permitted until 01:01:59Z\n"));
+    wind[QStringLiteral("overriddenUntil")] = QJsonValue();
     wind[QStringLiteral("silent")] = true;
     wind[QStringLiteral("age")] = 45.0;
     wind[QStringLiteral("obstacle")] = QString();

@@ -188,7 +188,7 @@ TEST(StationShell, ReportsTheWindAndOverridesIt)
     EXPECT_THAT(rig.answerTo("status\n"), HasSubstr(R"("speed":21)"));
     EXPECT_THAT(rig.answerTo("status\n"), HasSubstr("The wind reached 21.0 m/s. The limit is 15.0 m/s."));
     EXPECT_EQ(rig.answerTo("override-wind\n"), "ok\n");
-    EXPECT_THAT(rig.answerTo("status\n"), HasSubstr(R"("obstacle":"")"));
+    EXPECT_THAT(rig.answerTo("status\n"), HasSubstr(R"("obstacle":"","overriddenUntil":"00:)"));
 }
 
 // REQ-STATION-940
