@@ -37,6 +37,8 @@ QString doneText(local::LocalCommand command)
             return QStringLiteral("The clients have the control. One of them may move the mount at once.");
         case local::LocalCommand::ResetStop:
             return QStringLiteral("STOP is reset. Clients are refused until release.");
+        case local::LocalCommand::OverrideWind:
+            return QStringLiteral("The mount may move in the wind for the time of the profile. Then it parks again.");
         case local::LocalCommand::Stop:
         case local::LocalCommand::Track:
         case local::LocalCommand::Satellites:
@@ -201,6 +203,19 @@ Example:
 )",
                                    .run = runLocally<kResetStopCommand, local::LocalCommand::ResetStop>};
 
+const Subcommand kOverrideWindCommand{.name = "override-wind",
+                                      .arguments = "[--station HOST:PORT]",
+                                      .summary =
+                                          "Let the operator move the mount of a running station in a strong wind",
+                                      .details = kWhichLocalStation + kLocalSocket +
+                                                 R"(
+It lasts for wind.override_min of the profile, and moves nothing. The station refuses it while the wind forbids nothing.
+)" + kExitStatus + R"(
+Example:
+  boresightctl override-wind
+)",
+                                      .run = runLocally<kOverrideWindCommand, local::LocalCommand::OverrideWind>};
+
 const Subcommand kTakeCommand{.name = "take",
                               .arguments = "[--station HOST:PORT]",
                               .summary = "Take the control of a running station from its clients",
@@ -246,7 +261,7 @@ const Subcommand kStatusCommand{.name = "status",
                                            R"(  --format text|json   text without it
 
 Prints the station, its state, and where the mount points. A station of this user on this computer reports by its local
-socket the state that its window shows (TRACK, HOLD, …), the motion, and whether its transmit output is on.
+socket the state that its window shows (TRACK, HOLD, …), the motion, the wind, and whether its transmit output is on.
 Of a station on another computer only rotctld reports. The state is then MOVING, or SLOW OR NOT MOVING: rotctld reports
 no motion below 0.02°/s, as while the mount tracks the Moon.
 )" + kExitStatus + R"(

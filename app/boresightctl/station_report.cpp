@@ -30,6 +30,28 @@ QString transmitText(const QJsonObject& transmit)
     return QStringLiteral("transmit: %1\n").arg(parts.join(QStringLiteral(". ")));
 }
 
+// A speed that is not of now is none. Empty: the station reads no wind, or is another computer's.
+QString windText(const QJsonObject& wind)
+{
+    if (wind.isEmpty()) {
+        return {};
+    }
+    const QString age = QString::number(wind[QStringLiteral("age")].toDouble(), 'f', 0);
+    const QJsonValue speed = wind[QStringLiteral("speed")];
+    const bool isKnown = speed.isDouble() && !wind[QStringLiteral("silent")].toBool();
+    const QString reading = isKnown
+                                ? QStringLiteral("%1 m/s, %2 s old").arg(QString::number(speed.toDouble(), 'f', 1), age)
+                                : QStringLiteral("unknown, no reading for %1 s").arg(age);
+    QStringList parts{reading};
+    if (const QString until = wind[QStringLiteral("overriddenUntil")].toString(); !until.isEmpty()) {
+        parts << QStringLiteral("Motion is permitted until %1").arg(until);
+    }
+    if (const QString obstacle = wind[QStringLiteral("obstacle")].toString(); !obstacle.isEmpty()) {
+        parts << obstacle;
+    }
+    return QStringLiteral("wind:     %1\n").arg(parts.join(QStringLiteral(". ")));
+}
+
 // Empty: rotctld does not report it, or there is none.
 QString lineOf(const QJsonObject& report, const QString& key)
 {
@@ -45,6 +67,7 @@ QString reportText(const QJsonObject& report)
     return lineOf(report, QStringLiteral("station")) + lineOf(report, QStringLiteral("state")) +
            lineOf(report, QStringLiteral("reason")) + lineOf(report, QStringLiteral("motion")) +
            QStringLiteral("actual:   %1\n").arg(actualText(report[QStringLiteral("actual")])) +
+           windText(report[QStringLiteral("wind")].toObject()) +
            transmitText(report[QStringLiteral("transmit")].toObject());
 }
 

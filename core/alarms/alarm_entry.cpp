@@ -126,6 +126,10 @@ QString buttonText(AlarmHelp help)
             return Text::tr("Hold at end");
         case AlarmHelp::Reconnect:
             return Text::tr("Reconnect");
+        case AlarmHelp::ParkNow:
+            return Text::tr("Park now");
+        case AlarmHelp::OverrideWind:
+            return Text::tr("Move anyway");
         case AlarmHelp::MovePark:
             return Text::tr("Move park");
         case AlarmHelp::OpenProtection:

@@ -25,7 +25,7 @@ Arming::Arming(const profile::InForce& profile, MountDriver& mount, EventLog& lo
     : m_profile(profile), m_mount(mount), m_log(log), m_retry(profile)
 {}
 
-Result<> Arming::admits(const Source& source) const
+Result<> Arming::isReady() const
 {
     if (Result<> available = m_mount.available(); !available) {
         return available;
@@ -46,7 +46,12 @@ Result<> Arming::admits(const Source& source) const
     if (const auto reason = fault()) {
         return failure(ErrorCode::Refused, Text::tr("%1. Re-arm first.").arg(*reason));
     }
-    return mayCommand(source).and_then([this] { return m_mount.fitness(); });
+    return {};
+}
+
+Result<> Arming::admits(const Source& source) const
+{
+    return isReady().and_then([&] { return mayCommand(source); }).and_then([this] { return m_mount.fitness(); });
 }
 
 Result<> Arming::mayCommand(const Source& source) const

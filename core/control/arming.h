@@ -36,6 +36,8 @@ class Arming
 public:
     Arming(const profile::InForce& profile, MountDriver& mount, EventLog& log);
 
+    // May the mount be moved at all, whoever wants it?
+    [[nodiscard]] Result<> isReady() const;
     // May this source start a motion? The error names what is in the way and how to remove it.
     [[nodiscard]] Result<> admits(const Source& source) const;
     // Has this source the control authority, whatever else stands in the way?

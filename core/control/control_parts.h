@@ -12,6 +12,7 @@
 #include "core/control/slew_watch.h"
 #include "core/control/standstill_watch.h"
 #include "core/control/sun_watch.h"
+#include "core/control/wind_guard.h"
 #include "core/motion/first_moves.h"
 #include "core/motion/motion.h"
 #include "core/mount/mount_driver.h"
@@ -39,8 +40,10 @@ struct ControlParts
     const SunWatch& sun;
     const SlewWatch& slew;
     const EnergyMeter& energy;
+    const WindGuard& wind;
     const AlarmBoard& alarms;
-    SteadyTime now;  // of the running or last tick
+    SteadyTime now;    // of the running or last tick
+    SteadyTime asked;  // somebody asked for something last, accepted or not
     std::uint64_t tick = 0;
 
     // Where the set-points are, or the axes if nobody moves them.

@@ -12,7 +12,18 @@
 
 namespace boresight {
 
+// What stands in the way of parking, too, is named before the wind.
+Result<> Gates::isWindFine() const
+{
+    return m_of.arming.isReady().and_then([this] { return m_of.wind.admits(); });
+}
+
 Result<> Gates::mayMove(const Source& source) const
+{
+    return isWindFine().and_then([&] { return mayMoveInWind(source); });
+}
+
+Result<> Gates::mayMoveInWind(const Source& source) const
 {
     if (m_of.mount.proofRunning()) {
         return failure(ErrorCode::Refused, Text::tr("The crash-stop test moves the mount. End it first."));
@@ -53,6 +64,11 @@ Result<> Gates::axesPlaced() const
 
 Result<> Gates::mayPoint(const Source& source) const
 {
+    return isWindFine().and_then([&] { return mayPark(source); });
+}
+
+Result<> Gates::mayPark(const Source& source) const
+{
     const auto directionsSeen = [this]() -> Result<> {
         if (m_of.profile.mount.directions != profile::Directions::Confirmed) {
             return failure(
@@ -62,7 +78,7 @@ Result<> Gates::mayPoint(const Source& source) const
         }
         return {};
     };
-    return mayMove(source).and_then(directionsSeen).and_then([this] { return axesPlaced(); }).and_then([this] {
+    return mayMoveInWind(source).and_then(directionsSeen).and_then([this] { return axesPlaced(); }).and_then([this] {
         return mayLeaveSunBand({}, {});
     });
 }
@@ -210,7 +226,8 @@ AxisPosition Gates::home() const
 // step. A place outside the limits stays what it is, and is refused.
 AxisPosition Gates::park() const
 {
-    const AxisPosition& place = m_of.profile.park;
+    const bool isStowed = m_of.wind.forbids() && m_of.profile.wind.stowAt == profile::StowAt::Place;
+    const AxisPosition& place = isStowed ? m_of.profile.wind.place : m_of.profile.park;
     const pointing::Region& limits = m_of.profile.limits;
     const pointing::AxisBox& ranges = m_of.motion.region().ranges();
     const auto reached = [](Angle angle, const TravelRange& limit, const TravelRange& range) {
@@ -218,6 +235,15 @@ AxisPosition Gates::park() const
     };
     return {.azimuth = reached(place.azimuth, limits.azimuth, ranges.azimuth),
             .elevation = reached(place.elevation, limits.elevation, ranges.elevation)};
+}
+
+bool Gates::isAtPark() const
+{
+    constexpr Angle kThere = Angle::fromDegrees(0.3);
+    const auto measured = m_of.mount.measured();
+    const AxisPosition place = park();
+    return measured && m_of.mount.wrapsKnown() && abs(measured->azimuth - place.azimuth) < kThere &&
+           abs(measured->elevation - place.elevation) < kThere;
 }
 
 Result<AxisPosition> Gates::unwound() const

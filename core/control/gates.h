@@ -24,10 +24,12 @@ public:
     [[nodiscard]] Result<> mayCommand(const Source& source) const;
     // A shell of this computer may move the mount as a client could: no client loses the control by it.
     [[nodiscard]] Result<> mayShellCommand() const;
-    [[nodiscard]] Result<> mayMove(const Source& source) const;  // armed, and no proof is running
+    // Armed, no proof is running, and the wind permits it.
+    [[nodiscard]] Result<> mayMove(const Source& source) const;
     // Something goes on that Hold ends, or could begin.
     [[nodiscard]] Result<> mayHold(const Source& source) const;
     [[nodiscard]] Result<> mayPoint(const Source& source) const;                        // anywhere
+    [[nodiscard]] Result<> mayPark(const Source& source) const;                         // also in a strong wind
     [[nodiscard]] Result<> mayJog(const AxisRates& rates, const Source& source) const;  // or is jogged slowly
     [[nodiscard]] Result<> axesPlaced() const;  // each on a wrap that is known, and not far outside its travel
     // While the clock is doubted: from where the Sun can be only the operator's slow jog leads out.
@@ -41,7 +43,8 @@ public:
     [[nodiscard]] Result<> isWayOn(Axis axis, bool upwards) const;
     [[nodiscard]] Result<> mayBeAt(const AxisPosition& place) const;  // travel, limits, horizon and keep-outs
     [[nodiscard]] AxisPosition home() const;
-    [[nodiscard]] AxisPosition park() const;
+    [[nodiscard]] AxisPosition park() const;  // in a strong wind the place for that
+    [[nodiscard]] bool isAtPark() const;      // the axes stand there, as measured
     // The same direction, where the azimuth cable is wound least.
     [[nodiscard]] Result<AxisPosition> unwound() const;
     // To a client 95° is the equal direction behind the zenith; an operator who asks for it has slipped.
@@ -82,6 +85,8 @@ public:
     [[nodiscard]] int farOutside(Axis axis) const;
 
 private:
+    [[nodiscard]] Result<> isWindFine() const;
+    [[nodiscard]] Result<> mayMoveInWind(const Source& source) const;
     [[nodiscard]] Result<> isPlaced(Axis axis) const;
     [[nodiscard]] Result<> drivesAnswer() const;
     [[nodiscard]] Result<> axesStand() const;  // as measured

@@ -114,7 +114,9 @@ DirectionVerdict Helm::judge(const SkyPointing& direction) const
 
 Result<> Helm::goTo(const AxisPosition& place, Activity activity, const Source& by, const QString& what)
 {
-    return mayPoint(by).and_then([&] { return mayGoTo(place); }).map([&] {
+    const Gates gates(view());
+    const Result<> may = activity == Activity::Parking ? gates.mayPark(by) : gates.mayPoint(by);
+    return may.and_then([&] { return mayGoTo(place); }).map([&] {
         const AxisPosition end = view().model.resolve(place).position;
         begin(activity, by, what, arrivalText(end));
         m_of.motion.goTo(end);

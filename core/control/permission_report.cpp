@@ -52,7 +52,8 @@ void PermissionReport::judgePlaces(Permissions& may) const
     judge(may, Action::Track, point);
     judge(may, Action::FollowAzel, point);
     judge(may, Action::FollowPosition, point);
-    judge(may, Action::Park, point.and_then([&] { return gates.mayBeAt(gates.park()); }));
+    judge(may, Action::Park, gates.mayPark(kTheOperator).and_then([&] { return gates.mayBeAt(gates.park()); }));
+    judge(may, Action::OverrideWind, m_of.wind.mayOverride());
     judge(may, Action::Home, point.and_then([&] { return gates.mayBeAt(gates.home()); }));
     judge(may, Action::HoldAtEnd, gates.mayHoldAtEnd());
     judge(may, Action::UseAntenna, gates.mayUseAntenna());

@@ -2,6 +2,7 @@
 #include "core/control/station_control.h"
 
 #include "core/base/text.h"
+#include "core/base/time_of_day.h"
 #include "core/mount/mount_service.h"
 #include "core/pointing/nearest_permitted.h"
 #include "core/profile/setting.h"
@@ -45,6 +46,7 @@ StationControl::StationControl(const profile::InForce& profile, const Clock& clo
       m_motion(*profile, mount.capabilities()),
       m_arming(profile, mount, log),
       m_cable(m_alarms, clock),
+      m_wind(profile, clock, alarms),
       m_sourceLog(log, clock),
       m_heldLog(m_sourceLog),
       m_helm({.motion = m_motion,
@@ -99,8 +101,10 @@ ControlParts StationControl::parts() const
             .sun = m_region.sun(),
             .slew = m_slew,
             .energy = m_energy,
+            .wind = m_wind,
             .alarms = m_alarms,
             .now = m_now,
+            .asked = m_asked,
             .tick = m_tick};
 }
 
@@ -119,6 +123,9 @@ Result<> StationControl::request(const Request& request, const Source& source)
             return handle(wanted, source);  // does not compile for a request that nobody takes
         }
     };
+    if (!std::holds_alternative<request::JudgeDirection>(request)) {
+        m_asked = m_now;
+    }
     return std::visit(answer, request);
 }
 
@@ -126,6 +133,7 @@ StationStatus StationControl::status() const
 {
     StationStatus status = report().status();
     status.profile = m_profile.shared();
+    status.wind = m_wind.status();
     for (const auto& one : m_sources) {
         one->describe(status);
     }
@@ -250,6 +258,16 @@ Result<> StationControl::handle(const request::AcknowledgeAlarm& wanted, const S
     return {};
 }
 
+Result<> StationControl::handle(const request::OverrideWind&, const Source& source)
+{
+    return operatorOnly(source).and_then([this] { return m_wind.mayOverride(); }).map([&] {
+        m_wind.override();
+        m_log.add(Severity::Warning, source.name,
+                  Text::tr("lets the mount move in the wind until %1")
+                      .arg(timeOfDayText(m_wind.status().overriddenUntil.value_or(m_clock.utc()))));
+    });
+}
+
 Result<> StationControl::handle(const request::UseAntenna& wanted, const Source& source)
 {
     return operatorOnly(source).and_then([&] { return gates().mayUseAntenna(); }).and_then([&] {
@@ -278,6 +296,7 @@ void StationControl::profileChanged(const profile::Profile& before, const profil
         m_firstMoves.beginAnew();  // the small way begins where the mount stands now
     }
     m_standstill.forget();
+    m_wind.profileChanged(before, after);
     m_antenna.profileChanged(before, after);
     m_region.profileChanged(before, after);
     for (const Axis axis : kAxes) {
@@ -381,6 +400,8 @@ void StationControl::tick()
     // After the supervision, which shows a drive that came back: one that turns against STOP is stopped again. Before
     // the sources, which must find it stopped.
     keepStopped();
+    // Before the sources: one of them parks the mount in a strong wind, and the others are refused.
+    m_wind.step();
     // Behind STOP and faults, which refuse a source its next motion.
     stepSources();
     // After the sources: one of them may have ended its tracking.
@@ -402,6 +423,7 @@ void StationControl::tick()
     watchRegion();
     watchCable();
     watchLimited();
+    m_wind.tell(m_current.is(Activity::Parking) || gates().isAtPark());
     // After what may end or send the motion: looks ahead along the way that is left.
     m_slew.update(m_mount.follows() && state() == StationState::Slew, m_motion, now);
     // After the set-points, for the state that they made: the energy of this tick belongs to it.

@@ -25,6 +25,7 @@
 #include "core/control/standstill_watch.h"
 #include "core/control/status_report.h"
 #include "core/control/target_alarm.h"
+#include "core/control/wind_guard.h"
 #include "core/messages/request.h"
 #include "core/messages/station_status.h"
 #include "core/motion/motion.h"
@@ -64,7 +65,11 @@ public:
     // The source is gone for good: a `Move` of its own ends, a stream stops at its last point.
     void sourceGone(const Source& source);
     // A client asks for a motion, also one that is refused before request() sees it.
-    void clientAsked(const Source& client) { m_lead.asked(client, m_now); }
+    void clientAsked(const Source& client)
+    {
+        m_asked = m_now;
+        m_lead.asked(client, m_now);
+    }
     // A client has read the measured position: if the running stream is its own, it is content until it sends a
     // point.
     void positionRead(std::uint64_t clientId);
@@ -150,6 +155,10 @@ public:
     [[nodiscard]] pointing::Antenna chosenAntenna() const { return m_antenna.chosen(); }
     // Where a sensor measures the main beam. It counts only when the wrap is asked for.
     void setSensor(const std::optional<Angle>& azimuth, const std::optional<Angle>& elevation);
+    // What an anemometer reports, in m/s.
+    void takeWind(double speed) { m_wind.take(speed); }
+    // Why the wind lets only Park move the mount; empty: it forbids nothing.
+    [[nodiscard]] QString windObstacle() const { return m_wind.obstacle(); }
     // For the source of motion that waits for it. The error says why it is not believed.
     Result<> receive(const SourceReport& received);
 
@@ -162,6 +171,7 @@ private:
     Result<> handle(const request::ClearTrim& wanted, const Source& source);
     Result<> handle(const request::HoldAtEnd& wanted, const Source& source);
     Result<> handle(const request::AcknowledgeAlarm& wanted, const Source& source);
+    Result<> handle(const request::OverrideWind& wanted, const Source& source);
     Result<> handle(const request::UseAntenna& wanted, const Source& source);
     Result<> handle(const request::ApplyProfile& wanted, const Source& source);
     Result<> handle(const request::Reconnect& wanted, const Source& source);
@@ -204,6 +214,7 @@ private:
     CableGuard m_cable;
     SlewWatch m_slew;
     EnergyMeter m_energy;
+    WindGuard m_wind;
     SourceLog m_sourceLog;
     HeldLog m_heldLog;
 
@@ -216,7 +227,8 @@ private:
     TargetAlarm m_targetAlarm;
     AdviceAlarms m_adviceAlarms;
     OrderlyEnd m_end;
-    SteadyTime m_now{};  // of the running or last tick
+    SteadyTime m_now{};    // of the running or last tick
+    SteadyTime m_asked{};  // somebody asked for something last
     std::uint64_t m_tick = 0;
     MotionSources m_sources;
 };

@@ -20,6 +20,7 @@ constexpr std::array kWords{std::pair{LocalCommand::Take, "take"},
                             std::pair{LocalCommand::Release, "release"},
                             std::pair{LocalCommand::Stop, "stop"},
                             std::pair{LocalCommand::ResetStop, "reset-stop"},
+                            std::pair{LocalCommand::OverrideWind, "override-wind"},
                             std::pair{LocalCommand::Satellites, "satellites"},
                             std::pair{LocalCommand::Antennas, "antennas"},
                             std::pair{LocalCommand::UseAntenna, "antenna"},
@@ -112,9 +113,10 @@ Result<LocalRequest> parseRequest(const QByteArray& line)
     const auto* const found = std::ranges::find_if(kWords, [&word](const auto& one) { return word == one.second; });
     const bool hasTarget = found != kWords.end() && takesTarget(found->first);
     if (found == kWords.end() || hasTarget == (word == text)) {
-        return failure(ErrorCode::InvalidInput,
-                       Text::tr("This is not a command. The commands are take, release, stop, reset-stop, satellites, "
-                                "status, transmit, track TARGET, antennas, antenna NAME and those of the schedule."));
+        return failure(
+            ErrorCode::InvalidInput,
+            Text::tr("This is not a command. The commands are take, release, stop, reset-stop, override-wind, "
+                     "satellites, status, transmit, track TARGET, antennas, antenna NAME and those of the schedule."));
     }
     return LocalRequest{.command = found->first, .target = hasTarget ? text.mid(word.size()).trimmed() : QByteArray()};
 }

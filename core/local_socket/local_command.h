@@ -22,6 +22,7 @@ enum class LocalCommand
     Release,
     Stop,
     ResetStop,
+    OverrideWind,
     Track,
     Satellites,
     Antennas,

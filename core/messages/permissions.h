@@ -33,6 +33,7 @@ enum class Action
     FollowPosition,  // what reports its position
     ArmSchedule,     // of passes
     Park,
+    OverrideWind,
     Home,
     Unwind,
     HoldAtEnd,

@@ -93,6 +93,8 @@ struct UseAntenna  // all directions are those of its beam from now on. Moves wh
 {
     std::string name;  // "main", or one of the profile
 };
+struct OverrideWind  // the mount may move in a strong wind, for the time of the profile. Moves nothing
+{};
 struct Hold  // decelerate and hold; not latched
 {};
 struct Stop  // decelerate and hold, latched until ResetStop
@@ -310,7 +312,7 @@ using AnyRequest =
                  request::TakeBus, request::ChooseTurn, request::ProveCrashStop, request::EndProof, request::ReadGains,
                  request::SetGain, request::PutGainsBack, request::StoreGains, request::Trial, request::FollowAzel,
                  request::FollowPosition, request::FollowRotator, request::Rehearse, request::TrackFile,
-                 request::UseAntenna, TuningRequest, CalibrationRequest, ScheduleRequest>;
+                 request::UseAntenna, request::OverrideWind, TuningRequest, CalibrationRequest, ScheduleRequest>;
 
 // Every source that includes this header would compile the copying of so many alternatives again. It is compiled once.
 struct Request : AnyRequest

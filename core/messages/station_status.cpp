@@ -24,6 +24,7 @@ constexpr std::array kSources{QT_TRANSLATE_NOOP("Text", "azimuth drive"),
                               QT_TRANSLATE_NOOP("Text", "calibration"),
                               QT_TRANSLATE_NOOP("Text", "bus"),
                               QT_TRANSLATE_NOOP("Text", "Sun"),
+                              QT_TRANSLATE_NOOP("Text", "wind"),
                               QT_TRANSLATE_NOOP("Text", "log")};
 
 }  // namespace

@@ -18,6 +18,7 @@
 #include "core/messages/sensor_status.h"
 #include "core/messages/transmit_status.h"
 #include "core/messages/tuning_status.h"
+#include "core/messages/wind_status.h"
 #include "core/profile/profile.h"
 #include "core/targets/sky_moment.h"
 #include "core/units/sky.h"
@@ -174,6 +175,8 @@ enum class AlarmHelp
     Unwind,
     HoldAtEnd,
     Reconnect,
+    ParkNow,
+    OverrideWind,
     MovePark,
     OpenProtection,
     OpenDrives,
@@ -271,6 +274,7 @@ struct StationStatus
     QStringList elementProblems;  // of element files and downloads: what cannot be used, and why. The first ones
     AzelStatus azel;
     PositionStatus position;
+    WindStatus wind;
     std::vector<BodyPlace> bodies;       // empty: the site is not set
     Permissions permissions;             // of the operator
     Capabilities capabilities;           // of the mount

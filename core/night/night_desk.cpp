@@ -203,6 +203,7 @@ void NightDesk::tick()
     lookForPasses();
     armByPolicy();
     if (m_armed) {
+        waitOutWind();
         if (const auto by = interruption()) {
             disarm(*by);
         } else {
@@ -243,6 +244,24 @@ std::optional<NightDesk::Interruption> NightDesk::interruption() const
                        Text::tr("The station ended the tracking. The log shows the reason"));
     }
     return std::nullopt;
+}
+
+// The mount parks by the profile. That loses what is tracked, and the schedule goes on with the next pass.
+void NightDesk::waitOutWind()
+{
+    const QString why = m_control.windObstacle();
+    if (why.isEmpty()) {
+        return;
+    }
+    m_errand = m_control.errand();
+    if (m_tracked && !m_control.obeys(scheduleSource())) {
+        m_log.add(Severity::Warning, scheduleSource().name,
+                  Text::tr("loses the pass of %1: %2").arg(m_tracked->pass().name, why));
+        m_report.keep(m_tracked->tally().ended(schedule::PassEnd::Refused, why));
+        m_tracked.reset();
+        m_moments.end(schedule::PassEnd::Refused, why);
+        show();
+    }
 }
 
 // Set back, the clock has passes before it that it had behind it. The one that is tracked comes later, after them.

@@ -77,6 +77,7 @@ private:
     void armByPolicy();
     void disarm(const Interruption& by);
     [[nodiscard]] std::optional<Interruption> interruption() const;
+    void waitOutWind();
     void noticeClock();
     void lookForPasses();
     [[nodiscard]] std::function<bool(const SkyPointing&)> clearSkyOf(std::int64_t satellite) const;

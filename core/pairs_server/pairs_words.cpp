@@ -3,8 +3,8 @@
 
 #include "core/base/numbers.h"
 #include "core/base/text.h"
-#include "core/profile/locator.h"
 #include "core/rotctld/client_habits.h"
+#include "core/targets/locator.h"
 #include "core/units/degrees_text.h"
 
 #include <algorithm>
@@ -99,7 +99,7 @@ Result<Command> parseBearing(const std::vector<std::string>& words, std::string_
     if (words.size() != 2 && !isLong) {
         return unknown(line);
     }
-    return profile::fromLocator(words[1]).map([&](const profile::GeoPoint& place) {
+    return targets::fromLocator(words[1]).map([&](const targets::GeoPoint& place) {
         const targets::EarthPosition position{
             .site = {.latitude = place.latitude, .longitude = place.longitude},
             .path = isLong ? targets::GreatCircle::Long : targets::GreatCircle::Short};

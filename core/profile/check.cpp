@@ -235,6 +235,7 @@ std::vector<Problem> crossCheck(const Profile& profile)
     checkSensor(problems, profile);
     checkPower(problems, profile);
     checkPosition(problems, profile);
+    checkWind(problems, profile);
     return problems;
 }
 

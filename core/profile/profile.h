@@ -13,6 +13,7 @@
 #include "core/profile/power_settings.h"
 #include "core/profile/sensor_settings.h"
 #include "core/profile/transmit_settings.h"
+#include "core/profile/wind_settings.h"
 #include "core/schedule/watch_entry.h"
 #include "core/tracking/axis_profile.h"
 #include "core/units/site.h"
@@ -394,7 +395,8 @@ struct Profile
     pointing::PointingTerms pointing;         // how the true direction differs from what the axes show
     std::vector<pointing::Antenna> antennas;  // besides the main one, which has the beam width of the mount
     pointing::Region limits;
-    AxisPosition park{};  // mechanical angles
+    AxisPosition park{};     // mechanical angles
+    double parkAfter = 0.0;  // min without a motion or a command; 0: never
     std::vector<Preset> presets;
     SiteSettings site;
     GpredictSettings gpredict;
@@ -413,6 +415,7 @@ struct Profile
     BrokerSettings mqtt;
     PowerSettings power;
     TransmitSettings transmit;
+    WindSettings wind;
 
     [[nodiscard]] const AxisSettings& axis(Axis which) const { return which == Axis::Azimuth ? azimuth : elevation; }
     // The axis that nothing turns.

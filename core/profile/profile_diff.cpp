@@ -158,7 +158,7 @@ std::vector<Item> makeItems()
             items.push_back(listItem(
                 kKeepOutKey, keepOutSettings(), [](auto& p) -> auto& { return p.limits.keepOuts; },
                 &namesText<pointing::KeepOut>));
-        } else if (setting.key == "park.elevation_deg") {
+        } else if (setting.key == "park.after_min") {
             items.push_back(listItem(
                 kPresetKey, presetSettings(), [](auto& p) -> auto& { return p.presets; }, &namesText<Preset>));
             items.push_back(siteItem());

@@ -35,32 +35,33 @@ void checkLimits(std::vector<Problem>& problems, const std::string& axis, const 
 }
 
 // That it is inside the travel is checked with the axis.
-bool checkParkLimits(std::vector<Problem>& problems, const std::string& axis, const TravelRange& limits, Angle park)
+bool checkStandLimits(std::vector<Problem>& problems, const std::string& key, const TravelRange& limits, Angle place)
 {
-    if (limits.contains(park)) {
+    if (limits.contains(place)) {
         return true;
     }
-    problems.push_back({"park." + axis + "_deg",
-                        Text::tr("%1 is outside the limits of operation %2…%3")
-                            .arg(degreesText(park, 2), degreesText(limits.min, 2), degreesText(limits.max, 2))});
+    problems.push_back({key, Text::tr("%1 is outside the limits of operation %2…%3")
+                                 .arg(degreesText(place, 2), degreesText(limits.min, 2), degreesText(limits.max, 2))});
     return false;
 }
 
-// In a region that is in order.
-void checkPark(std::vector<Problem>& problems, const Profile& profile)
+// Where the mount is left alone, in a region that is in order.
+void checkStand(std::vector<Problem>& problems, const Profile& profile, const std::string& table,
+                const AxisPosition& place)
 {
     const TravelRange& azimuthTravel = profile.azimuth.geometry.travel;
     const TravelRange& elevationTravel = profile.elevation.geometry.travel;
-    const bool isInAzimuth = checkParkLimits(problems, "azimuth", profile.limits.azimuth, profile.park.azimuth);
-    const bool isInElevation = checkParkLimits(problems, "elevation", profile.limits.elevation, profile.park.elevation);
-    if (!isInAzimuth || !isInElevation || !azimuthTravel.contains(profile.park.azimuth) ||
-        !elevationTravel.contains(profile.park.elevation)) {
+    const std::string elevationKey = table + ".elevation_deg";
+    const bool isInAzimuth = checkStandLimits(problems, table + ".azimuth_deg", profile.limits.azimuth, place.azimuth);
+    const bool isInElevation = checkStandLimits(problems, elevationKey, profile.limits.elevation, place.elevation);
+    if (!isInAzimuth || !isInElevation || !azimuthTravel.contains(place.azimuth) ||
+        !elevationTravel.contains(place.elevation)) {
         return;
     }
     const pointing::PermittedRegion region(profile.limits, azimuthTravel, elevationTravel,
                                            pointing::PointingModel(profile.pointing));
-    if (const QString reason = region.reason(profile.park); !reason.isEmpty()) {
-        problems.push_back({"park.elevation_deg", reason});
+    if (const QString reason = region.reason(place); !reason.isEmpty()) {
+        problems.push_back({elevationKey, reason});
     }
 }
 
@@ -127,7 +128,10 @@ void checkRegion(std::vector<Problem>& problems, const Profile& profile)
     checkHorizon(problems, profile.limits.horizon);
     checkKeepOuts(problems, profile.limits.keepOuts);
     if (problems.size() == problemsBefore) {
-        checkPark(problems, profile);
+        checkStand(problems, profile, "park", profile.park);
+        if (profile.wind.isRead() && profile.wind.stowAt == StowAt::Place) {
+            checkStand(problems, profile, "wind", profile.wind.place);
+        }
     }
     checkNames(problems, kPresetKey, profile.presets);
     if (profile.sun.keepAway == KeepAway::On && !profile.site.known) {

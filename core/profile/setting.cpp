@@ -216,6 +216,13 @@ void addControl(std::vector<Setting>& list)
         {QT_TRANSLATE_NOOP("Text", "Park elevation"),
          QT_TRANSLATE_NOOP("Text", "Elevation of the park position, as an axis angle.")},
         [](auto& p) -> auto& { return p.park.elevation; }));
+    list.push_back(number(
+        "park.after_min", "min", {0.0, 1440.0}, Applies::Now,
+        {QT_TRANSLATE_NOOP("Text", "Park when idle"),
+         QT_TRANSLATE_NOOP("Text",
+                           "The mount parks after this time without a motion and without a command of the operator or "
+                           "of a client. A client that only reads the position does not count. 0: never.")},
+        [](auto& p) -> auto& { return p.parkAfter; }));
 }
 
 void addJog(std::vector<Setting>& list)
@@ -339,6 +346,7 @@ std::vector<Setting> makeSettings()
     addBroker(list);
     addPower(list);
     addTransmit(list);
+    addWind(list);
     return list;
 }
 

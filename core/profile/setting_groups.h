@@ -25,6 +25,7 @@ void addSensor(std::vector<Setting>& list);
 void addBroker(std::vector<Setting>& list);
 void addPower(std::vector<Setting>& list);
 void addTransmit(std::vector<Setting>& list);
+void addWind(std::vector<Setting>& list);
 
 // Of another computer, or this one: "shack.local", "127.0.0.1".
 [[nodiscard]] Result<> checkHost(const std::string& text);
@@ -48,7 +49,7 @@ void checkNumbers(std::vector<Problem>& problems, std::string_view list, const s
 }
 
 // Cross checks of the region, the Sun, the park place and the presets; of the antennas; of the source of positions; of
-// the satellites; of the watch list; of the sensor; of the received power.
+// the satellites; of the watch list; of the sensor; of the received power; of the wind.
 void checkRegion(std::vector<Problem>& problems, const Profile& profile);
 void checkAntennas(std::vector<Problem>& problems, const Profile& profile);
 void checkPosition(std::vector<Problem>& problems, const Profile& profile);
@@ -56,5 +57,6 @@ void checkSatellites(std::vector<Problem>& problems, const Profile& profile);
 void checkSchedule(std::vector<Problem>& problems, const Profile& profile);
 void checkSensor(std::vector<Problem>& problems, const Profile& profile);
 void checkPower(std::vector<Problem>& problems, const Profile& profile);
+void checkWind(std::vector<Problem>& problems, const Profile& profile);
 
 }  // namespace boresight::profile

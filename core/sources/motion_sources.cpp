@@ -6,6 +6,7 @@
 #include "core/sources/client_move.h"
 #include "core/sources/client_stream.h"
 #include "core/sources/go_to.h"
+#include "core/sources/idle_park.h"
 #include "core/sources/jog.h"
 #include "core/sources/known_places.h"
 #include "core/sources/park.h"
@@ -14,6 +15,7 @@
 #include "core/sources/step.h"
 #include "core/sources/target_track.h"
 #include "core/sources/trial_run.h"
+#include "core/sources/wind_stow.h"
 
 namespace boresight {
 namespace {
@@ -54,7 +56,9 @@ MotionSources motionSources(Helm& helm)
                   sources::AzelFollow,      //
                   sources::PositionFollow,  //
                   sources::RotatorFollow,   //
-                  sources::TrialRun         //
+                  sources::TrialRun,        //
+                  sources::IdlePark,        //
+                  sources::WindStow         //
                   >(helm);
 }
 

@@ -59,6 +59,7 @@ Station::Station(const profile::Profile& profile, const MountMaker& mount, const
       m_follow(m_control, m_profile, clock, this),
       m_azel(m_profile, this),
       m_position(m_profile, m_log, clock, m_broker, this),
+      m_wind(m_profile, m_log, clock, m_broker, this),
       m_calibrationFile(calibrationPath(stateDir, toQString(profile.mount.name), m_mount->simulated()), this),
       m_calibration(m_control, m_profile, m_calibrationFile, clock, m_log),
       m_tuning(m_control, clock, m_log),
@@ -102,6 +103,7 @@ Station::Station(const profile::Profile& profile, const MountMaker& mount, const
             m_position.tellRefused(taken.error());
         }
     });
+    connect(&m_wind, &StationWind::measured, this, [this](double speed) { m_control.takeWind(speed); });
     connect(&m_eventFile, &EventFile::failed, this,
             [this](const QString& reason) { m_control.alarms().raise(alarmEntry("log.not-stored"), {reason}); });
     connect(&m_eventFile, &EventFile::written, this,
@@ -141,6 +143,7 @@ void Station::openAll()
     m_elements.open();
     m_azel.open();
     m_position.open();
+    m_wind.open();
     m_transmit.open();
     m_eventFile.tick();
 }
@@ -266,6 +269,7 @@ void Station::finish()
     m_power.close();
     m_azel.close();
     m_position.close();
+    m_wind.close();
     m_broker.close();
     m_mount->close();
     m_screen.want();  // the last words, also to a screen that is slow: who asked for the end has an answer to get
@@ -478,6 +482,7 @@ void Station::profileChanged(const profile::Profile& before)
     m_power.profileChanged(before, after);
     m_elements.profileChanged(before, after);
     m_position.profileChanged(before, after);
+    m_wind.profileChanged(before, after);
     m_night.profileChanged(before, after);
     m_transmit.profileChanged(before, after);
     m_calibration.profileChanged(before, after);
@@ -532,6 +537,7 @@ StationStatus Station::status() const
     status.broker = m_broker.status();
     status.sensor = m_sensor.status();
     m_position.describe(status.position);
+    m_wind.describe(status.wind);
     status.satellites = m_elements.satellites();
     status.elementProblems = m_elements.problems();
     m_calibration.fill(status);

@@ -30,6 +30,7 @@
 #include "core/station/station_shell.h"
 #include "core/station/station_tables.h"
 #include "core/station/station_transmit.h"
+#include "core/station/station_wind.h"
 #include "core/station/tick_lateness.h"
 #include "core/tuning/tuning_desk.h"
 
@@ -144,6 +145,7 @@ private:
     StationAzel m_azel;
     StationTables m_tables{this};
     StationPosition m_position;
+    StationWind m_wind;
     CalibrationFile m_calibrationFile;
     CalibrationDesk m_calibration;
     TuningDesk m_tuning;

@@ -98,9 +98,15 @@ void StationBroker::setSensorWanted(bool wanted)
     connectAnew();
 }
 
-void StationBroker::setPositionWanted(bool wanted)
+void StationBroker::addReader()
 {
-    m_positionWanted = wanted;
+    ++m_readers;
+    connectAnew();
+}
+
+void StationBroker::removeReader()
+{
+    --m_readers;
     connectAnew();
 }
 

@@ -36,8 +36,9 @@ public:
     void profileChanged(const profile::Profile& before, const profile::Profile& after);
     // Whether the orientation sensor comes by the broker.
     void setSensorWanted(bool wanted);
-    // Whether positions of what flies come by the broker.
-    void setPositionWanted(bool wanted);
+    // Somebody reads a topic of the broker, and reads it no more.
+    void addReader();
+    void removeReader();
     void close();
 
     [[nodiscard]] mqtt::Connection& connection() { return m_client; }
@@ -50,7 +51,7 @@ public:
 
 private:
     void connectAnew();
-    [[nodiscard]] bool isReadFrom() const { return m_sensorWanted || m_positionWanted; }
+    [[nodiscard]] bool isReadFrom() const { return m_sensorWanted || m_readers > 0; }
     void stopPublishing();
     [[nodiscard]] std::optional<Seconds> untilNext() const;
 
@@ -62,7 +63,7 @@ private:
     mqtt::ThreadedClient m_client;
     std::unique_ptr<mqtt::StatePublisher> m_publisher;
     bool m_sensorWanted = false;
-    bool m_positionWanted = false;
+    int m_readers = 0;  // besides the sensor
 };
 
 }  // namespace boresight

@@ -13,9 +13,14 @@ constexpr int kPositionLinesPerSecond = 1;
 
 StationPosition::StationPosition(const profile::InForce& profile, EventLog& log, const Clock& clock,
                                  StationBroker& broker, QObject* parent)
-    : QObject(parent), m_profile(profile), m_lines(log, clock, kPositionLinesPerSecond), m_broker(broker)
+    : QObject(parent),
+      m_profile(profile),
+      m_lines(log, clock, kPositionLinesPerSecond),
+      m_inlet(QStringLiteral("position"), broker, this)
 {
-    connect(&m_broker.connection(), &mqtt::Connection::messageReceived, this, &StationPosition::takeMessage);
+    connect(&m_inlet, &MessageInlet::received, this, [this](const QByteArray& message) {
+        Q_EMIT received(position::readPosition({message.constData(), static_cast<std::size_t>(message.size())}));
+    });
 }
 
 void StationPosition::open()
@@ -24,39 +29,22 @@ void StationPosition::open()
     m_open = true;
     const profile::PositionSettings& settings = m_profile->position;
     if (settings.source == profile::PositionSource::Udp) {
-        m_port = std::make_unique<position::PositionPort>(toQString(settings.host),
-                                                          static_cast<std::uint16_t>(settings.port));
-        connect(m_port.get(), &position::PositionPort::received, this, &StationPosition::received);
+        m_inlet.openPort(toQString(settings.host), static_cast<std::uint16_t>(settings.port));
     } else if (settings.source == profile::PositionSource::Mqtt) {
-        m_topic = toQString(settings.topic);
-        m_broker.connection().subscribe(m_topic);
-        m_broker.setPositionWanted(true);
+        m_inlet.openTopic(toQString(settings.topic));
     }
 }
 
 void StationPosition::close()
 {
     m_open = false;
-    m_port.reset();
-    if (!m_topic.isEmpty()) {
-        m_broker.connection().unsubscribe(m_topic);
-        m_topic.clear();
-        m_broker.setPositionWanted(false);
-    }
+    m_inlet.close();
 }
 
 void StationPosition::profileChanged(const profile::Profile& before, const profile::Profile& after)
 {
     if (m_open && !after.position.comesFromWhere(before.position)) {
         open();
-    }
-}
-
-// One that the broker has kept is of some time before.
-void StationPosition::takeMessage(const QString& topic, const QByteArray& payload, mqtt::Retain retain)
-{
-    if (!m_topic.isEmpty() && topic == m_topic && retain == mqtt::Retain::No) {
-        Q_EMIT received(position::readPosition({payload.constData(), static_cast<std::size_t>(payload.size())}));
     }
 }
 
@@ -70,14 +58,13 @@ void StationPosition::tellRefused(const Error& why)
 void StationPosition::describe(PositionStatus& status) const
 {
     const profile::PositionSettings& settings = m_profile->position;
+    status.trouble = m_inlet.trouble();
     switch (settings.source) {
         case profile::PositionSource::Udp:
             status.source = QStringLiteral("UDP %1:%2").arg(toQString(settings.host)).arg(settings.port);
-            status.trouble = m_port ? m_port->trouble() : QString();
             break;
         case profile::PositionSource::Mqtt:
             status.source = QStringLiteral("MQTT %1").arg(toQString(settings.topic));
-            status.trouble = m_broker.status().problem;
             break;
         case profile::PositionSource::None:
             break;

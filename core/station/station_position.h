@@ -3,16 +3,14 @@
 
 #include "core/alarms/log_throttle.h"
 #include "core/messages/position_status.h"
-#include "core/position_stream/position_port.h"
+#include "core/position/position_text.h"
 #include "core/profile/in_force.h"
-#include "core/station/station_broker.h"
+#include "core/station/message_inlet.h"
 
 #include <QObject>
 
-#include <memory>
-
 // Where the positions of a balloon or a rocket come from: the UDP port or the topic that the profile names, opened and
-// closed as the profile changes. Station thread. Port and broker have threads of their own.
+// closed as the profile changes. Station thread.
 namespace boresight {
 
 class StationPosition : public QObject
@@ -37,13 +35,9 @@ Q_SIGNALS:
     void received(const boresight::Result<boresight::position::PositionText>& read);
 
 private:
-    void takeMessage(const QString& topic, const QByteArray& payload, mqtt::Retain retain);
-
     const profile::InForce& m_profile;
     LogThrottle m_lines;
-    StationBroker& m_broker;
-    std::unique_ptr<position::PositionPort> m_port;  // null: the profile names none, or it is closed
-    QString m_topic;                                 // subscribed to; empty: none
+    MessageInlet m_inlet;
     bool m_open = false;
 };
 

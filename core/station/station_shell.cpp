@@ -2,6 +2,7 @@
 #include "core/station/station_shell.h"
 
 #include "core/base/text.h"
+#include "core/base/time_of_day.h"
 #include "core/elements/julian_date.h"
 #include "core/night/schedule_json.h"
 #include "core/station/state_word.h"
@@ -32,6 +33,8 @@ Request requestOf(const local::LocalRequest& asked)
             return request::GiveAuthority{};
         case local::LocalCommand::ResetStop:
             return request::ResetStop{};
+        case local::LocalCommand::OverrideWind:
+            return request::OverrideWind{};
         case local::LocalCommand::ScheduleArm:
             return request::ArmSchedule{};
         case local::LocalCommand::ScheduleDisarm:
@@ -54,14 +57,27 @@ Request requestOf(const local::LocalRequest& asked)
     return request::Stop{};
 }
 
+QJsonObject windObject(const WindStatus& wind)
+{
+    return {{QStringLiteral("speed"), wind.speed ? QJsonValue(*wind.speed) : QJsonValue()},
+            {QStringLiteral("age"), wind.age.count()},
+            {QStringLiteral("silent"), wind.isSilent},
+            {QStringLiteral("obstacle"), wind.obstacle},
+            {QStringLiteral("overriddenUntil"),
+             wind.overriddenUntil ? QJsonValue(timeOfDayText(*wind.overriddenUntil)) : QJsonValue()}};
+}
+
 // As the header of the window shows it. `motion` is what the mount carries out.
 QByteArray statusJson(const StationStatus& status)
 {
     const QString reason = status.stateReason == status.targetText ? QString() : status.stateReason;
-    return QJsonDocument(QJsonObject{{QStringLiteral("state"), protocolWord(status.state)},
-                                     {QStringLiteral("reason"), reason},
-                                     {QStringLiteral("motion"), status.targetText}})
-        .toJson(QJsonDocument::Compact);
+    QJsonObject all{{QStringLiteral("state"), protocolWord(status.state)},
+                    {QStringLiteral("reason"), reason},
+                    {QStringLiteral("motion"), status.targetText}};
+    if (!status.wind.source.isEmpty()) {
+        all[QStringLiteral("wind")] = windObject(status.wind);
+    }
+    return QJsonDocument(all).toJson(QJsonDocument::Compact);
 }
 
 // An object without fields: the profile names no output.

@@ -4,7 +4,7 @@
 #include "core/base/numbers.h"
 #include "core/base/text.h"
 #include "core/elements/text_lines.h"
-#include "core/profile/locator.h"
+#include "core/targets/locator.h"
 #include "core/units/direction_text.h"
 
 #include <QStringList>
@@ -191,7 +191,7 @@ std::optional<Target> locatorTarget(std::string_view text)
     constexpr std::string_view kLong = " long";
     const bool isLong = lowered(text).ends_with(kLong);
     const std::string_view locator = orbit::trimmed(isLong ? text.substr(0, text.size() - kLong.size()) : text);
-    const auto place = profile::fromLocator(locator);
+    const auto place = fromLocator(locator);
     if (!place) {
         return std::nullopt;
     }

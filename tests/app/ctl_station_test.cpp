@@ -172,7 +172,8 @@ TEST_F(CtlStation, ListsTheSatellites)
 TEST_F(CtlStation, IsAskedOnItsOwnComputer)
 {
     for (const char* const line : {"take --station mast.example:4533", "release --station 192.168.1.7:4533",
-                                   "stop --latched --station 0.0.0.0:4533", "reset-stop --station mast.example:4533"}) {
+                                   "stop --latched --station 0.0.0.0:4533", "reset-stop --station mast.example:4533",
+                                   "override-wind --station mast.example:4533"}) {
         const Outcome other = ctl(words(line));
         EXPECT_EQ(other.status, 2) << line;
         EXPECT_THAT(other.errors, HasSubstr("only on the computer of the station"));

@@ -48,5 +48,34 @@ TEST(StationReport, HasWhatTheWindowShows)
                              "actual:   unknown\n"));
 }
 
+// REQ-WIND-52: boresightctl status has a line about the wind where the station of this computer reads it: speed, age,
+// and what it forbids. An old speed is not shown.
+TEST(StationReport, HasTheWind)
+{
+    QJsonObject report = reportWith({});
+    const auto ends = [&](const QJsonObject& wind) {
+        report[QStringLiteral("wind")] = wind;
+        return reportText(report).section(QLatin1Char('\n'), -2);
+    };
+    QJsonObject wind{{QStringLiteral("speed"), 7.2},
+                     {QStringLiteral("age"), 1.2},
+                     {QStringLiteral("silent"), false},
+                     {QStringLiteral("obstacle"), QString()}};
+    EXPECT_EQ(ends(wind), QStringLiteral("wind:     7.2 m/s, 1 s old\n"));
+    wind[QStringLiteral("obstacle")] = QStringLiteral("The wind reached 17.0 m/s.");
+    EXPECT_EQ(ends(wind), QStringLiteral("wind:     7.2 m/s, 1 s old. The wind reached 17.0 m/s.\n"));
+    wind[QStringLiteral("obstacle")] = QString();
+    wind[QStringLiteral("overriddenUntil")] = QStringLiteral("01:01:59Z");
+    EXPECT_EQ(ends(wind), QStringLiteral("wind:     7.2 m/s, 1 s old. Motion is permitted until 01:01:59Z\n"));
+    wind[QStringLiteral("overriddenUntil")] = QJsonValue();
+    wind[QStringLiteral("silent")] = true;
+    wind[QStringLiteral("age")] = 45.0;
+    wind[QStringLiteral("obstacle")] = QString();
+    EXPECT_EQ(ends(wind), QStringLiteral("wind:     unknown, no reading for 45 s\n"));
+    wind[QStringLiteral("speed")] = QJsonValue();
+    wind[QStringLiteral("silent")] = false;
+    EXPECT_EQ(ends(wind), QStringLiteral("wind:     unknown, no reading for 45 s\n"));
+}
+
 }  // namespace
 }  // namespace boresight::ctl

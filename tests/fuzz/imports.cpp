@@ -5,8 +5,8 @@
 #include "core/gpredict/gpredict_qth.h"
 #include "core/pointing/skyline.h"
 #include "core/profile/horizon_text.h"
-#include "core/profile/locator.h"
 #include "core/profile/setting.h"
+#include "core/targets/locator.h"
 #include "tests/fakes/text_of.h"
 #include "tests/fuzz/harness.h"
 
@@ -19,6 +19,7 @@ namespace boresight::fuzz {
 namespace {
 
 using namespace boresight::profile;
+using namespace boresight::targets;
 
 Profile lyingLow()
 {

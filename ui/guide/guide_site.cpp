@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/guide/guide_site.h"
 
-#include "core/profile/locator.h"
+#include "core/targets/locator.h"
 #include "ui/kit/caption.h"
 #include "ui/kit/command_button.h"
 #include "ui/kit/file_dialog.h"
@@ -182,7 +182,7 @@ void GuideSite::fill(const profile::SiteSettings& site)
 
 void GuideSite::writeLocator()
 {
-    const auto locator = profile::toLocator(
+    const auto locator = targets::toLocator(
         {.latitude = Angle::fromDegrees(m_latitude->value()), .longitude = Angle::fromDegrees(m_longitude->value())});
     m_locator->setText(locator ? QString::fromStdString(*locator) : QString());
     m_notice->setValue({});
@@ -191,7 +191,7 @@ void GuideSite::writeLocator()
 
 void GuideSite::readLocator()
 {
-    const auto place = profile::fromLocator(m_locator->text().trimmed().toStdString());
+    const auto place = targets::fromLocator(m_locator->text().trimmed().toStdString());
     if (!place) {
         m_notice->setValue(place.error().text, Tone::Warning, Symbol::Warning);
         return;

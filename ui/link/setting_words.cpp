@@ -50,7 +50,8 @@ constexpr Title kTitles[] = {{"mount", QT_TRANSLATE_NOOP("SettingWords", "Mount"
                              {"sensor", QT_TRANSLATE_NOOP("SettingWords", "Orientation sensor")},
                              {"mqtt", QT_TRANSLATE_NOOP("SettingWords", "MQTT broker")},
                              {"power", QT_TRANSLATE_NOOP("SettingWords", "Received power")},
-                             {"transmit", QT_TRANSLATE_NOOP("SettingWords", "Transmit on target")}};
+                             {"transmit", QT_TRANSLATE_NOOP("SettingWords", "Transmit on target")},
+                             {"wind", QT_TRANSLATE_NOOP("SettingWords", "Wind")}};
 
 // A setting that has another name on the screen than in the file.
 struct Name

@@ -68,9 +68,35 @@ QString whyNot(AlarmHelp help, const Permissions& may)
             return may.reason(Action::HoldAtEnd);
         case AlarmHelp::Reconnect:
             return may.reason(Action::Reconnect);
+        case AlarmHelp::ParkNow:
+            return may.reason(Action::Park);
+        case AlarmHelp::OverrideWind:
+            return may.reason(Action::OverrideWind);
         default:
             return {};
     }
+}
+
+// The other choice, where there are two.
+AlarmHelp alternativeTo(AlarmHelp help)
+{
+    switch (help) {
+        case AlarmHelp::Unwind:
+            return AlarmHelp::HoldAtEnd;
+        case AlarmHelp::ParkNow:
+            return AlarmHelp::OverrideWind;
+        default:
+            return AlarmHelp::None;
+    }
+}
+
+QString alternativeTip(AlarmHelp help)
+{
+    return help == AlarmHelp::HoldAtEnd
+               ? AlarmCard::tr(
+                     "Do not unwrap. The mount waits at the cable end until it can reach the target again. "
+                     "Clients keep control")
+               : AlarmCard::tr("The operator may move the mount in the wind for a while. Then it parks again");
 }
 
 // A latched STOP is no alarm of the station. The operator knows it, but needs the way back.
@@ -129,10 +155,7 @@ AlarmCard::AlarmCard(const ProfileDraft& draft, RequestDesk& desk, QWidget* pare
       m_notice(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
       m_since(new ValueLabel(tr("When the alarm came"), fonts::small(), QStringLiteral("00:00:00Z"), this)),
       m_help(new CommandButton({}, {}, desk, *m_notice, this)),
-      m_holdAtEnd(new CommandButton(buttonText(AlarmHelp::HoldAtEnd),
-                                    tr("Do not unwrap. The mount waits at the cable end until it can reach the target "
-                                       "again. Clients keep control"),
-                                    desk, *m_notice, this)),
+      m_alternative(new CommandButton({}, {}, desk, *m_notice, this)),
       m_recover(new CommandButton(buttonText(AlarmHelp::ResetStop), {}, desk, *m_notice, this)),
       m_acknowledge(new CommandButton(tr("Acknowledge"), tr("Acknowledge all alarms (F8)"), desk, *m_notice, this)),
       m_count(makePushButton({.text = {}, .name = tr("All alarms"), .help = tr("Open the list of alarms")}, this)),
@@ -141,7 +164,8 @@ AlarmCard::AlarmCard(const ProfileDraft& draft, RequestDesk& desk, QWidget* pare
 {
     build();
     connect(m_help, &QPushButton::clicked, this, [this] { help(m_shown ? m_shown->help : AlarmHelp::None, *m_help); });
-    connect(m_holdAtEnd, &QPushButton::clicked, this, [this] { help(AlarmHelp::HoldAtEnd, *m_holdAtEnd); });
+    connect(m_alternative, &QPushButton::clicked, this,
+            [this] { help(m_shown ? alternativeTo(m_shown->help) : AlarmHelp::None, *m_alternative); });
     connect(m_recover, &QPushButton::clicked, this, [this] { help(m_recovery, *m_recover); });
     connect(m_acknowledge, &QPushButton::clicked, this, [this] { m_acknowledge->ask(request::AcknowledgeAlarms{}); });
     connect(m_count, &QPushButton::clicked, this, &AlarmCard::listWanted);
@@ -170,7 +194,7 @@ void AlarmCard::build()
     m_since->setFixedHeight(kTouchSize);
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
     auto* const buttons = new FlowRow;
-    for (QWidget* const part : std::initializer_list<QWidget*>{m_help, m_holdAtEnd, m_recover}) {
+    for (QWidget* const part : std::initializer_list<QWidget*>{m_help, m_alternative, m_recover}) {
         buttons->addWidget(part);
     }
     // At the other end of the row, so that a second press on a button that has just disappeared does not acknowledge.
@@ -275,8 +299,10 @@ void AlarmCard::showButtons(const StationStatus& status)
     m_help->setVisible(shown != AlarmHelp::None && !recovers);
     m_help->setCommand(buttonText(shown), m_shown ? m_shown->remedy : QString());
     m_help->setBlocked(whyNot(shown, status.permissions));
-    m_holdAtEnd->setVisible(shown == AlarmHelp::Unwind);
-    m_holdAtEnd->setBlocked(whyNot(AlarmHelp::HoldAtEnd, status.permissions));
+    const AlarmHelp alternative = alternativeTo(shown);
+    m_alternative->setVisible(alternative != AlarmHelp::None);
+    m_alternative->setCommand(buttonText(alternative), alternativeTip(alternative));
+    m_alternative->setBlocked(whyNot(alternative, status.permissions));
     m_recover->setVisible(m_recovery != AlarmHelp::None);
     m_recover->setBlocked(whyNot(m_recovery, status.permissions));
     m_recover->setCommand(buttonText(m_recovery == AlarmHelp::None ? AlarmHelp::ResetStop : m_recovery),
@@ -328,6 +354,12 @@ void AlarmCard::help(AlarmHelp help, CommandButton& button)
             return;
         case AlarmHelp::HoldAtEnd:
             button.ask(request::HoldAtEnd{});
+            return;
+        case AlarmHelp::ParkNow:
+            button.ask(request::Park{});
+            return;
+        case AlarmHelp::OverrideWind:
+            button.ask(request::OverrideWind{});
             return;
         case AlarmHelp::Reconnect:
             button.ask(request::Reconnect{m_draft.applied()});

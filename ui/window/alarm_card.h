@@ -82,7 +82,7 @@ private:
     ValueLabel* m_notice;
     ValueLabel* m_since;
     CommandButton* m_help;
-    CommandButton* m_holdAtEnd;  // the other choice beside "Unwrap now"
+    CommandButton* m_alternative;  // the other choice beside m_help, where there are two
     CommandButton* m_recover;
     CommandButton* m_acknowledge;
     QPushButton* m_count;

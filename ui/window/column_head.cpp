@@ -6,6 +6,7 @@
 #include "ui/window/antenna_row.h"
 #include "ui/window/axis_readout.h"
 #include "ui/window/sensor_readout.h"
+#include "ui/window/wind_readout.h"
 
 #include <QVBoxLayout>
 
@@ -25,7 +26,8 @@ ColumnHead::ColumnHead(AlarmCard& alarms, RequestDesk& desk, QWidget* parent)
       m_alarms(alarms),
       m_axes(new AxisReadout(this)),
       m_antenna(new AntennaRow(desk, alarms.notice(), this)),
-      m_sensor(new SensorReadout(this))
+      m_sensor(new SensorReadout(this)),
+      m_wind(new WindReadout(this))
 {
     auto* const column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -33,6 +35,7 @@ ColumnHead::ColumnHead(AlarmCard& alarms, RequestDesk& desk, QWidget* parent)
     column->addWidget(&m_alarms);
     column->addWidget(m_axes);
     column->addWidget(m_antenna);
+    column->addWidget(m_wind);
     column->addWidget(m_sensor);
     column->addStretch(1);
     connect(m_antenna, &AntennaRow::editWanted, this, &ColumnHead::antennasWanted);
@@ -42,6 +45,7 @@ void ColumnHead::showStatus(const StationStatus& status)
 {
     m_axes->showStatus(status);
     m_antenna->showStatus(status);
+    m_wind->showStatus(status.wind);
     m_sensor->showStatus(status.sensor);
     arrange();
 }
@@ -70,8 +74,9 @@ void ColumnHead::arrange()
     const Numerals usual = numeralsFor(m_window);
     const int sensor = m_sensor->isConfigured() ? m_sensor->sizeHint().height() + layout()->spacing() : 0;
     const int antenna = m_antenna->hasChoice() ? m_antenna->sizeHint().height() + layout()->spacing() : 0;
+    const int wind = m_wind->isConfigured() ? m_wind->sizeHint().height() + layout()->spacing() : 0;
     const auto height = [&](const Arrangement& of) {
-        return antenna + m_axes->sizeWith(of.numerals).height() + (of.sensor ? sensor : 0);
+        return antenna + wind + m_axes->sizeWith(of.numerals).height() + (of.sensor ? sensor : 0);
     };
     const std::array arrangements{Arrangement{usual, true},
                                   Arrangement{Numerals::Small, true},

@@ -6,8 +6,8 @@
 #include <QWidget>
 
 // The part above the tabs: the alarm card while there is one, the readouts of the axes, the antenna in use if there are
-// several, and the readout of the sensor. Tabs and buttons do not move: an alarm takes its room from the readouts,
-// which get smaller. The longest alarms leave out a sentence. Gui thread.
+// several, the wind if it is read, and the readout of the sensor. Tabs and buttons do not move: an alarm takes its room
+// from the readouts, which get smaller. The longest alarms leave out a sentence. Gui thread.
 namespace boresight::ui {
 
 class AlarmCard;
@@ -15,6 +15,7 @@ class AntennaRow;
 class AxisReadout;
 class RequestDesk;
 class SensorReadout;
+class WindReadout;
 enum class AlarmForm;
 
 class ColumnHead : public QWidget
@@ -38,6 +39,7 @@ private:
     AxisReadout* m_axes;
     AntennaRow* m_antenna;
     SensorReadout* m_sensor;
+    WindReadout* m_wind;
     QSize m_window;
 };
 

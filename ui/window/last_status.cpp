@@ -98,6 +98,8 @@ StationStatus LastStatus::now() const
             }
         }
     }
+    status.wind.age += silent;
+    status.wind.isSilent = status.wind.isSilent || status.wind.age > status.profile->wind.silence;
     status.utc += silent;
     if (freshness(silent) != Freshness::Live) {
         refuseOldPlaces(status.permissions);

@@ -231,6 +231,8 @@ void PanelTabs::open(AlarmHelp help)
         case AlarmHelp::Unwind:
         case AlarmHelp::HoldAtEnd:
         case AlarmHelp::Reconnect:
+        case AlarmHelp::ParkNow:
+        case AlarmHelp::OverrideWind:
             break;
     }
 }

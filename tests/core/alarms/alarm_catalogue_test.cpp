@@ -157,6 +157,8 @@ TEST(AlarmCatalogue, ARemedyThatNamesAButtonHasIt)
     static const std::pair<const char*, AlarmHelp> kNamed[] = {{"press Re-arm", AlarmHelp::Rearm},
                                                                {"Press Reset stop", AlarmHelp::ResetStop},
                                                                {"Press Unwrap now", AlarmHelp::Unwind},
+                                                               {"Press Park now", AlarmHelp::ParkNow},
+                                                               {"press Move anyway", AlarmHelp::OverrideWind},
                                                                {"press Reconnect", AlarmHelp::Reconnect},
                                                                {"page Protection", AlarmHelp::OpenProtection},
                                                                {"Press Fix", AlarmHelp::OpenProtection},
@@ -206,7 +208,9 @@ TEST(AlarmCatalogue, EverySentenceCanBeReadAlone)
 // REQ-ALARMS-301
 TEST(AlarmCatalogue, WhatHappenedIsNamedUnlessTheReportIsASentence)
 {
-    static const std::regex whole("(axis|drives)\\..*|journal.in-use|profile.advice|calibration.other-mount");
+    static const std::regex whole(
+        "(axis|drives)\\..*|journal.in-use|profile.advice|wind\\.(parks|not-parked|overridden)|calibration.other-"
+        "mount");
     for (const AlarmEntry* const entry : alarmCatalogue()) {
         EXPECT_TRUE(std::string_view(entry->what) != "%1" || std::regex_match(entry->id, whole)) << entry->id;
     }

@@ -291,5 +291,48 @@ TEST_F(UnattendedNight, ThePolicyOfTheProfileArmsItOnce)
     EXPECT_FALSE(status().armed);
 }
 
+// REQ-WIND-30: A pass that the wind ends, or that begins in a strong wind, is in the report with the reason. The
+// schedule stays armed and goes on with the next pass after the wind.
+TEST_F(NightDeskTest, TheWindCostsAPassAndTheScheduleGoesOn)
+{
+    profile::Profile windy = rig.profile;
+    windy.wind.source = "udp:4541";
+    windy.wind.calm = 1.0;
+    rig.setProfile(windy);
+    const auto blow = [&](double speed, Seconds time) {
+        for (Seconds left = time; left > Seconds(0.0); left -= Seconds(1.0)) {
+            rig.control.takeWind(speed);
+            run(Seconds(1.0));
+        }
+    };
+    blow(5.0, Seconds(1.0));
+    intoAPass();
+    ASSERT_TRUE(status().tracked);
+    blow(17.0, Seconds(60.0));
+    EXPECT_TRUE(status().armed);
+    EXPECT_FALSE(status().tracked);
+    EXPECT_EQ(rig.state(), StationState::Parked);
+    ASSERT_THAT(status().report.passes, SizeIs(1));
+    EXPECT_EQ(status().report.passes[0].end, schedule::PassEnd::Refused);
+    EXPECT_EQ(status().report.passes[0].why, QStringLiteral("The wind reached 17.0 m/s. The limit is 15.0 m/s."));
+    const std::vector<schedule::WatchedPass> plan = status().plan.chosen;
+    ASSERT_GE(plan.size(), 3U);
+    skipToBefore(plan[1]);
+    while (now() < plan[1].ends() + std::chrono::seconds(2)) {
+        blow(17.0, Seconds(1.0));
+    }
+    ASSERT_THAT(status().report.passes, SizeIs(2));
+    EXPECT_EQ(status().report.passes[1].end, schedule::PassEnd::Refused);
+    EXPECT_TRUE(status().report.passes[1].why.startsWith(QStringLiteral("The wind reached 17.0 m/s.")));
+    blow(5.0, Seconds(65.0));
+    EXPECT_EQ(rig.state(), StationState::Parked) << "nothing moves by itself";
+    skipToBefore(plan[2]);
+    while (now() < plan[2].pass.aos.utc + std::chrono::seconds(5)) {
+        blow(5.0, Seconds(1.0));
+    }
+    EXPECT_EQ(status().tracked, plan[2].number);
+    EXPECT_TRUE(rig.control.onTarget(0.2_deg));
+}
+
 }  // namespace
 }  // namespace boresight

@@ -335,6 +335,37 @@ TEST(CrossCheck, APositionHasATopicOfItsOwn)
     EXPECT_TRUE(crossCheck(profile).empty()) << "nobody subscribes to it but the position";
 }
 
+// REQ-WIND-08: The lower limit of the wind is not above the upper one. Its topic has no other reader. The place for a
+// strong wind is inside the travel and the limits, and in no keep-out.
+TEST(CrossCheck, TheWindMakesSense)
+{
+    Profile profile;
+    profile.wind.source = "mqtt:shack/wind";
+    EXPECT_TRUE(crossCheck(profile).empty());
+    profile.wind.releaseBelow = 15.5;
+    EXPECT_EQ(keysOf(crossCheck(profile)), std::vector<std::string>{"wind.release_below_m_s"});
+    profile.wind.releaseBelow = 10.0;
+    profile.position.source = PositionSource::Mqtt;
+    profile.position.topic = "shack/wind";
+    EXPECT_EQ(keysOf(crossCheck(profile)), std::vector<std::string>{"wind.source"});
+    profile.position.source = PositionSource::None;
+    profile.sensor.source = SensorSource::Mqtt;
+    profile.sensor.statusTopic = "shack/wind";
+    EXPECT_EQ(keysOf(crossCheck(profile)), std::vector<std::string>{"wind.source"});
+    profile.sensor.source = SensorSource::None;
+
+    profile.wind.place = {.azimuth = 4000_deg, .elevation = 45_deg};
+    EXPECT_TRUE(crossCheck(profile).empty()) << "it is not used";
+    profile.wind.stowAt = StowAt::Place;
+    EXPECT_EQ(keysOf(crossCheck(profile)), (std::vector<std::string>{"wind.azimuth_deg", "wind.azimuth_deg"}))
+        << "travel and limits";
+    profile.wind.place.azimuth = 30_deg;
+    EXPECT_TRUE(crossCheck(profile).empty());
+    profile.limits.keepOuts = {
+        {.name = "mast", .azimuthFrom = 20_deg, .azimuthTo = 40_deg, .elevationMin = 30_deg, .elevationMax = 60_deg}};
+    EXPECT_EQ(keysOf(crossCheck(profile)), std::vector<std::string>{"wind.elevation_deg"});
+}
+
 // The screen makes profiles without reading a file. A profile that could not be read again must not be applied.
 // REQ-PROFILE-08
 TEST(ProblemsOf, CountRangesToo)

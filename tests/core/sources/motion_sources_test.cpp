@@ -182,11 +182,11 @@ const std::vector<Taken>& allTaken()
 }
 
 // Each request meets an obstacle on a separate mount, and nothing moves.
-void expectRefusals(const std::function<bool(StationRig&)>& putInTheWay, const Source& by)
+void expectRefusals(const std::function<bool(StationRig&)>& putInTheWay, const Source& by, bool butPark = false)
 {
     int judged = 0;
     for (const Taken& one : allTaken()) {
-        if (one.by != by) {
+        if (one.by != by || (butPark && std::holds_alternative<request::Park>(one.request))) {
             continue;
         }
         SourcesRig mount;
@@ -223,11 +223,14 @@ TEST(MotionSources, WithoutThemNothingMoves)
     EXPECT_FALSE(rig.moving());
 }
 
-// Without this the refusals below would prove nothing.
+// Without this the refusals below would prove nothing. A source that takes no request moves the mount by a rule of the
+// profile.
 TEST(MotionSources, EachMovesTheMount)
 {
+    std::set<std::size_t> asked;
     std::set<std::size_t> moved;
     for (const Taken& one : allTaken()) {
+        asked.insert(one.source);
         SourcesRig mount;
         const auto answer = mount.sources[one.source]->take(one.request, one.by);
         if (answer && *answer && mount.movesWithin(Seconds(0.5))) {
@@ -236,7 +239,7 @@ TEST(MotionSources, EachMovesTheMount)
     }
     const SourcesRig mount;
     for (std::size_t i = 0; i < mount.sources.size(); ++i) {
-        EXPECT_TRUE(moved.contains(i)) << nameOf(*mount.sources[i]);
+        EXPECT_EQ(moved.contains(i), asked.contains(i)) << nameOf(*mount.sources[i]);
     }
 }
 
@@ -272,6 +275,21 @@ TEST(MotionSources, EachRefusesBehindALatchedFault)
     };
     expectRefusals(lose, kOperator);
     expectRefusals(lose, kClient);
+}
+
+// REQ-WIND-21
+TEST(MotionSources, EachButParkRefusesInAStrongWind)
+{
+    const auto blow = [](StationRig& rig) {
+        profile::Profile windy = rig.profile;
+        windy.wind.source = "udp:4541";
+        rig.setProfile(windy);
+        rig.control.takeWind(30.0);
+        rig.tick();
+        return !rig.control.windObstacle().isEmpty();
+    };
+    expectRefusals(blow, kOperator, true);
+    expectRefusals(blow, kClient, true);
 }
 
 }  // namespace

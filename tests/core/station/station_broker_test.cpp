@@ -280,5 +280,27 @@ TEST_F(StationBrokerTest, APositionOfTheTopicIsFollowed)
     ASSERT_TRUE(fakes::waitUntil([this] { return !station->status().position.trouble.isEmpty(); }));
 }
 
+// REQ-WIND-42: By MQTT a message of the topic is one reading. One that the broker has kept does not count. A broker
+// that is gone is reported.
+TEST_F(StationBrokerTest, AReadingOfTheTopicIsTheWind)
+{
+    const QString topic = QStringLiteral("shack/wind");
+    logger.client.publish({.topic = topic, .payload = "33", .retain = mqtt::Retain::Yes});
+    profile::Profile profile = publishing(broker->port());
+    profile.mqtt.publish = profile::Publish::Off;
+    profile.wind.source = "mqtt:shack/wind";
+    profile.wind.format = {.key = "gust", .unit = wind::Unit::KilometresPerHour};
+    build(profile);
+    ASSERT_TRUE(connected());
+    ASSERT_TRUE(fakes::waitUntil([this] { return broker->count("shack/wind (QoS") >= 1; }));
+    run(200);
+    EXPECT_EQ(station->status().wind.accepted, 0U);
+    logger.client.publish({.topic = topic, .payload = R"({"gust": 36})"});
+    ASSERT_TRUE(fakes::waitUntil([this] { return station->status().wind.accepted > 0; }));
+    EXPECT_NEAR(station->status().wind.speed.value_or(0.0), 10.0, 1e-9);
+    broker->kill();
+    ASSERT_TRUE(fakes::waitUntil([this] { return !station->status().wind.trouble.isEmpty(); }));
+}
+
 }  // namespace
 }  // namespace boresight

@@ -3,8 +3,15 @@
 
 #include "core/position/position_feed.h"
 #include "tests/fakes/manual_clock.h"
+#include "tests/fakes/unused_port.h"
+#include "tests/fakes/wait_until.h"
+
+#include <QUdpSocket>
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
 
 namespace boresight {
 namespace {
@@ -32,6 +39,35 @@ TEST(StationPosition, AnotherCallSignIsNotLogged)
     EXPECT_EQ(log.since(0, 10).front().text,
               QStringLiteral("a position was refused: latitude and longitude are 0, as without a GPS fix"));
     EXPECT_EQ(log.since(0, 10).front().severity, Severity::Warning);
+}
+
+// REQ-POSITION-20: A datagram is one position, a line or a JSON object. What cannot be read is told with the reason.
+TEST(StationPosition, ADatagramIsOnePosition)
+{
+    fakes::ManualClock clock;
+    EventLog log{clock};
+    profile::Profile profile;
+    profile.position = {.source = profile::PositionSource::Udp, .port = fakes::unusedUdpPort()};
+    profile::InForce inForce{profile};
+    StationBroker broker(inForce, log, clock, nullptr);
+    StationPosition position(inForce, log, clock, broker, nullptr);
+    std::vector<Result<position::PositionText>> all;
+    QObject::connect(&position, &StationPosition::received, &position, [&](const auto& read) { all.push_back(read); });
+    position.open();
+    QUdpSocket sender;
+    const auto send = [&](const QByteArray& bytes) {
+        sender.writeDatagram(bytes, QHostAddress::LocalHost, static_cast<std::uint16_t>(profile.position.port));
+    };
+    ASSERT_TRUE(fakes::waitUntil([&] {
+        send("38.757,-9.117,1200\n");
+        return !all.empty();
+    }));
+    send(QByteArray(60'000, ' ') + "1,1,1");
+    send(R"({"type":"PAYLOAD_SUMMARY","callsign":"X1","latitude":46.25,"longitude":13.5,"altitude":1001.8})");
+    const auto isSonde = [](const auto& read) { return read && read->name == QStringLiteral("X1"); };
+    ASSERT_TRUE(fakes::waitUntil([&] { return std::ranges::any_of(all, isSonde); }));
+    EXPECT_EQ(std::ranges::count_if(all, [](const auto& read) { return !read; }), 1);
+    EXPECT_EQ(all.front()->site.latitude, Angle::fromDegrees(38.757));
 }
 
 }  // namespace

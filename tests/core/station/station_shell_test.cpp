@@ -172,6 +172,25 @@ TEST(StationShell, ListsAntennasAndUsesOne)
     EXPECT_EQ(rig.control.status().antenna, "70 cm");
 }
 
+// REQ-WIND-29: The shell reports the wind with the status where the profile reads it, and lets the operator override
+// it.
+TEST(StationShell, ReportsTheWindAndOverridesIt)
+{
+    ShellRig rig;
+    EXPECT_THAT(rig.answerTo("status\n"), testing::Not(HasSubstr("wind")));
+    EXPECT_EQ(rig.answerTo("override-wind\n"), "error: The wind does not forbid any motion.\n");
+    profile::Profile windy = rig.profile;
+    windy.wind.source = "udp:4541";
+    rig.setProfile(windy);
+    EXPECT_THAT(rig.answerTo("status\n"), HasSubstr(R"("speed":null)"));
+    rig.control.takeWind(21.0);
+    rig.run(Seconds(1.0));
+    EXPECT_THAT(rig.answerTo("status\n"), HasSubstr(R"("speed":21)"));
+    EXPECT_THAT(rig.answerTo("status\n"), HasSubstr("The wind reached 21.0 m/s. The limit is 15.0 m/s."));
+    EXPECT_EQ(rig.answerTo("override-wind\n"), "ok\n");
+    EXPECT_THAT(rig.answerTo("status\n"), HasSubstr(R"("obstacle":"","overriddenUntil":"00:)"));
+}
+
 // REQ-STATION-940
 TEST(StationShell, ALockedMountIsNotItsOwn)
 {

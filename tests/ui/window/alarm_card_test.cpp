@@ -150,6 +150,19 @@ TEST_F(AlarmCardTest, TheButtonOpensThePanelThatHelps)
     EXPECT_EQ(opens(alarmEntry("rotctld.open"), "Open Profile"), 8);
 }
 
+// REQ-WIND-28: The alarm about the wind has the buttons Move anyway and Park now.
+TEST_F(AlarmCardTest, TheWindHasTwoButtons)
+{
+    give(samples::update(samples::alarmed(alarmEntry("wind.parks"))));
+    QTest::mouseClick(named<CommandButton>("Move anyway"), Qt::LeftButton);
+    EXPECT_EQ(asked<request::OverrideWind>().size(), 1u);
+    const StationStatus notParked = samples::alarmed(alarmEntry("wind.not-parked"));
+    give(samples::acceptance(notParked, requests.back().id));
+    EXPECT_TRUE(named<CommandButton>("Move anyway")->isVisible());
+    QTest::mouseClick(named<CommandButton>("Park now"), Qt::LeftButton);
+    EXPECT_EQ(asked<request::Park>().size(), 1u);
+}
+
 // Every help in the catalogue has a button with a text and an effect.
 TEST_F(AlarmCardTest, EveryHelpActs)
 {

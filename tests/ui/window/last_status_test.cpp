@@ -56,6 +56,19 @@ TEST_F(LastStatusTest, GrowsOlderWithTheSilence)
     EXPECT_EQ(last.received().azimuth.age, 40ms);
 }
 
+// REQ-WIND-51
+TEST_F(LastStatusTest, TheWindGrowsOld)
+{
+    StationStatus windy = samples::idle();
+    windy.wind = {.source = QStringLiteral("udp:4541"), .speed = 7.0, .age = Seconds(1.0)};
+    last.take(windy);
+    clock.advance(5s);
+    EXPECT_EQ(last.now().wind.age, Seconds(6.0));
+    EXPECT_FALSE(last.now().wind.isSilent);
+    clock.advance(30s);
+    EXPECT_TRUE(last.now().wind.isSilent);
+}
+
 TEST_F(LastStatusTest, AnOldPlaceIsNotUsed)
 {
     clock.advance(700ms);

@@ -10,7 +10,7 @@
 // Maidenhead locators, as radio amateurs name their place: pairs of letters and digits, first of longitude, then of
 // latitude, each pair a finer grid: 20° × 10° (A–R), 2° × 1° (0–9), 5′ × 2.5′ (a–x), 30″ × 15″ (0–9), 1.25″ × 0.625″
 // (a–x). Pure.
-namespace boresight::profile {
+namespace boresight::targets {
 
 struct GeoPoint
 {
@@ -34,4 +34,4 @@ enum class LocatorLength
 // The square that a place is in, written "JN58td25ul". Latitude -90…90°; longitude may be of any turn.
 [[nodiscard]] Result<std::string> toLocator(const GeoPoint& place, LocatorLength length = LocatorLength::Six);
 
-}  // namespace boresight::profile
+}  // namespace boresight::targets

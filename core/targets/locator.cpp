@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/profile/locator.h"
+#include "core/targets/locator.h"
 
 #include "core/base/text.h"
 
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace boresight::profile {
+namespace boresight::targets {
 
 namespace {
 
@@ -21,19 +21,20 @@ struct Pair
 
 // 18 × 10 × 24 × 10 × 24 steps of the finest grid go round the globe, and from pole to pole.
 constexpr std::array<Pair, 5> kPairs{{{'A', 18, 57600}, {'0', 10, 5760}, {'a', 24, 240}, {'0', 10, 24}, {'a', 24, 1}}};
-constexpr std::int64_t kSteps = 18 * 57600;
+constexpr std::int64_t kLocatorSteps = 18 * 57600;
 
-constexpr double kLatitudeStep = 180.0 / kSteps;  // degrees
-constexpr double kLongitudeStep = 360.0 / kSteps;
+constexpr double kLatitudeStep = 180.0 / kLocatorSteps;  // degrees
+constexpr double kLongitudeStep = 360.0 / kLocatorSteps;
 
 std::int64_t stepsOf(double degrees, double step)
 {
     // The edge of a square belongs to it, also where degrees and radians have rounded it off.
     constexpr double kRounding = 1e-6;
-    return std::clamp(static_cast<std::int64_t>(std::floor(degrees / step + kRounding)), std::int64_t{0}, kSteps - 1);
+    return std::clamp(static_cast<std::int64_t>(std::floor(degrees / step + kRounding)), std::int64_t{0},
+                      kLocatorSteps - 1);
 }
 
-char lower(char character)
+char smallLetter(char character)
 {
     return character >= 'A' && character <= 'Z' ? static_cast<char>(character - 'A' + 'a') : character;
 }
@@ -48,7 +49,7 @@ Result<GeoPoint> fromLocator(std::string_view text)
     std::array<std::int64_t, 2> steps{};  // longitude, latitude
     for (std::size_t i = 0; i < text.size(); ++i) {
         const Pair& pair = kPairs.at(i / 2);
-        const std::int64_t step = lower(text[i]) - lower(pair.first);
+        const std::int64_t step = smallLetter(text[i]) - smallLetter(pair.first);
         if (step < 0 || step >= pair.steps) {
             const char last = static_cast<char>(pair.first + pair.steps - 1);
             return failure(ErrorCode::InvalidInput, Text::tr("character %1 of a locator is one of %2…%3")
@@ -80,4 +81,4 @@ Result<std::string> toLocator(const GeoPoint& place, LocatorLength length)
     return text;
 }
 
-}  // namespace boresight::profile
+}  // namespace boresight::targets

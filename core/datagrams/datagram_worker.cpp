@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/position_stream/datagram_worker.h"
+#include "core/datagrams/datagram_worker.h"
 
 #include "core/base/text.h"
 
@@ -8,7 +8,7 @@
 
 #include <utility>
 
-namespace boresight::position {
+namespace boresight::datagrams {
 
 DatagramWorker::DatagramWorker(const QString& host, std::uint16_t port)
     : m_host(host), m_port(port), m_outlet(this, [this] { report(); })
@@ -53,9 +53,8 @@ void DatagramWorker::readSome()
     }
     int count = 0;
     for (; count < kDatagramsAtOnce && m_socket.hasPendingDatagrams(); ++count) {
-        const QByteArray bytes = m_socket.receiveDatagram(static_cast<qint64>(kLongestPosition) + 1).data();
-        m_read.push_back(readPosition({bytes.constData(), static_cast<std::size_t>(bytes.size())}));
-        if (m_read.size() > PositionPort::kMost) {
+        m_read.push_back(m_socket.receiveDatagram(DatagramPort::kLongest + 1).data());
+        if (m_read.size() > DatagramPort::kMost) {
             m_read.pop_front();
         }
     }
@@ -68,9 +67,9 @@ void DatagramWorker::readSome()
 void DatagramWorker::report()
 {
     const auto read = std::exchange(m_read, {});
-    Q_EMIT reported({.open = m_trouble.isEmpty(), .trouble = m_trouble, .read = {read.begin(), read.end()}});
+    Q_EMIT reported({.open = m_trouble.isEmpty(), .trouble = m_trouble, .datagrams = {read.begin(), read.end()}});
 }
 
-}  // namespace boresight::position
+}  // namespace boresight::datagrams
 
 #include "moc_datagram_worker.cpp"

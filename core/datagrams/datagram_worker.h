@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/paced_outlet.h"
-#include "core/position_stream/position_port.h"
+#include "core/datagrams/datagram_port.h"
 
 #include <QTimer>
 #include <QUdpSocket>
@@ -10,8 +10,8 @@
 #include <cstdint>
 #include <deque>
 
-// The side of PositionPort that lives on the thread: the socket, and the report about it.
-namespace boresight::position {
+// The side of DatagramPort that lives on the thread: the socket, and the report about it.
+namespace boresight::datagrams {
 
 class DatagramWorker final : public QObject
 {
@@ -30,7 +30,7 @@ public:
     void taken() { m_outlet.taken(); }
 
 Q_SIGNALS:
-    void reported(const boresight::position::PortReport& report);
+    void reported(const boresight::datagrams::PortReport& report);
 
 private:
     void readSome();
@@ -42,8 +42,8 @@ private:
     QTimer m_retry{this};
     QTimer m_pause{this};
     QString m_trouble;
-    std::deque<Result<PositionText>> m_read;  // at most PositionPort::kMost
+    std::deque<QByteArray> m_read;  // at most DatagramPort::kMost
     PacedOutlet m_outlet;
 };
 
-}  // namespace boresight::position
+}  // namespace boresight::datagrams

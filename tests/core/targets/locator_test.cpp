@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/profile/locator.h"
+#include "core/targets/locator.h"
 
 #include "tests/fakes/text_of.h"
 
@@ -8,7 +8,7 @@
 #include <limits>
 
 using namespace boresight;
-using namespace boresight::profile;
+using namespace boresight::targets;
 
 namespace {
 

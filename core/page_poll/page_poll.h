@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/edge_thread.h"
+
+#include <QByteArray>
+#include <QObject>
+#include <QString>
+#include <QUrl>
+
+#include <chrono>
+#include <optional>
+
+// A short page of a web server that is read again and again, on a thread of its own: a slow server delays nobody. One
+// question is asked at a time, and of its answer a few bytes are read. Station thread.
+namespace boresight::page {
+
+class PageWorker;
+
+struct Answer
+{
+    QString trouble = {};  // why there is no page
+    std::optional<QByteArray> page = {};
+};
+
+class PagePoll final : public QObject
+{
+    Q_OBJECT
+
+public:
+    // Bytes. Of a longer page only one byte more than this arrives, so its reader can refuse it.
+    static constexpr qint64 kLongest = 4096;
+    static constexpr std::chrono::milliseconds kLongestWait{5000};  // for a server that sends nothing
+
+    // `name` is that of the thread.
+    PagePoll(const QString& name, const QUrl& url, std::chrono::milliseconds period, QObject* parent = nullptr);
+    ~PagePoll() override;
+
+    // Of the last question; empty: none, or no answer yet.
+    [[nodiscard]] const QString& trouble() const { return m_trouble; }
+
+Q_SIGNALS:
+    void received(const QByteArray& page);
+
+private:
+    void take(const Answer& answer);
+
+    QString m_trouble;
+    PageWorker* m_worker;  // lives on m_thread and belongs to it
+    EdgeThread m_thread;
+};
+
+}  // namespace boresight::page

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/page_poll/page_poll.h"
+
+#include <QNetworkAccessManager>
+#include <QNetworkReply>
+#include <QObject>
+#include <QTimer>
+
+#include <memory>
+
+// The side of PagePoll that lives on the thread: asks the server, one question at a time.
+namespace boresight::page {
+
+class PageWorker final : public QObject
+{
+    Q_OBJECT
+
+public:
+    PageWorker(QUrl url, std::chrono::milliseconds period);
+    ~PageWorker() override;
+
+    // Asks at once, and then each period.
+    void open();
+
+Q_SIGNALS:
+    void answered(const boresight::page::Answer& answer);
+
+private:
+    void ask();
+    void read();
+    void finish();
+
+    struct Delete
+    {
+        void operator()(QNetworkReply* reply) const;
+    };
+
+    QUrl m_url;
+    std::unique_ptr<QNetworkAccessManager> m_manager;  // made on the thread
+    std::unique_ptr<QNetworkReply, Delete> m_reply;
+    QByteArray m_page;
+    QTimer m_period{this};
+};
+
+}  // namespace boresight::page
