@@ -106,7 +106,7 @@ OwnRotctld::~OwnRotctld()
 {
     m_process.disconnect(this);
     if (runs()) {
-        m_process.waitForFinished(m_ending ? m_limit.remainingTime() : 0);
+        m_process.waitForFinished(m_ending ? std::max(0, m_limit.remainingTime()) : 0);
         m_process.kill();
         m_process.waitForFinished();
     }

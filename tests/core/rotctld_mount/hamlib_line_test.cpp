@@ -97,8 +97,8 @@ TEST_F(HamlibProgram, IsStartedAndDriven)
     EXPECT_TRUE(fakes::waitUntil([] { return ownPrograms().empty(); }));
 }
 
-// REQ-ROTCTLDMOUNT-62: A rotctld that ends is silence of the rotator: the motion ends. It is started again, and nothing
-// moves by itself.
+// REQ-ROTCTLDMOUNT-62: A rotctld of our own that ends or hangs is silence of the rotator: the motion ends. One that
+// hangs is killed. The next one is started, and nothing moves by itself.
 TEST_F(HamlibProgram, ThatIsKilledIsReportedAndStartedAgain)
 {
     Rig rig(lineOf("hamlib:1"));
@@ -111,7 +111,7 @@ TEST_F(HamlibProgram, ThatIsKilledIsReportedAndStartedAgain)
     expectRestarted(rig, program);
 }
 
-// REQ-ROTCTLDMOUNT-62: One that hangs is silence, too. It is killed, and the next one is started.
+// REQ-ROTCTLDMOUNT-62
 TEST_F(HamlibProgram, ThatHangsIsKilledAndStartedAgain)
 {
     Rig rig(lineOf("hamlib:1"));
@@ -123,8 +123,8 @@ TEST_F(HamlibProgram, ThatHangsIsKilledAndStartedAgain)
     expectRestarted(rig, program);
 }
 
-// REQ-ROTCTLDMOUNT-63: A rotctld that ends at once, as with a wrong port, is reported with what it printed. It is
-// started again each second.
+// REQ-ROTCTLDMOUNT-63: A rotctld of our own that ends at once, as with a wrong port or model, is reported with what it
+// printed last. Where Hamlib is not installed, the alarm says what to install.
 TEST_F(HamlibProgram, WithoutItsPortSaysWhy)
 {
     Rig rig(lineOf("hamlib:603:/dev/no-such-port"));
@@ -145,7 +145,7 @@ TEST_F(HamlibProgram, OfAModelThatDoesNotExistSaysWhy)
         << rig.line().problem.toStdString();
 }
 
-// REQ-ROTCTLDMOUNT-63: Where Hamlib is not installed, the alarm says what to install.
+// REQ-ROTCTLDMOUNT-63
 TEST_F(HamlibProgram, ThatIsNotInstalledIsToldWithItsPackage)
 {
     const QByteArray path = qgetenv("PATH");
