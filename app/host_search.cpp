@@ -5,6 +5,7 @@
 #include "app/scan_report.h"
 #include "core/base/text.h"
 #include "core/moteus/describe.h"
+#include "core/station/mount_factory.h"
 
 namespace boresight::app {
 namespace {
@@ -86,6 +87,7 @@ HostSearch::HostSearch(MakeLink makeLink, QObject* parent) : QObject(parent), m_
 {
     qRegisterMetaType<std::vector<Adapter>>();
     qRegisterMetaType<profile::GpredictFiles>();
+    qRegisterMetaType<RotatorModels>();
     qRegisterMetaType<ScanResult>();
     m_files.setMaxThreadCount(1);
 }
@@ -98,6 +100,11 @@ HostSearch::~HostSearch()
 void HostSearch::findAdapters(const QString& namedBus)
 {
     m_files.start([this, namedBus] { Q_EMIT adaptersFound(withNamed(boresight::findAdapters(), namedBus)); });
+}
+
+void HostSearch::findRotatorModels()
+{
+    m_files.start([this] { Q_EMIT rotatorModelsFound(rotatorModels()); });
 }
 
 void HostSearch::findGpredict(const QString& folder)

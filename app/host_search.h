@@ -5,6 +5,7 @@
 #include "core/base/result.h"
 #include "core/can/can_link.h"
 #include "core/gpredict/gpredict_qth.h"
+#include "core/messages/rotator_models.h"
 #include "core/messages/scan_result.h"
 #include "core/station/adapters.h"
 
@@ -15,8 +16,9 @@
 #include <functional>
 #include <memory>
 
-// Looks at this computer for the window, without ever making it wait: which adapters there are, who answers on one that
-// no station works on, and what a Gpredict here knows. Lives on the main thread; each answer is a signal on it.
+// Looks at this computer for the window, without ever making it wait: which adapters and models of rotators there are,
+// who answers on one that no station works on, and what a Gpredict here knows. Lives on the main thread; each answer is
+// a signal on it.
 namespace boresight::app {
 
 class HostSearch : public QObject
@@ -31,12 +33,14 @@ public:
 
 public Q_SLOTS:
     void findAdapters(const QString& namedBus);
+    void findRotatorModels();
     void findGpredict(const QString& folder);
     // Only asks: nothing moves. One at a time; a second while one runs is answered by a problem.
     void scan(const QString& bus);
 
 Q_SIGNALS:
     void adaptersFound(const std::vector<boresight::Adapter>& adapters);
+    void rotatorModelsFound(const boresight::RotatorModels& models);
     void gpredictFound(const boresight::profile::GpredictFiles& files);
     void scanned(const boresight::ScanResult& result);
 

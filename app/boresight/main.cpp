@@ -159,6 +159,8 @@ void connectWindow(ui::MainWindow& window, app::StationThread& station, QSetting
 void connectHost(ui::HostDesk& desk, app::HostSearch& search)
 {
     QObject::connect(&desk, &ui::HostDesk::adaptersWanted, &search, &app::HostSearch::findAdapters);
+    QObject::connect(&desk, &ui::HostDesk::rotatorModelsWanted, &search, &app::HostSearch::findRotatorModels);
+    QObject::connect(&search, &app::HostSearch::rotatorModelsFound, &desk, &ui::HostDesk::rotatorModelsFound);
     QObject::connect(&desk, &ui::HostDesk::scanWanted, &search, &app::HostSearch::scan);
     QObject::connect(&desk, &ui::HostDesk::gpredictWanted, &search, &app::HostSearch::findGpredict);
     QObject::connect(&search, &app::HostSearch::adaptersFound, &desk, &ui::HostDesk::adaptersFound);

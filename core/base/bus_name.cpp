@@ -14,6 +14,7 @@ constexpr std::string_view kFdcanusb = "fdcanusb:";
 constexpr std::string_view kSerial = "serial:";
 constexpr std::string_view kTcp = "tcp:";
 constexpr std::string_view kRotctld = "rotctld:";
+constexpr std::string_view kHamlib = "hamlib:";
 
 Result<BusName> parseInterface(std::string_view name)
 {
@@ -63,6 +64,23 @@ Result<BusName> parseHost(BusKind kind, std::string_view text, const char* examp
     return BusName{.kind = kind, .target = std::string(host), .port = static_cast<std::uint16_t>(*port)};
 }
 
+// "MODEL:PORT". A model without a port, as the dummy, has the number alone. What follows the first colon is for Hamlib
+// to read: a path, or a host with a port.
+Result<BusName> parseHamlib(std::string_view text)
+{
+    constexpr int kMostModel = 99999;
+    const auto colon = text.find(':');
+    const auto model = parseInteger(text.substr(0, colon));
+    const std::string_view port = colon == std::string_view::npos ? std::string_view() : text.substr(colon + 1);
+    const bool noPort = colon != std::string_view::npos && port.empty();
+    if (!model || *model < 1 || *model > kMostModel || noPort || hasControlCharacters(port)) {
+        return failure(ErrorCode::InvalidInput,
+                       Text::tr("'%1' is no model of Hamlib with its port; write for example %2")
+                           .arg(toQString(printable(std::string(text))), QLatin1String("hamlib:901:/dev/ttyUSB0")));
+    }
+    return BusName{.kind = BusKind::Hamlib, .target = std::string(port), .model = static_cast<int>(*model)};
+}
+
 std::string hostText(const BusName& bus)
 {
     const bool isIpv6 = bus.target.find(':') != std::string::npos;
@@ -91,10 +109,13 @@ Result<BusName> parseBusName(std::string_view text)
     if (text.starts_with(kRotctld)) {
         return parseHost(BusKind::Rotctld, text.substr(kRotctld.size()), "rotctld:192.168.1.20:4533");
     }
+    if (text.starts_with(kHamlib)) {
+        return parseHamlib(text.substr(kHamlib.size()));
+    }
     return failure(
         ErrorCode::InvalidInput,
-        Text::tr("unknown bus '%1'. Write simulated, socketcan:INTERFACE, fdcanusb:PATH, serial:PATH, tcp:HOST:PORT or "
-                 "rotctld:HOST:PORT")
+        Text::tr("unknown bus '%1'. Write simulated, socketcan:INTERFACE, fdcanusb:PATH, serial:PATH, tcp:HOST:PORT, "
+                 "rotctld:HOST:PORT or hamlib:MODEL:PORT")
             .arg(toQString(text)));
 }
 
@@ -111,6 +132,8 @@ std::string toString(const BusName& bus)
             return std::string(kTcp) + hostText(bus);
         case BusKind::Rotctld:
             return std::string(kRotctld) + hostText(bus);
+        case BusKind::Hamlib:
+            return std::string(kHamlib) + std::to_string(bus.model) + (bus.target.empty() ? "" : ":") + bus.target;
         case BusKind::Simulated:
             break;
     }

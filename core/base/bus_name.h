@@ -9,7 +9,7 @@
 
 // The name of a bus as the user writes it, on the command line or in the profile: "simulated", "socketcan:can0",
 // "fdcanusb:/dev/boresight/fdcanusb", "serial:/dev/ttyUSB0", "tcp:rotator.local:4001",
-// "rotctld:10.0.0.7:4533".
+// "rotctld:10.0.0.7:4533", "hamlib:901:/dev/ttyUSB0".
 namespace boresight {
 
 enum class BusKind
@@ -20,6 +20,7 @@ enum class BusKind
     Serial,  // of a box that speaks text
     Tcp,
     Rotctld,  // a rotctld on a host
+    Hamlib,   // a model of Hamlib, driven by a rotctld of our own
 };
 
 struct BusName
@@ -27,6 +28,7 @@ struct BusName
     BusKind kind = BusKind::Simulated;
     std::string target;      // interface, path or host; empty for the simulated bus
     std::uint16_t port = 0;  // of the host
+    int model = 0;           // of Hamlib
 
     bool operator==(const BusName&) const = default;
 };

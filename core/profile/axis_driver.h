@@ -26,7 +26,7 @@ enum class DriverLine
     None,
     Can,
     Text,    // a serial port or a TCP connection that carries lines of text
-    Rotctld  // a rotctld elsewhere
+    Rotctld  // a rotctld elsewhere, or one of our own
 };
 
 struct DriverKind

@@ -129,6 +129,7 @@ DriverLine lineOf(BusKind bus)
         case BusKind::Tcp:
             return DriverLine::Text;
         case BusKind::Rotctld:
+        case BusKind::Hamlib:
             return DriverLine::Rotctld;
         case BusKind::Simulated:
             break;
@@ -149,7 +150,7 @@ std::optional<Problem> wrongBus(const Profile& profile, const DriverKind& kind)
     const QString need =
         kind.line == DriverLine::Can    ? Text::tr("The driver \"%1\" needs fdcanusb:PATH or socketcan:INTERFACE.")
         : kind.line == DriverLine::Text ? Text::tr("The driver \"%1\" needs serial:PATH or tcp:HOST:PORT.")
-                                        : Text::tr("The driver \"%1\" needs rotctld:HOST:PORT.");
+                                        : Text::tr("The driver \"%1\" needs rotctld:HOST:PORT or hamlib:MODEL:PORT.");
     return Problem{"bus.name", need.arg(toQString(kind.name))};
 }
 

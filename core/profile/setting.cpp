@@ -45,21 +45,21 @@ void addMount(std::vector<Setting>& list)
     list.push_back(textual(
         "bus.name", Applies::OnReconnect,
         {QT_TRANSLATE_NOOP("Text", "Bus"),
-         QT_TRANSLATE_NOOP(
-             "Text",
-             "How Boresight reaches the drives: \"fdcanusb:PATH\" or \"socketcan:INTERFACE\" for moteus, "
-             "\"serial:PATH\" or \"tcp:HOST:PORT\" for a GS-232 rotator, \"rotctld:HOST:PORT\" for a rotator of "
-             "Hamlib, or \"simulated\".")},
+         QT_TRANSLATE_NOOP("Text",
+                           "How Boresight reaches the drives: \"fdcanusb:PATH\" or \"socketcan:INTERFACE\" for moteus, "
+                           "\"serial:PATH\" or \"tcp:HOST:PORT\" for a GS-232 rotator, \"rotctld:HOST:PORT\" or "
+                           "\"hamlib:MODEL:PORT\" for a rotator of Hamlib, or \"simulated\".")},
         [](const Profile& p) { return p.bus; },
         [](Profile& p, const std::string& text) {
             return parseBusName(text).map([&](const BusName&) { p.bus = text; });
         }));
     list.push_back(integer(
-        "bus.baud", "Bd", {1200, 115200}, Applies::OnReconnect,
+        "bus.baud", "Bd", {300, 115200}, Applies::OnReconnect,
         {QT_TRANSLATE_NOOP("Text", "Speed of the serial port"),
-         QT_TRANSLATE_NOOP("Text",
-                           "Speed of the serial port of a GS-232 rotator, as its switches are set. A CAN bus does not "
-                           "use it.")},
+         QT_TRANSLATE_NOOP(
+             "Text",
+             "Speed of the serial port of a GS-232 rotator or of a model of Hamlib, as its switches are set. "
+             "A CAN bus does not use it.")},
         [](auto& p) -> auto& { return p.baud; }));
     list.push_back(textList(
         "bus.watched", Applies::Now,

@@ -2,6 +2,7 @@
 #include "core/rotctld_mount/rotctld_mount.h"
 
 #include "core/alarms/catalogue.h"
+#include "core/base/bus_name.h"
 #include "core/base/text.h"
 #include "core/rotctl/rotctl_error.h"
 #include "core/units/degrees_text.h"
@@ -119,6 +120,20 @@ bool RotctldMount::goTo(const RotatorTalk::Places& target)
 
 QString RotctldMount::remedyOfNoAnswer() const
 {
+    const bool isOwn = parseBusName(profile()->bus).value_or(BusName{}).kind == BusKind::Hamlib;
+    if (m_talk.positionError() != 0 && isOwn) {
+        return Text::tr(
+                   "The answer of rotctld is: %1. Check the rotator, its power, its cable, its model (bus.name, %2) "
+                   "and its speed (bus.baud, %3)")
+            .arg(errorInWords(m_talk.positionError()), toQString(profile()->bus))
+            .arg(profile()->baud);
+    }
+    if (isOwn) {
+        return Text::tr(
+                   "The rotctld of Boresight does not answer. Boresight ends it and starts it again. Check the "
+                   "rotator and its port (bus.name, %1)")
+            .arg(toQString(profile()->bus));
+    }
     if (m_talk.positionError() != 0) {
         return Text::tr(
                    "The answer of rotctld is: %1. Check the rotator, its power, its cable and the options of rotctld")

@@ -6,6 +6,7 @@
 #include "core/rotator_box/box_connection.h"
 #include "core/rotator_box/simulated_box_line.h"
 #include "core/rotator_box/tcp_box_line.h"
+#include "core/rotctld_mount/hamlib_line.h"
 #include "core/rotctld_mount/rotctld_box.h"
 #include "core/rotctld_mount/rotctld_mount.h"
 
@@ -15,7 +16,11 @@ namespace {
 // What the checks of the profile have let through.
 std::unique_ptr<BoxLine> lineOf(const profile::Profile& profile)
 {
-    return std::make_unique<TcpBoxLine>(parseBusName(profile.bus).value_or(BusName{}));
+    const BusName bus = parseBusName(profile.bus).value_or(BusName{});
+    if (bus.kind == BusKind::Hamlib) {
+        return std::make_unique<HamlibLine>(bus, profile.baud);
+    }
+    return std::make_unique<TcpBoxLine>(bus);
 }
 
 }  // namespace
@@ -50,6 +55,26 @@ RotatorOffer rotctldOffer()
                    Text::tr("Compare the port with the option -t of rotctld. Without -t it is %1.").arg(kPort),
                    Text::tr("From another computer: start rotctld with -T 0.0.0.0, and open its port in the "
                             "firewall.")}};
+}
+
+RotatorOffer hamlibOffer()
+{
+    return {.driver = profile::AxisDriver::Rotctld,
+            .name = Text::tr("A rotator from Hamlib's list, at this computer"),
+            .hasModels = true,
+            .place = Text::tr("Port"),
+            .placeHelp = Text::tr("The serial port of the rotator, such as /dev/ttyUSB0, or HOST:PORT for a model that "
+                                  "has a network plug"),
+            .example = QStringLiteral("/dev/ttyUSB0"),
+            .onSerialPort = true,
+            .network = "hamlib",
+            .promise = {Text::tr("Boresight starts rotctld for this model, and ends it."),
+                        Text::tr("Connect asks for the limits and for the position. Boresight moves nothing. Some "
+                                 "models send their box a greeting."),
+                        Text::tr("Choose the model with care. Hamlib does not check what is on the port.")},
+            .checks = {Text::tr("Check the power of the rotator, and the cable."),
+                       Text::tr("Compare the model and the speed with the manual of the rotator."),
+                       Text::tr("End other programs that use the port.")}};
 }
 
 }  // namespace boresight::rotctl

@@ -11,5 +11,6 @@ namespace boresight::rotctl {
 [[nodiscard]] MountKind rotctldRotators();
 // As the guide offers them.
 [[nodiscard]] RotatorOffer rotctldOffer();
+[[nodiscard]] RotatorOffer hamlibOffer();
 
 }  // namespace boresight::rotctl

@@ -143,6 +143,7 @@ bool isSimulatedBus(const QString& bus)
             return socketcan::looksVirtual(QString::fromStdString(name->target));
         case BusKind::Tcp:
         case BusKind::Rotctld:
+        case BusKind::Hamlib:
             return false;
         case BusKind::Fdcanusb:
         case BusKind::Serial:

@@ -8,6 +8,7 @@
 #include "core/moteus_mount/moteus_connection.h"
 #include "core/mount/paired_connection.h"
 #include "core/profile/setting.h"
+#include "core/rotctld_mount/hamlib_models.h"
 #include "core/rotctld_mount/rotctld_rotators.h"
 #include "core/simple_mount/simple_connection.h"
 
@@ -30,7 +31,12 @@ MountFactory::MountFactory(const profile::Profile& profile, const Clock& clock) 
 
 std::vector<RotatorOffer> rotatorOffers()
 {
-    return {moteusOffer(), gs232::gs232Offer(), rotctl::rotctldOffer()};
+    return {moteusOffer(), gs232::gs232Offer(), rotctl::rotctldOffer(), rotctl::hamlibOffer()};
+}
+
+RotatorModels rotatorModels()
+{
+    return rotctl::hamlibModels();
 }
 
 MountMaker MountFactory::make(const profile::Profile& profile, const MountStart& start) const

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/clock.h"
+#include "core/messages/rotator_models.h"
 #include "core/messages/rotator_offer.h"
 #include "core/mount/mount_kind.h"
 #include "core/profile/profile.h"
@@ -17,6 +18,8 @@ namespace boresight {
 
 // Those that a person can choose, in the order of the list.
 [[nodiscard]] std::vector<RotatorOffer> rotatorOffers();
+// Of the offer that has models. Runs a program and waits for it: not on a thread that has anything else to do.
+[[nodiscard]] RotatorModels rotatorModels();
 
 class MountFactory
 {

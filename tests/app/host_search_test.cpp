@@ -79,6 +79,16 @@ TEST_F(HostSearchTest, AClosedProgramLeavesNoScanBehind)
     EXPECT_TRUE(answered(1));
 }
 
+// The list itself: HamlibModels.
+TEST_F(HostSearchTest, ListsTheModelsOfRotatorsInTheBackground)
+{
+    RotatorModels models;
+    QObject::connect(&search, &HostSearch::rotatorModelsFound, &search, [&](const auto& found) { models = found; });
+    search.findRotatorModels();
+    EXPECT_TRUE(fakes::waitUntil([&] { return models != RotatorModels{}; }));
+    EXPECT_NE(models.list.empty(), models.problem.isEmpty());
+}
+
 TEST_F(HostSearchTest, ListsAdaptersAndGpredictInTheBackground)
 {
     std::vector<Adapter> adapters;

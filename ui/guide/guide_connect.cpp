@@ -97,6 +97,9 @@ GuideConnect::GuideConnect(ProfileChange& change, RequestDesk& desk, HostDesk& h
 {
     build();
     connect(m_refresh, &QPushButton::clicked, this, [this] { Q_EMIT m_host.adaptersWanted(busInUse()); });
+    connect(m_refresh, &QPushButton::clicked, m_choice, &RotatorChoice::refreshModels);
+    connect(m_choice, &RotatorChoice::modelsWanted, &m_host, &HostDesk::rotatorModelsWanted);
+    connect(&m_host, &HostDesk::rotatorModelsFound, m_choice, &RotatorChoice::showModels);
     connect(m_scan, &QPushButton::clicked, this, &GuideConnect::scan);
     connect(m_use, &QPushButton::clicked, this, &GuideConnect::use);
     connect(m_choice, &RotatorChoice::changed, this, &GuideConnect::showButtons);

@@ -4,6 +4,7 @@
 #include "core/base/bus_name.h"
 #include "core/base/text.h"
 #include "core/profile/commissioning.h"
+#include "ui/guide/model_choice.h"
 #include "ui/kit/axes.h"
 #include "ui/kit/caption.h"
 #include "ui/kit/format.h"
@@ -23,7 +24,7 @@ namespace {
 
 using profile::AxisDriver;
 
-constexpr std::array kSpeeds{1200, 4800, 9600, 19200, 38400, 57600, 115200};  // Bd
+constexpr std::array kSpeeds{600, 1200, 4800, 9600, 19200, 38400, 57600, 115200};  // Bd
 
 // Where no kind is offered there is nothing to choose: the adapters are listed.
 std::vector<RotatorOffer> atLeastOne(const std::vector<RotatorOffer>& offers)
@@ -71,6 +72,7 @@ RotatorChoice::RotatorChoice(const std::vector<RotatorOffer>& offers, QWidget* p
       m_offers(atLeastOne(offers)),
       m_entered(m_offers.size()),
       m_kinds(new TouchCombo(tr("What turns the mount"), tr("How the motors of the mount are commanded"), this)),
+      m_model(new ModelChoice(this)),
       m_fields(new QWidget(this)),
       m_place(new TouchCombo(tr("Where the rotator answers"), {}, m_fields)),
       m_baud(new TouchCombo(tr("Speed of the serial port"), tr("As the switches of the box are set"), m_fields))
@@ -82,6 +84,7 @@ RotatorChoice::RotatorChoice(const std::vector<RotatorOffer>& offers, QWidget* p
         m_entered.at(m_kind) = place;
         Q_EMIT changed();
     });
+    connect(m_model, &QComboBox::currentTextChanged, this, &RotatorChoice::changed);
     connect(m_baud, &QComboBox::currentIndexChanged, this, &RotatorChoice::changed);
 }
 
@@ -111,6 +114,7 @@ void RotatorChoice::build()
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(4);
     column->addWidget(m_kinds);
+    column->addWidget(m_model);
     column->addWidget(m_fields);
 }
 
@@ -118,6 +122,8 @@ void RotatorChoice::choose(int kind)
 {
     m_kind = static_cast<std::size_t>(std::max(0, kind));
     m_fields->setVisible(!offer().isListed);
+    m_model->setVisible(offer().hasModels);
+    refreshModels();
     m_place->setToolTip(offer().placeHelp);
     m_place->lineEdit()->setPlaceholderText(tr("%1, for example %2").arg(offer().place, offer().example));
     m_place->setEditText(m_entered.at(m_kind));
@@ -147,10 +153,14 @@ void RotatorChoice::showStatus(const StationStatus& status)
 // What the operator enters stays until another mount is in force.
 void RotatorChoice::takeFrom(const profile::Profile& profile)
 {
-    const auto at = std::ranges::find(m_offers, driverOf(profile), &RotatorOffer::driver);
+    const BusName bus = parseBusName(profile.bus).value_or(BusName{});
+    const auto at = std::ranges::find_if(m_offers, [&](const RotatorOffer& offer) {
+        return offer.driver == driverOf(profile) && offer.hasModels == (bus.model > 0);
+    });
     m_kinds->setCurrentIndex(at == m_offers.end() ? 0 : static_cast<int>(at - m_offers.begin()));
     if (at != m_offers.end() && !at->isListed && !profile::namesNoBus(profile)) {
-        m_place->setEditText(toQString(profile.bus).section(QLatin1Char(':'), 1));
+        m_model->choose(bus.model);
+        m_place->setEditText(toQString(profile.bus).section(QLatin1Char(':'), at->hasModels ? 2 : 1));
         const auto speed = std::ranges::find(kSpeeds, profile.baud);
         m_baud->setCurrentIndex(speed == kSpeeds.end() ? -1 : static_cast<int>(speed - kSpeeds.begin()));
     }
@@ -162,6 +172,19 @@ void RotatorChoice::showAdapters(const std::vector<Adapter>& adapters)
     std::ranges::transform(adapters, std::back_inserter(m_ports), &Adapter::serialPort);
     m_ports.removeAll(QString());
     offerPorts();
+}
+
+void RotatorChoice::refreshModels()
+{
+    if (offer().hasModels && m_model->isEmpty()) {
+        Q_EMIT modelsWanted();
+    }
+}
+
+void RotatorChoice::showModels(const RotatorModels& models)
+{
+    m_model->showModels(models);
+    Q_EMIT changed();
 }
 
 bool RotatorChoice::isListed() const
@@ -177,14 +200,25 @@ bool RotatorChoice::onSerialPort() const
 Result<std::string> RotatorChoice::bus() const
 {
     const QString place = m_place->currentText().trimmed();
+    if (offer().hasModels && !m_model->whyNone().isEmpty()) {
+        return failure(ErrorCode::InvalidInput, m_model->whyNone());
+    }
     if (place.isEmpty()) {
         return failure(ErrorCode::InvalidInput,
                        tr("Enter where the rotator answers, for example %1.").arg(offer().example));
     }
+    return parseBusName(busText(place).toStdString()).map([](const BusName& bus) { return toString(bus); });
+}
+
+QString RotatorChoice::busText(const QString& place) const
+{
+    const QString network = toQString(offer().network);
+    if (offer().hasModels) {
+        return QStringLiteral("%1:%2:%3").arg(network).arg(m_model->number()).arg(place);
+    }
     const bool isPath = offer().onSerialPort && place.startsWith(QLatin1Char('/'));
-    const std::string name = isPath ? "serial:" + place.toStdString()
-                                    : offer().network + ":" + withPort(place, offer().usualPort).toStdString();
-    return parseBusName(name).map([](const BusName& bus) { return toString(bus); });
+    return isPath ? QStringLiteral("serial:%1").arg(place)
+                  : QStringLiteral("%1:%2").arg(network, withPort(place, offer().usualPort));
 }
 
 QString RotatorChoice::whyIncomplete() const
@@ -222,7 +256,8 @@ QStringList RotatorChoice::words(const QString& obstacle) const
             tr("Connect replaces the zeros, the travel and north in the profile of this mount. To keep them, "
                "duplicate the mount first (tab Mount, Profile)."));
     }
-    if (!obstacle.isEmpty() && !m_place->currentText().isEmpty()) {
+    const bool isHopeless = offer().hasModels && !m_model->problem().isEmpty();
+    if (!obstacle.isEmpty() && (isHopeless || !m_place->currentText().isEmpty())) {
         lines.prepend(sentence(obstacle));
     }
     return lines;

@@ -3,6 +3,7 @@
 
 #include "core/gpredict/gpredict_qth.h"
 #include "core/messages/adapter.h"
+#include "core/messages/rotator_models.h"
 #include "core/messages/rotator_offer.h"
 #include "core/messages/scan_result.h"
 
@@ -30,10 +31,12 @@ public:
 Q_SIGNALS:
     // Emitted for a page.
     void adaptersWanted(const QString& namedBus);  // this bus is listed, too
+    void rotatorModelsWanted();
     void scanWanted(const QString& bus);
     void gpredictWanted(const QString& folder);
     // Called by the owner of the window.
     void adaptersFound(const std::vector<boresight::Adapter>& adapters);
+    void rotatorModelsFound(const boresight::RotatorModels& models);
     void scanned(const boresight::ScanResult& result);
     void gpredictFound(const boresight::profile::GpredictFiles& files);
 

@@ -78,6 +78,8 @@ TEST(CrossCheck, TheDriversOfTheAxesMakeSense)
     EXPECT_EQ(onBus(AxisDriver::None, AxisDriver::Moteus, "serial:/dev/ttyUSB0"), only("bus.name"));
     EXPECT_EQ(onBus(AxisDriver::Rotctld, AxisDriver::Rotctld, "rotctld:10.0.0.7:4533"), nothing);
     EXPECT_EQ(onBus(AxisDriver::Rotctld, AxisDriver::None, "rotctld:10.0.0.7:4533"), nothing);
+    EXPECT_EQ(onBus(AxisDriver::Rotctld, AxisDriver::Rotctld, "hamlib:901:/dev/ttyUSB0"), nothing);
+    EXPECT_EQ(onBus(AxisDriver::Gs232, AxisDriver::None, "hamlib:603:/dev/ttyUSB0"), only("bus.name"));
     EXPECT_EQ(onBus(AxisDriver::Rotctld, AxisDriver::None, "tcp:10.0.0.7:4533"), only("bus.name"));
     // Story: Boresight connected to its own server, which reported that the mount does not reply.
     for (const char* const own : {"rotctld:127.0.0.1:4533", "rotctld:localhost:4533", "rotctld:[::1]:4533"}) {

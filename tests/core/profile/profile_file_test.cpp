@@ -343,7 +343,7 @@ TEST(ProfileFile, ErrorsShowNoControlCharacters)
     EXPECT_EQ(
         errorsOf("version = 1\n[bus]\nname = \"\\u001b[2J\\u0000\"\n"),
         "m.toml:3: bus.name: unknown bus '?[2J?'. Write simulated, socketcan:INTERFACE, fdcanusb:PATH, serial:PATH, "
-        "tcp:HOST:PORT or rotctld:HOST:PORT");
+        "tcp:HOST:PORT, rotctld:HOST:PORT or hamlib:MODEL:PORT");
     EXPECT_EQ(errorsOf("version = 1\n\x1b = 1\n").find('\x1b'), std::string::npos);
 }
 

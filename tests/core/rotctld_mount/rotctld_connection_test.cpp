@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The mount with a real TCP connection: to Hamlib's own rotctld and rigctld, and to servers that the test plays.
-#include "core/rotator_box/box_connection.h"
 #include "core/rotator_box/tcp_box_line.h"
-#include "core/rotctld_mount/rotctld_mount.h"
-#include "tests/core/rotctld_mount/rotctld_bench.h"
+#include "tests/core/rotctld_mount/rotctld_rig.h"
 #include "tests/fakes/program.h"
 #include "tests/fakes/unused_port.h"
 #include "tests/fakes/wait_until.h"
@@ -22,50 +20,10 @@ namespace {
 
 using fakes::waitUntil;
 
-// A control above a real connection. The clock is turned by hand, a tick for each look of the test.
-struct Rig
+std::unique_ptr<BoxLine> lineTo(quint16 port)
 {
-    explicit Rig(quint16 port) : bus{.kind = BusKind::Rotctld, .target = "127.0.0.1", .port = port} {}
-
-    void tick()
-    {
-        clock.advance(kOneTick);
-        if (++ticks % 50 == 1) {
-            connection->open();  // as the station does, once a second
-        }
-        control.tick();
-        connection->send();
-    }
-    [[nodiscard]] bool comesTrue(const std::function<bool()>& condition)
-    {
-        return waitUntil([&] {
-            tick();
-            return condition();
-        });
-    }
-    [[nodiscard]] bool warns(const char* alarm) const
-    {
-        return std::ranges::any_of(
-            alarms.list(), [alarm](const Alarm& one) { return one.active && one.name == QLatin1String(alarm); });
-    }
-    [[nodiscard]] MountLine line() const
-    {
-        StationStatus status;
-        connection->describe(status);
-        return status.line;
-    }
-    [[nodiscard]] std::optional<AxisPosition> place() const { return connection->driver().measured(); }
-
-    BusName bus;
-    fakes::ManualClock clock;
-    EventLog log{clock};
-    AlarmBoard alarms{log, clock};
-    profile::InForce profile{rotctldProfile()};
-    std::unique_ptr<MountConnection> connection =
-        rotatorBehind<RotctldMount>(std::make_unique<TcpBoxLine>(bus), {})(profile, clock, log, alarms);
-    StationControl control{profile, clock, log, alarms, connection->driver(), motionSources};
-    int ticks = 0;
-};
+    return std::make_unique<TcpBoxLine>(BusName{.kind = BusKind::Rotctld, .target = "127.0.0.1", .port = port});
+}
 
 // REQ-ROTCTLDMOUNT-40: A rotctld is reached at its host and port. A connection that ends is opened again, and the text
 // names what to check.
@@ -73,7 +31,7 @@ TEST(RotctldConnection, ConnectsAgain)
 {
     QTcpServer server;
     ASSERT_TRUE(server.listen(QHostAddress::LocalHost));
-    Rig rig(server.serverPort());
+    Rig rig(lineTo(server.serverPort()));
     for (int i = 0; i < 2; ++i) {
         ASSERT_TRUE(rig.comesTrue([&] { return server.hasPendingConnections(); }));
         const std::unique_ptr<QTcpSocket> peer(server.nextPendingConnection());
@@ -94,7 +52,7 @@ TEST(RotctldConnection, AForeignServerIsClosedAndLeftAlone)
 {
     QTcpServer server;
     ASSERT_TRUE(server.listen(QHostAddress::LocalHost));
-    Rig rig(server.serverPort());
+    Rig rig(lineTo(server.serverPort()));
     ASSERT_TRUE(rig.comesTrue([&] { return server.hasPendingConnections(); }));
     const std::unique_ptr<QTcpSocket> peer(server.nextPendingConnection());
     ASSERT_TRUE(rig.comesTrue([&] { return peer->bytesAvailable() > 0; }));
@@ -138,7 +96,7 @@ TEST_F(HamlibServer, ItsRotctldIsDriven)
     if (!server) {
         return;
     }
-    Rig rig(port);
+    Rig rig(lineTo(port));
     ASSERT_TRUE(rig.comesTrue([&] { return rig.place().has_value(); }));
     EXPECT_EQ(rig.line().kind, QStringLiteral("rotctld"));
     EXPECT_EQ(rig.line().dropped, 0U);
@@ -177,7 +135,7 @@ TEST_F(HamlibServer, ItsRigctldIsLeftAlone)
     if (!server) {
         return;
     }
-    Rig rig(port);
+    Rig rig(lineTo(port));
     EXPECT_TRUE(rig.comesTrue([&] { return rig.warns("rotator.foreign"); }));
     EXPECT_EQ(rig.line().sent, 1U);
 }

@@ -25,6 +25,7 @@ public:
     [[nodiscard]] bool listens() const { return m_port != 0; }
     [[nodiscard]] std::string address() const { return "127.0.0.1:" + std::to_string(m_port); }
     [[nodiscard]] std::unique_ptr<fakes::TcpPeer> connect() const;
+    [[nodiscard]] qint64 process() const { return m_process.processId(); }
     [[nodiscard]] QString stateFolder() const { return m_home.path(); }
     [[nodiscard]] std::string complaints();  // its standard error
 

@@ -7,6 +7,8 @@
 #include "tests/fakes/wait_until.h"
 #include "tests/system/programs/boresightd_process.h"
 
+#include <QDir>
+#include <QFile>
 #include <QStandardPaths>
 #include <QTcpServer>
 #include <QTemporaryDir>
@@ -15,6 +17,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <csignal>
 #include <memory>
 #include <sstream>
 #include <string>
@@ -113,6 +116,46 @@ TEST_F(HamlibChain, GpredictTurnsTheDummyOfHamlib)
     gpredict->send("q\n");
     EXPECT_EQ(gpredict->receiveUntilClosed(), "");
     EXPECT_EQ(boresightd->terminate(), 0);
+}
+
+// The process named rotctld that has this process for its parent. 0: none.
+pid_t childOf(qint64 parent)
+{
+    for (const QString& name : QDir(QStringLiteral("/proc")).entryList(QDir::Dirs)) {
+        QFile stat(QStringLiteral("/proc/%1/stat").arg(name));
+        if (name.toInt() > 0 && stat.open(QIODevice::ReadOnly)) {
+            const QString text = QString::fromLatin1(stat.readAll());
+            if (text.contains(QStringLiteral("(rotctld)")) &&
+                text.section(QStringLiteral(") "), -1).section(QLatin1Char(' '), 1, 1).toLongLong() == parent) {
+                return name.toInt();
+            }
+        }
+    }
+    return 0;
+}
+
+// REQ-ROTCTLDMOUNT-65: A rotctld of our own ends with Boresight, also where Boresight is killed.
+TEST(HamlibOwnRotctld, EndsWithBoresight)
+{
+    if (QStandardPaths::findExecutable(QStringLiteral("rotctld")).isEmpty()) {
+        GTEST_SKIP() << "rotctld is not installed (Debian package libhamlib-utils)";
+    }
+    for (const bool killed : {true, false}) {
+        const QTemporaryDir folder;
+        BoresightdProcess boresightd(fakes::confirmedMount(folder.path(), QStringLiteral("hamlib:1"), hamlibMount()));
+        ASSERT_TRUE(boresightd.listens()) << boresightd.complaints();
+        const auto client = boresightd.connect();
+        ASSERT_TRUE(fakes::waitUntil([&] { return client->ask("p\n", 2).find("RPRT") == std::string::npos; }))
+            << boresightd.complaints();
+        const pid_t rotctld = childOf(boresightd.process());
+        ASSERT_GT(rotctld, 0);
+        if (killed) {
+            boresightd.kill();
+        } else {
+            EXPECT_EQ(boresightd.terminate(), 0);
+        }
+        EXPECT_TRUE(fakes::waitUntil([&] { return ::kill(rotctld, 0) != 0; })) << killed;
+    }
 }
 
 }  // namespace

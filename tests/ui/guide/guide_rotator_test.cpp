@@ -6,8 +6,10 @@
 #include "ui/guide/guide_directions.h"
 #include "ui/guide/guide_ready.h"
 #include "ui/guide/guide_zero.h"
+#include "ui/link/host_desk.h"
 
 #include <QComboBox>
+#include <QCompleter>
 #include <QListWidget>
 #include <QPlainTextEdit>
 
@@ -17,6 +19,7 @@ namespace {
 
 constexpr int kGs232 = 1;  // index in the list of rotator kinds
 constexpr int kRotctld = 2;
+constexpr int kHamlib = 3;
 
 class GuideRotatorTest : public GuideTest
 {
@@ -48,6 +51,10 @@ protected:
         goThroughWithReconnect();
     }
 
+    const RotatorModels kModels{.list = {{202, QStringLiteral("Hamlib EasycommII")},
+                                         {901, QStringLiteral("SPID Rot2Prog")},
+                                         {902, QStringLiteral("SPID Rot1Prog")}},
+                                .problem = {}};
     SerialPortFacts ftdi{.device = QStringLiteral("/dev/ttyUSB0"),
                          .stableName = {},
                          .manufacturer = QStringLiteral("FTDI"),
@@ -116,6 +123,61 @@ TEST_F(GuideRotatorTest, AGs232RotatorIsConnectedByItsPortOrItsAddress)
     requests.clear();
     click("Connect");
     EXPECT_EQ(lastApplied().bus, "tcp:10.0.0.7:4001");
+}
+
+// REQ-UI-1654: A rotator from Hamlib's list is connected by its model, its serial port and its speed. The list is asked
+// for when the kind is chosen. Typing shows those that fit. Without Hamlib the guide says what to install.
+TEST_F(GuideRotatorTest, AModelOfHamlibIsConnectedByItsPort)
+{
+    int wanted = 0;
+    QObject::connect(&window.host(), &HostDesk::rotatorModelsWanted, &window, [&] { ++wanted; });
+    EXPECT_FALSE(isShown("Model of the rotator"));
+    choose(kHamlib);
+    EXPECT_EQ(wanted, 1);
+    Q_EMIT window.host().rotatorModelsFound(kModels);
+    auto& model = inGuide<QComboBox>("Model of the rotator");
+    EXPECT_EQ(model.count(), 3);
+    EXPECT_TRUE(words().contains(QStringLiteral("Choose the model of the rotator."))) << words().toStdString();
+    model.completer()->setCompletionPrefix(QStringLiteral("spid"));
+    EXPECT_EQ(model.completer()->completionCount(), 2);
+    model.setEditText(QStringLiteral("902 SPID Rot1Prog"));
+    EXPECT_EQ(place().currentText(), QStringLiteral("/dev/ttyUSB0")) << "the only port that may be one";
+    inGuide<QComboBox>("Speed of the serial port").setCurrentText(QStringLiteral("1200 Bd"));
+    EXPECT_TRUE(words().contains(QStringLiteral("starts rotctld"))) << words().toStdString();
+    requests.clear();
+    click("Connect");
+    EXPECT_EQ(lastApplied().bus, "hamlib:902:/dev/ttyUSB0");
+    EXPECT_EQ(lastApplied().baud, 1200);
+    EXPECT_EQ(lastApplied().azimuth.driver, profile::AxisDriver::Rotctld);
+    answerAs(QStringLiteral("rotctld"));
+    EXPECT_TRUE(words().contains(QStringLiteral("It answers as: rotctld"))) << words().toStdString();
+    choose(kRotctld);
+    choose(kHamlib);
+    EXPECT_EQ(wanted, 1) << "it is known";
+}
+
+// REQ-UI-1654
+TEST_F(GuideRotatorTest, WithoutHamlibTheGuideSaysWhatToInstall)
+{
+    profile::Profile spid = *status.profile;
+    spid.azimuth.driver = spid.elevation.driver = profile::AxisDriver::Rotctld;
+    spid.bus = "hamlib:901:/dev/ttyS0";
+    spid.baud = 600;
+    putInForce(spid);
+    EXPECT_EQ(inGuide<QComboBox>("What turns the mount").currentIndex(), kHamlib);
+    EXPECT_EQ(inGuide<QComboBox>("Speed of the serial port").currentText(), QStringLiteral("600 Bd"));
+    EXPECT_EQ(place().currentText(), QStringLiteral("/dev/ttyS0"));
+    EXPECT_EQ(inGuide<QComboBox>("Model of the rotator").currentText(), QStringLiteral("901"));
+    Q_EMIT window.host().rotatorModelsFound({.problem = QStringLiteral("Install libhamlib-utils")});
+    EXPECT_TRUE(whyNoConnect().contains(QStringLiteral("libhamlib-utils"))) << whyNoConnect().toStdString();
+    place().setEditText({});
+    EXPECT_TRUE(words().contains(QStringLiteral("libhamlib-utils"))) << words().toStdString();
+    int wanted = 0;
+    QObject::connect(&window.host(), &HostDesk::rotatorModelsWanted, &window, [&] { ++wanted; });
+    click("Refresh");
+    EXPECT_EQ(wanted, 1) << "after it was installed";
+    Q_EMIT window.host().rotatorModelsFound(kModels);
+    EXPECT_EQ(inGuide<QComboBox>("Model of the rotator").currentText(), QStringLiteral("901 SPID Rot2Prog"));
 }
 
 // REQ-UI-985

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/rotctld_mount/hamlib_models.h"
+
+#include "core/base/text.h"
+
+#include <QProcess>
+#include <QStandardPaths>
+
+namespace boresight::rotctl {
+
+QString hamlibIsMissing()
+{
+    return Text::tr(
+        "rotctld is not installed. Install the programs of Hamlib: libhamlib-utils on Debian and Ubuntu, "
+        "hamlib on Fedora and Arch Linux");
+}
+
+std::vector<RotatorModel> parseModels(const QString& listing)
+{
+    std::vector<RotatorModel> models;
+    qsizetype maker = -1;
+    qsizetype model = -1;
+    qsizetype end = -1;
+    for (const QString& line : listing.split(QLatin1Char('\n'))) {
+        if (line.trimmed().startsWith(QLatin1String("Rot #"))) {
+            maker = line.indexOf(QLatin1String("Mfg"));
+            model = line.indexOf(QLatin1String("Model"));
+            end = line.indexOf(QLatin1String("Version"));
+        } else if (0 < maker && maker < model && model < end) {
+            const int number = line.left(maker).trimmed().toInt();
+            const QString name =
+                line.mid(maker, model - maker).trimmed() + QLatin1Char(' ') + line.mid(model, end - model).trimmed();
+            if (number > 0 && !name.trimmed().isEmpty()) {
+                models.push_back({.number = number, .name = name.trimmed()});
+            }
+        }
+    }
+    return models;
+}
+
+RotatorModels hamlibModels()
+{
+    constexpr int kPatience = 5000;  // ms; it takes some
+    const QString path = QStandardPaths::findExecutable(QStringLiteral("rotctl"));
+    if (path.isEmpty() || QStandardPaths::findExecutable(QStringLiteral("rotctld")).isEmpty()) {
+        return {.problem = hamlibIsMissing()};
+    }
+    QProcess process;
+    process.start(path, {QStringLiteral("-l")}, QIODevice::ReadOnly);
+    const bool ended = process.waitForFinished(kPatience);
+    RotatorModels models{.list = parseModels(QString::fromUtf8(process.readAllStandardOutput()))};
+    if (!ended || models.list.empty()) {
+        models.problem = Text::tr("Hamlib lists no rotator. Type rotctl -l in a terminal to see why");
+    }
+    return models;
+}
+
+}  // namespace boresight::rotctl
