@@ -839,6 +839,10 @@ até %1</translation>
         <source>Further listeners</source>
         <translation>Outras escutas</translation>
     </message>
+    <message>
+        <source>Wind</source>
+        <translation>Vento</translation>
+    </message>
 </context>
 <context>
     <name>SkyBodies</name>
@@ -8431,10 +8435,6 @@ até %1</translation>
         <translation>%1 não funciona: %2</translation>
     </message>
     <message>
-        <source>This is not a command. The commands are take, release, stop, reset-stop, satellites, status, transmit, track TARGET, antennas, antenna NAME and those of the schedule.</source>
-        <translation>Isto não é um comando. Os comandos são take, release, stop, reset-stop, satellites, status, transmit, track TARGET, antennas, antenna NAME e os da agenda.</translation>
-    </message>
-    <message>
         <source>its time and the clock of this computer differ by %1 s</source>
         <translation>a sua hora e o relógio deste computador diferem %1 s</translation>
     </message>
@@ -8995,10 +8995,6 @@ até %1</translation>
         <translation>Velocidade da porta série</translation>
     </message>
     <message>
-        <source>Speed of the serial port of a GS-232 rotator, as its switches are set. A CAN bus does not use it.</source>
-        <translation>Velocidade da porta série de um rotor GS-232, como estão os seus interruptores. Um barramento CAN não a usa.</translation>
-    </message>
-    <message>
         <source>Boresight closed the line, and sends nothing more</source>
         <translation>O Boresight fechou a linha e não envia mais nada</translation>
     </message>
@@ -9203,20 +9199,8 @@ até %1</translation>
         <translation>&apos;%1&apos; não é um endereço com uma porta; escreva por exemplo %2</translation>
     </message>
     <message>
-        <source>unknown bus &apos;%1&apos;. Write simulated, socketcan:INTERFACE, fdcanusb:PATH, serial:PATH, tcp:HOST:PORT or rotctld:HOST:PORT</source>
-        <translation>barramento &apos;%1&apos; desconhecido. Escreva simulated, socketcan:INTERFACE, fdcanusb:PATH, serial:PATH, tcp:HOST:PORT ou rotctld:HOST:PORT</translation>
-    </message>
-    <message>
         <source>What turns the axis. Each axis may have its own driver. &quot;gs232&quot; is a Yaesu GS-232A, a GS-232B or a box that speaks as they do. &quot;rotctld&quot; is any rotator that Hamlib drives. &quot;simple&quot; is simulated only: a rotator of whole degrees without a watchdog. With &quot;none&quot; the mount has no such axis.</source>
         <translation>O que roda o eixo. Cada eixo pode ter o seu próprio controlador. &quot;gs232&quot; é um Yaesu GS-232A, um GS-232B ou uma caixa que fala como eles. &quot;rotctld&quot; é qualquer rotador que o Hamlib controla. &quot;simple&quot; é só simulado: um rotor de graus inteiros sem watchdog. Com &quot;none&quot; a montagem não tem esse eixo.</translation>
-    </message>
-    <message>
-        <source>The driver &quot;%1&quot; needs rotctld:HOST:PORT.</source>
-        <translation>O controlador &quot;%1&quot; precisa de rotctld:HOST:PORT.</translation>
-    </message>
-    <message>
-        <source>How Boresight reaches the drives: &quot;fdcanusb:PATH&quot; or &quot;socketcan:INTERFACE&quot; for moteus, &quot;serial:PATH&quot; or &quot;tcp:HOST:PORT&quot; for a GS-232 rotator, &quot;rotctld:HOST:PORT&quot; for a rotator of Hamlib, or &quot;simulated&quot;.</source>
-        <translation>Como o Boresight chega aos acionamentos: &quot;fdcanusb:PATH&quot; ou &quot;socketcan:INTERFACE&quot; para moteus, &quot;serial:PATH&quot; ou &quot;tcp:HOST:PORT&quot; para um rotor GS-232, &quot;rotctld:HOST:PORT&quot; para um rotador do Hamlib, ou &quot;simulated&quot;.</translation>
     </message>
     <message>
         <source>%1: %2. Check that rotctld runs there. Check its address, its port and the network</source>
@@ -9606,6 +9590,338 @@ até %1</translation>
         <source>The step leads to %1 / %2. That is outside the limits.</source>
         <translation>O passo leva a %1 / %2. Isso fica fora dos limites.</translation>
     </message>
+    <message>
+        <source>Park now</source>
+        <translation>Estacionar agora</translation>
+    </message>
+    <message>
+        <source>Move anyway</source>
+        <translation>Mover mesmo assim</translation>
+    </message>
+    <message>
+        <source>The mount parks. Boresight refuses every other motion</source>
+        <translation>A montagem estaciona. O Boresight recusa qualquer outro movimento</translation>
+    </message>
+    <message>
+        <source>Wait until the wind stays below %2 m/s, %3 min long. If the mount must move, press Move anyway</source>
+        <translation>Espere até o vento ficar abaixo de %2 m/s durante %3 min. Se a montagem tiver de se mover, prima Mover mesmo assim</translation>
+    </message>
+    <message>
+        <source>The mount is not parked, and Boresight does not start it. Boresight refuses every motion but Park</source>
+        <translation>A montagem não está estacionada e o Boresight não a põe em marcha. O Boresight recusa qualquer movimento exceto Estacionar</translation>
+    </message>
+    <message>
+        <source>Press Park now. If the mount must move elsewhere first, press Move anyway</source>
+        <translation>Prima Estacionar agora. Se a montagem tiver de ir antes a outro lado, prima Mover mesmo assim</translation>
+    </message>
+    <message>
+        <source>Boresight lets the mount move until %2, as the operator wants. Then the mount parks</source>
+        <translation>O Boresight deixa a montagem mover-se até às %2, como o operador quer. Depois a montagem estaciona</translation>
+    </message>
+    <message>
+        <source>Watch the antenna. Press Park now when the work is done</source>
+        <translation>Observe a antena. Prima Estacionar agora quando o trabalho acabar</translation>
+    </message>
+    <message>
+        <source>The wind is unknown. No reading came since %1</source>
+        <translation>O vento é desconhecido. Não chegou nenhuma leitura desde %1</translation>
+    </message>
+    <message>
+        <source>Boresight does not park the mount because of that</source>
+        <translation>O Boresight não estaciona a montagem por causa disso</translation>
+    </message>
+    <message>
+        <source>Check the anemometer and its program, and wind.source on the page Profile. Park the mount if a strong wind is possible</source>
+        <translation>Verifique o anemómetro e o seu programa, e wind.source na página Perfil. Estacione a montagem se for possível vento forte</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no model of Hamlib with its port; write for example %2</source>
+        <translation>&apos;%1&apos; não é um modelo do Hamlib com a sua porta; escreva por exemplo %2</translation>
+    </message>
+    <message>
+        <source>unknown bus &apos;%1&apos;. Write simulated, socketcan:INTERFACE, fdcanusb:PATH, serial:PATH, tcp:HOST:PORT, rotctld:HOST:PORT or hamlib:MODEL:PORT</source>
+        <translation>barramento desconhecido &apos;%1&apos;. Escreva simulated, socketcan:INTERFACE, fdcanusb:CAMINHO, serial:CAMINHO, tcp:HOST:PORTA, rotctld:HOST:PORTA ou hamlib:MODELO:PORTA</translation>
+    </message>
+    <message>
+        <source>lets the mount move in the wind until %1</source>
+        <translation>deixa a montagem mover-se com vento até às %1</translation>
+    </message>
+    <message>
+        <source>The wind was unknown. No reading came after %1, until now</source>
+        <translation>O vento era desconhecido. Depois de %1 não chegou nenhuma leitura até agora</translation>
+    </message>
+    <message>
+        <source>The wind reached %1 m/s. The limit is %2 m/s</source>
+        <translation>O vento atingiu %1 m/s. O limite é %2 m/s</translation>
+    </message>
+    <message>
+        <source>%1 Only Park moves the mount until the wind stays below %2 m/s for %3 min.</source>
+        <translation>%1 Só Estacionar move a montagem até o vento ficar abaixo de %2 m/s durante %3 min.</translation>
+    </message>
+    <message>
+        <source>The wind does not forbid any motion.</source>
+        <translation>O vento não proíbe nenhum movimento.</translation>
+    </message>
+    <message>
+        <source>This is not a command. The commands are take, release, stop, reset-stop, override-wind, satellites, status, transmit, track TARGET, antennas, antenna NAME and those of the schedule.</source>
+        <translation>Isto não é um comando. Os comandos são take, release, stop, reset-stop, override-wind, satellites, status, transmit, track ALVO, antennas, antenna NOME e os da agenda.</translation>
+    </message>
+    <message>
+        <source>wind</source>
+        <translation>vento</translation>
+    </message>
+    <message>
+        <source>loses the pass of %1: %2</source>
+        <translation>perde a passagem de %1: %2</translation>
+    </message>
+    <message>
+        <source>%1: The server answers %2.</source>
+        <translation>%1: O servidor responde %2.</translation>
+    </message>
+    <message>
+        <source>The driver &quot;%1&quot; needs rotctld:HOST:PORT or hamlib:MODEL:PORT.</source>
+        <translation>O controlador &quot;%1&quot; precisa de rotctld:HOST:PORTA ou hamlib:MODELO:PORTA.</translation>
+    </message>
+    <message>
+        <source>How Boresight reaches the drives: &quot;fdcanusb:PATH&quot; or &quot;socketcan:INTERFACE&quot; for moteus, &quot;serial:PATH&quot; or &quot;tcp:HOST:PORT&quot; for a GS-232 rotator, &quot;rotctld:HOST:PORT&quot; or &quot;hamlib:MODEL:PORT&quot; for a rotator of Hamlib, or &quot;simulated&quot;.</source>
+        <translation>Como o Boresight chega aos acionamentos: &quot;fdcanusb:CAMINHO&quot; ou &quot;socketcan:INTERFACE&quot; para moteus, &quot;serial:CAMINHO&quot; ou &quot;tcp:HOST:PORTA&quot; para um rotor GS-232, &quot;rotctld:HOST:PORTA&quot; ou &quot;hamlib:MODELO:PORTA&quot; para um rotor do Hamlib, ou &quot;simulated&quot;.</translation>
+    </message>
+    <message>
+        <source>Speed of the serial port of a GS-232 rotator or of a model of Hamlib, as its switches are set. A CAN bus does not use it.</source>
+        <translation>Velocidade da porta série de um rotor GS-232 ou de um modelo do Hamlib, tal como os seus interruptores estão postos. Um barramento CAN não a usa.</translation>
+    </message>
+    <message>
+        <source>Park when idle</source>
+        <translation>Estacionar quando parada</translation>
+    </message>
+    <message>
+        <source>The mount parks after this time without a motion and without a command of the operator or of a client. A client that only reads the position does not count. 0: never.</source>
+        <translation>A montagem estaciona após este tempo sem movimento e sem comando do operador ou de um cliente. Um cliente que só lê a posição não conta. 0: nunca.</translation>
+    </message>
+    <message>
+        <source>a word of at most %1 characters is expected</source>
+        <translation>espera-se uma palavra com %1 caracteres no máximo</translation>
+    </message>
+    <message>
+        <source>Where the readings of an anemometer arrive: udp:PORT on this computer, udp:0.0.0.0:PORT from all computers, mqtt:TOPIC of the MQTT broker, or the page of a web server, such as http://anemometer/wind. Empty: none, and the wind parks nothing.</source>
+        <translation>Onde chegam as leituras de um anemómetro: udp:PORTA neste computador, udp:0.0.0.0:PORTA de todos os computadores, mqtt:TÓPICO do broker MQTT, ou a página de um servidor web, como http://anemometer/wind. Vazio: nenhuma, e o vento não estaciona nada.</translation>
+    </message>
+    <message>
+        <source>How often the page of a web server is read.</source>
+        <translation>Com que frequência se lê a página de um servidor web.</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>Chave</translation>
+    </message>
+    <message>
+        <source>The name of the wind speed in a JSON message, for example wind_gust, or wind.speed for an object in an object. A plain number needs no key.</source>
+        <translation>O nome da velocidade do vento numa mensagem JSON, por exemplo wind_gust, ou wind.speed para um objeto dentro de um objeto. Um simples número não precisa de chave.</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Unidade</translation>
+    </message>
+    <message>
+        <source>The unit in which the anemometer reports. The limits below are always in m/s.</source>
+        <translation>A unidade em que o anemómetro indica o vento. Os limites abaixo são sempre em m/s.</translation>
+    </message>
+    <message>
+        <source>Park above</source>
+        <translation>Estacionar acima de</translation>
+    </message>
+    <message>
+        <source>Above this wind the mount parks, and every other motion is refused. 15 m/s are 54 km/h or 29 knots.</source>
+        <translation>Acima deste vento a montagem estaciona e qualquer outro movimento é recusado. 15 m/s são 54 km/h ou 29 nós.</translation>
+    </message>
+    <message>
+        <source>Permit motion below</source>
+        <translation>Permitir movimento abaixo de</translation>
+    </message>
+    <message>
+        <source>The mount may move again after the wind was below this limit for the time below.</source>
+        <translation>A montagem pode voltar a mover-se depois de o vento ficar abaixo deste limite durante o tempo indicado abaixo.</translation>
+    </message>
+    <message>
+        <source>Calm time</source>
+        <translation>Tempo de acalmia</translation>
+    </message>
+    <message>
+        <source>The wind must stay below the lower limit so long. Nothing moves by itself then.</source>
+        <translation>O vento tem de ficar abaixo do limite inferior durante este tempo. Depois nada se move por si.</translation>
+    </message>
+    <message>
+        <source>Mean of a gust</source>
+        <translation>Média de uma rajada</translation>
+    </message>
+    <message>
+        <source>The mean of the readings of this time counts. 3 s is how weather services define a gust. 0: each reading counts.</source>
+        <translation>Conta a média das leituras deste tempo. 3 s é como os serviços meteorológicos definem uma rajada. 0: conta cada leitura.</translation>
+    </message>
+    <message>
+        <source>Without a reading for this long the wind is unknown.</source>
+        <translation>Sem leitura durante este tempo o vento é desconhecido.</translation>
+    </message>
+    <message>
+        <source>If the wind is unknown</source>
+        <translation>Se o vento for desconhecido</translation>
+    </message>
+    <message>
+        <source>&quot;tell&quot; raises an alarm. &quot;stow&quot; parks the mount as in a strong wind.</source>
+        <translation>&quot;tell&quot; dá um alarme. &quot;stow&quot; estaciona a montagem como com vento forte.</translation>
+    </message>
+    <message>
+        <source>Place in a strong wind</source>
+        <translation>Lugar com vento forte</translation>
+    </message>
+    <message>
+        <source>Where the mount parks in a strong wind: at its park position, or at the place below.</source>
+        <translation>Onde a montagem estaciona com vento forte: na sua posição de estacionamento ou no lugar abaixo.</translation>
+    </message>
+    <message>
+        <source>Azimuth of this place</source>
+        <translation>Azimute deste lugar</translation>
+    </message>
+    <message>
+        <source>Azimuth of the place in a strong wind, as an axis angle.</source>
+        <translation>Azimute do lugar com vento forte, como ângulo do eixo.</translation>
+    </message>
+    <message>
+        <source>Elevation of this place</source>
+        <translation>Elevação deste lugar</translation>
+    </message>
+    <message>
+        <source>Elevation of the place in a strong wind, as an axis angle.</source>
+        <translation>Elevação do lugar com vento forte, como ângulo do eixo.</translation>
+    </message>
+    <message>
+        <source>How long the operator may move the mount in a strong wind after Move anyway. Then it parks again.</source>
+        <translation>Durante quanto tempo o operador pode mover a montagem com vento forte depois de Mover mesmo assim. Depois ela volta a estacionar.</translation>
+    </message>
+    <message>
+        <source>the topic is read for the sensor or for positions already</source>
+        <translation>o tópico já é lido para o sensor ou para posições</translation>
+    </message>
+    <message>
+        <source>%1 is above wind.stow_above_m_s (%2)</source>
+        <translation>%1 está acima de wind.stow_above_m_s (%2)</translation>
+    </message>
+    <message>
+        <source>rotctld is not installed. Install the programs of Hamlib: libhamlib-utils on Debian and Ubuntu, hamlib on Fedora and Arch Linux</source>
+        <translation>O rotctld não está instalado. Instale os programas do Hamlib: libhamlib-utils em Debian e Ubuntu, hamlib em Fedora e Arch Linux</translation>
+    </message>
+    <message>
+        <source>Hamlib lists no rotator. Type rotctl -l in a terminal to see why</source>
+        <translation>O Hamlib não lista nenhum rotor. Escreva rotctl -l num terminal para ver porquê</translation>
+    </message>
+    <message>
+        <source>rotctld could not be started: %1</source>
+        <translation>não foi possível iniciar o rotctld: %1</translation>
+    </message>
+    <message>
+        <source>rotctld was killed or crashed</source>
+        <translation>o rotctld foi terminado ou falhou</translation>
+    </message>
+    <message>
+        <source>rotctld ended with status %1</source>
+        <translation>o rotctld terminou com o estado %1</translation>
+    </message>
+    <message>
+        <source>rotctld did not start within %1 s</source>
+        <translation>o rotctld não arrancou em %1 s</translation>
+    </message>
+    <message>
+        <source>rotctld closed the connection</source>
+        <translation>o rotctld fechou a ligação</translation>
+    </message>
+    <message>
+        <source>The answer of rotctld is: %1. Check the rotator, its power, its cable, its model (bus.name, %2) and its speed (bus.baud, %3)</source>
+        <translation>A resposta do rotctld é: %1. Verifique o rotor, a alimentação, o cabo, o modelo (bus.name, %2) e a velocidade (bus.baud, %3)</translation>
+    </message>
+    <message>
+        <source>The rotctld of Boresight does not answer. Boresight ends it and starts it again. Check the rotator and its port (bus.name, %1)</source>
+        <translation>O rotctld do Boresight não responde. O Boresight termina-o e volta a iniciá-lo. Verifique o rotor e a sua porta (bus.name, %1)</translation>
+    </message>
+    <message>
+        <source>A rotator from Hamlib&apos;s list, at this computer</source>
+        <translation>Um rotor da lista do Hamlib, neste computador</translation>
+    </message>
+    <message>
+        <source>The serial port of the rotator, such as /dev/ttyUSB0, or HOST:PORT for a model that has a network plug</source>
+        <translation>A porta série do rotor, como /dev/ttyUSB0, ou HOST:PORTA para um modelo com ligação de rede</translation>
+    </message>
+    <message>
+        <source>Boresight starts rotctld for this model, and ends it.</source>
+        <translation>O Boresight inicia o rotctld para este modelo e termina-o.</translation>
+    </message>
+    <message>
+        <source>Connect asks for the limits and for the position. Boresight moves nothing. Some models send their box a greeting.</source>
+        <translation>Ligar pergunta os limites e a posição. O Boresight não move nada. Alguns modelos enviam uma saudação à sua caixa.</translation>
+    </message>
+    <message>
+        <source>Choose the model with care. Hamlib does not check what is on the port.</source>
+        <translation>Escolha o modelo com cuidado. O Hamlib não verifica o que está na porta.</translation>
+    </message>
+    <message>
+        <source>Check the power of the rotator, and the cable.</source>
+        <translation>Verifique a alimentação do rotor e o cabo.</translation>
+    </message>
+    <message>
+        <source>Compare the model and the speed with the manual of the rotator.</source>
+        <translation>Compare o modelo e a velocidade com o manual do rotor.</translation>
+    </message>
+    <message>
+        <source>park at %1 after %2 min without a command</source>
+        <translation>estaciona em %1 após %2 min sem comando</translation>
+    </message>
+    <message>
+        <source>does not park when idle: %1</source>
+        <translation>não estaciona quando parada: %1</translation>
+    </message>
+    <message>
+        <source>ends the motion because of the wind</source>
+        <translation>termina o movimento por causa do vento</translation>
+    </message>
+    <message>
+        <source>park at %1 because of the wind</source>
+        <translation>estaciona em %1 por causa do vento</translation>
+    </message>
+    <message>
+        <source>does not park in the wind: %1</source>
+        <translation>não estaciona com o vento: %1</translation>
+    </message>
+    <message>
+        <source>a reading was refused: %1</source>
+        <translation>uma leitura foi recusada: %1</translation>
+    </message>
+    <message>
+        <source>udp:PORT is expected, or udp:ADDRESS:PORT with an address of this computer</source>
+        <translation>espera-se udp:PORTA, ou udp:ENDEREÇO:PORTA com um endereço deste computador</translation>
+    </message>
+    <message>
+        <source>an address like http://anemometer/wind is expected</source>
+        <translation>espera-se um endereço como http://anemometer/wind</translation>
+    </message>
+    <message>
+        <source>udp:PORT, udp:ADDRESS:PORT, mqtt:TOPIC or http://HOST/PATH is expected</source>
+        <translation>espera-se udp:PORTA, udp:ENDEREÇO:PORTA, mqtt:TÓPICO ou http://HOST/CAMINHO</translation>
+    </message>
+    <message>
+        <source>the wind speed is no number</source>
+        <translation>a velocidade do vento não é um número</translation>
+    </message>
+    <message>
+        <source>the wind speed is not within 0 to 150 m/s</source>
+        <translation>a velocidade do vento não está entre 0 e 150 m/s</translation>
+    </message>
+    <message>
+        <source>a number, &quot;wind&quot; and a number, or a JSON object is expected</source>
+        <translation>espera-se um número, &quot;wind&quot; e um número, ou um objeto JSON</translation>
+    </message>
+    <message>
+        <source>the object has no &quot;%1&quot; (wind.key)</source>
+        <translation>o objeto não tem &quot;%1&quot; (wind.key)</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>
@@ -9867,6 +10183,10 @@ SDL 2, toml++</translation>
     <message>
         <source>Open the whole alarm in the log</source>
         <translation>Abrir o alarme completo no registo</translation>
+    </message>
+    <message>
+        <source>The operator may move the mount in the wind for a while. Then it parks again</source>
+        <translation>O operador pode mover a montagem com vento durante algum tempo. Depois ela volta a estacionar</translation>
     </message>
 </context>
 <context>
@@ -13877,6 +14197,25 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
     </message>
 </context>
 <context>
+    <name>boresight::ui::ModelChoice</name>
+    <message>
+        <source>Model of the rotator</source>
+        <translation>Modelo do rotor</translation>
+    </message>
+    <message>
+        <source>Type a part of its name, its maker or its number</source>
+        <translation>Escreva parte do nome, do fabricante ou do número</translation>
+    </message>
+    <message>
+        <source>Model: type a part of its name</source>
+        <translation>Modelo: escreva parte do nome</translation>
+    </message>
+    <message>
+        <source>Choose the model of the rotator.</source>
+        <translation>Escolha o modelo do rotor.</translation>
+    </message>
+</context>
+<context>
     <name>boresight::ui::ModelPage</name>
     <message>
         <source>How well the model fits</source>
@@ -17646,6 +17985,37 @@ Para onde outro rotor aponta, segundo o seu rotctld: rotctld:10.0.0.7:4533</tran
     <message>
         <source>Only the part of its passes above this elevation counts.</source>
         <translation>Só conta a parte das passagens acima desta elevação.</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::WindReadout</name>
+    <message>
+        <source>Wind %1 m/s</source>
+        <translation>Vento %1 m/s</translation>
+    </message>
+    <message>
+        <source>Wind %1</source>
+        <translation>Vento %1</translation>
+    </message>
+    <message>
+        <source>only Park moves the mount</source>
+        <translation>só Estacionar move a montagem</translation>
+    </message>
+    <message>
+        <source>Wind</source>
+        <translation>Vento</translation>
+    </message>
+    <message>
+        <source>What the wind forbids</source>
+        <translation>O que o vento proíbe</translation>
+    </message>
+    <message>
+        <source>Age of the wind reading</source>
+        <translation>Idade da leitura do vento</translation>
+    </message>
+    <message>
+        <source>age %1</source>
+        <translation>idade %1</translation>
     </message>
 </context>
 </TS>
