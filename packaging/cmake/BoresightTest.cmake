@@ -2,6 +2,9 @@
 
 option(BORESIGHT_UNIT_TESTS "Build the tests that the presets with sanitizers run (labels unit and ui), too" ON)
 
+# How much of what ctest --parallel counts a test takes that computes. A test that waits for programs in slow time takes 1.
+set(BORESIGHT_COMPUTES 3)
+
 set(BORESIGHT_TEST_RESULTS "${CMAKE_BINARY_DIR}/test-results")  # one XML file of GoogleTest for each test of ctest
 
 # The line numbers of tests cost a tenth of their compilation, and a failure names its line without them. Only the preset
@@ -116,7 +119,9 @@ function(boresight_add_runs name label shards timeout slow_time)
     set_tests_properties(${run} PROPERTIES LABELS "${label}" TIMEOUT ${timeout}
       ENVIRONMENT "GTEST_TOTAL_SHARDS=${shards};GTEST_SHARD_INDEX=${index}")
     boresight_give_home(${run})
-    if(slow_time)
+    if(NOT slow_time)
+      set_tests_properties(${run} PROPERTIES PROCESSORS ${BORESIGHT_COMPUTES})
+    else()
       # AddressSanitizer wants to be loaded first, and the order makes no difference to it.
       set_property(TEST ${run} APPEND PROPERTY ENVIRONMENT_MODIFICATION
         "LD_PRELOAD=set:$<TARGET_FILE:slow_clock>"
