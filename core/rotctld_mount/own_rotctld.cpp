@@ -41,10 +41,10 @@ QString listenerOn(quint16 port)
     if (!table.open(QIODevice::ReadOnly)) {
         return {};
     }
-    const QString end = QStringLiteral(":%1").arg(port, 4, 16, QLatin1Char('0')).toUpper();
+    const QString address = QStringLiteral("0100007F:%1").arg(port, 4, 16, QLatin1Char('0')).toUpper();  // 127.0.0.1
     for (const QString& line : QString::fromLatin1(table.readAll()).split(QLatin1Char('\n'))) {
         const QStringList fields = line.simplified().split(QLatin1Char(' '));
-        if (fields.value(kLocal).endsWith(end) && fields.value(kState) == QLatin1String("0A")) {
+        if (fields.value(kLocal) == address && fields.value(kState) == QLatin1String("0A")) {
             return QStringLiteral("socket:[%1]").arg(fields.value(kInode));
         }
     }
@@ -83,7 +83,11 @@ OwnRotctld::OwnRotctld(BusName bus, int baud, QObject* parent) : QObject(parent)
     m_process.setStandardInputFile(QProcess::nullDevice());
     m_process.setStandardOutputFile(QProcess::nullDevice());
     m_process.setChildProcessModifier([parent = ::getpid()] {
-        ::setpgid(0, 0);  // Ctrl+C in the terminal of Boresight ends it after the last order, not before
+        // Ctrl+C in the terminal of Boresight, or a signal to all processes of its service, does not end it before the
+        // last order. Boresight kills it afterwards.
+        ::setpgid(0, 0);
+        ::signal(SIGTERM, SIG_IGN);
+        ::signal(SIGHUP, SIG_IGN);
         ::prctl(PR_SET_PDEATHSIG, SIGKILL);
         if (::getppid() != parent) {
             ::_exit(1);  // Boresight ended meanwhile

@@ -19,8 +19,10 @@ class OwnRotctld final : public QObject
     Q_OBJECT
 
 public:
-    static constexpr std::chrono::seconds kStartTime{10};        // some models ask their rotator first
-    static constexpr std::chrono::milliseconds kLastOrder{300};  // in which it hands on what it was sent last
+    static constexpr std::chrono::seconds kStartTime{10};  // some models ask their rotator first
+    // In which it carries out the order before the last and the last, a stop: 0.8 s for a SPID at 600 Bd.
+    static constexpr std::chrono::seconds kLastOrder{2};
+    static constexpr std::chrono::milliseconds kLastWords{300};  // in which one that has ended reports why
 
     // `bus` as the profile names it, with a model; `baud` as bits per second of its serial port.
     OwnRotctld(BusName bus, int baud, QObject* parent);
@@ -32,7 +34,7 @@ public:
     // After the time for its last order. Then it is killed: one that hangs does not end otherwise.
     void end();
     // The connection to it is lost. As a rule it has ended, which its own words say better. Else it is killed.
-    void connectionLost() { m_limit.start(kLastOrder); }
+    void connectionLost() { m_limit.start(kLastWords); }
 
 Q_SIGNALS:
     // It listens there. Nobody else does: the port was compared with its own files.

@@ -251,7 +251,9 @@ std::string RotctldTalk::send(SteadyTime now)
         m_wantsLine = m_wantsLine || now - m_waiting.front().sent >= kHangs;
         return {};
     }
-    if (m_asked && m_order.next && !m_stop.wanted && (!m_order.sent || now - *m_order.sent >= kBetweenGoes)) {
+    // Hamlib needs 0.8 s for a target of a slow box. With a question between two targets its position stays known.
+    const bool mayGo = m_asked && (!m_order.sent || (now - *m_order.sent >= kBetweenGoes && *m_asked > *m_order.sent));
+    if (m_order.next && !m_stop.wanted && mayGo) {
         m_order.sent = now;
         m_order.last = std::exchange(m_order.next, std::nullopt);
         return say(Question::Order, goTo(form(), *m_order.last).value_or(std::string()), now);

@@ -30,7 +30,8 @@ const Answers kExtended{{"+\\dump_state", kState},
 const Answers kPlain{{"\\dump_state", kPlainState}, {"p", "180.00\n45.00\n"}, {"P", "RPRT 0\n"}, {"S", "RPRT 0\n"}};
 const Answers kPlainest{{"p", "180.00\n45.00\n"}, {"P", "RPRT 0\n"}, {"S", "RPRT 0\n"}};
 
-// What is sent, with the time, to a server that answers 40 ms later. The line is opened anew when that is asked for.
+// What is sent, with the time, to a server that answers 40 ms later, or in the time that an order takes. The line is
+// opened anew when that is asked for.
 class Talk
 {
 public:
@@ -71,13 +72,15 @@ public:
     };
     std::vector<Sent> sent;
     int lines = 1;
+    milliseconds orderTakes{40};
 
 private:
     void answer(const std::string& bytes, const Answers& answers)
     {
         for (const auto& [beginning, said] : answers) {
             if (bytes.starts_with(beginning)) {
-                m_due.push_back({m_now + milliseconds(40), said});
+                const bool orders = bytes.starts_with("+\\set_pos");
+                m_due.push_back({m_now + (orders ? orderTakes : milliseconds(40)), said});
             }
         }
     }
@@ -159,6 +162,24 @@ TEST(RotctldTalk, CommandsArePaced)
     talk->stop();
     talk.run(milliseconds(20));
     EXPECT_EQ(talk.sent.back().bytes, "+\\stop\n");
+}
+
+// REQ-ROTCTLDMOUNT-66: A rotator that is slower than its targets is asked for its position between two of them. Story:
+// a SPID at 600 Bd takes 0.8 s for a target. It was never asked in motion, and was taken for silent.
+TEST(RotctldTalk, ASlowRotatorIsAskedBetweenTargets)
+{
+    Talk talk;
+    talk.orderTakes = milliseconds(770);
+    talk.run(milliseconds(1000), kExtended);
+    talk.sent.clear();
+    for (int i = 0; i < 500; ++i) {
+        (void)talk->go({.azimuth = Angle::fromDegrees(100.0 + i % 100), .elevation = 10_deg});
+        talk.run(milliseconds(20), kExtended);
+    }
+    EXPECT_GE(talk.count("+\\set_pos"), 10);
+    for (std::size_t i = 1; i < talk.sent.size(); ++i) {
+        EXPECT_FALSE(talk.sent[i].bytes.starts_with("+\\set_pos") && talk.sent[i - 1].bytes.starts_with("+\\set_pos"));
+    }
 }
 
 TEST(RotctldTalk, AStopTakesTheTargetThatWaits)
