@@ -3,7 +3,6 @@
 #include "core/station/station_wind.h"
 
 #include "tests/core/station/moving_station.h"
-#include "tests/fakes/canned_web.h"
 #include "tests/fakes/unused_port.h"
 
 #include <QTemporaryDir>
@@ -81,23 +80,6 @@ TEST_F(StationWindTest, RubbishIsCounted)
     }));
     EXPECT_EQ(station().status().wind.refusal, QStringLiteral("the wind speed is no number"));
     EXPECT_EQ(station().status().wind.speed, 4.5);
-}
-
-// REQ-WIND-43: The page of a web server is read each interval of the profile, and each page is a reading. A server that
-// is gone is reported.
-TEST_F(StationWindTest, APageOfAWebServerIsRead)
-{
-    fakes::CannedWeb web;
-    web.answersWith("/live", "200 OK", {}, R"({"wind": {"speed": 9.0}})");
-    profile::Profile profile = anyPort();
-    profile.wind.source = web.address("/live");
-    profile.wind.format.key = "wind.speed";
-    profile.wind.poll = Seconds(1.0);
-    station().reload(profile);
-    ASSERT_TRUE(fakes::waitUntil([&] { return station().status().wind.accepted > 0; }));
-    EXPECT_EQ(station().status().wind.speed, 9.0);
-    web.stopListening();
-    ASSERT_TRUE(fakes::waitUntil([&] { return !station().status().wind.trouble.isEmpty(); }));
 }
 
 }  // namespace
