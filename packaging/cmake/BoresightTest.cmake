@@ -122,13 +122,14 @@ function(boresight_add_runs name label shards timeout slow_time)
     if(NOT slow_time)
       set_tests_properties(${run} PROPERTIES PROCESSORS ${BORESIGHT_COMPUTES})
     else()
+      set_tests_properties(${run} PROPERTIES COST 1500)  # first: they wait longest
       # AddressSanitizer wants to be loaded first, and the order makes no difference to it.
       set_property(TEST ${run} APPEND PROPERTY ENVIRONMENT_MODIFICATION
         "LD_PRELOAD=set:$<TARGET_FILE:slow_clock>"
         "ASAN_OPTIONS=string_append::verify_asan_link_order=0")
     endif()
-    if(shards GREATER 1)
-      set_tests_properties(${run} PROPERTIES COST 1000)  # first, or the last core is alone with them
+    if(shards GREATER 1 AND NOT slow_time)
+      set_tests_properties(${run} PROPERTIES COST 1000)  # early, or the last core is alone with them
     endif()
   endforeach()
 endfunction()
