@@ -86,8 +86,11 @@ OwnRotctld::OwnRotctld(BusName bus, int baud, QObject* parent) : QObject(parent)
         // Ctrl+C in the terminal of Boresight, or a signal to all processes of its service, does not end it before the
         // last order. Boresight kills it afterwards.
         ::setpgid(0, 0);
-        ::signal(SIGTERM, SIG_IGN);
-        ::signal(SIGHUP, SIG_IGN);
+        sigset_t ends;
+        ::sigemptyset(&ends);
+        ::sigaddset(&ends, SIGTERM);
+        ::sigaddset(&ends, SIGHUP);
+        ::sigprocmask(SIG_BLOCK, &ends, nullptr);
         ::prctl(PR_SET_PDEATHSIG, SIGKILL);
         if (::getppid() != parent) {
             ::_exit(1);  // Boresight ended meanwhile
