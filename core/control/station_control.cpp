@@ -537,12 +537,8 @@ void StationControl::moveOn(Seconds step)
     } else {
         m_motion.brake(step);  // one axis alone goes nowhere, nor does one that nobody sees
     }
-    const pointing::Antenna& antenna = m_antenna.inUse();
-    m_motion.setBand({.width = m_profile->deadBand(antenna), .halfBeam = 0.5 * antenna.beamWidth});
-    const auto leeway = m_motion.leeway(m_now);
     for (const Axis axis : kAxes) {
         m_mount.command(axis, m_motion.setpoint(axis));
-        m_mount.setLeeway(axis, leeway[index(axis)]);
     }
 }
 

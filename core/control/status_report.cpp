@@ -42,8 +42,7 @@ bool StatusReport::onTarget(Angle within) const
     }
     const Capabilities can = m_of.mount.capabilities();
     const auto near = [&](Axis axis, Angle away) {
-        const Angle inexactness = can.inexactness(axis) + m_of.motion.slack(axis, m_of.now);
-        return abs(away) < std::max(within, inexactness + kBetweenSteps);
+        return abs(away) < std::max(within, can.inexactness(axis) + kBetweenSteps);
     };
     return near(Axis::Azimuth, target->azimuth - measured->azimuth) &&
            near(Axis::Elevation, target->elevation - measured->elevation);

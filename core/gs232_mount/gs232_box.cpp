@@ -60,8 +60,7 @@ void Gs232Box::run(Motor& motor, AngularRate speed, Seconds time)
         if (done == edge) {
             motor.runs = false;
             motor.target.reset();
-            const Angle coast = m_faults.coast > kCoast ? m_faults.coast : std::min(kCoast, abs(way));
-            motor.coast = way < Angle{} ? -coast : coast;
+            motor.coast = way < Angle{} ? -std::min(kCoast, abs(way)) : std::min(kCoast, abs(way));
         }
     }
     const Angle coasted = std::clamp(motor.coast, -farthest, farthest);
@@ -96,8 +95,7 @@ void Gs232Box::obey(const std::string& command, SteadyTime now)
     if (m_faults.refuses) {
         reply("?>\r\n", now);
     } else if (const auto answer = query(command)) {
-        ++m_questions;
-        const bool half = m_faults.halfLines && m_questions % 2 == 0;
+        const bool half = m_faults.halfLines && ++m_questions % 2 == 0;
         reply(half ? answer->substr(0, answer->size() / 2) : *answer + "\r\n", now);
     } else if (!move(command)) {
         reply("?>\r\n", now);
@@ -112,12 +110,8 @@ void Gs232Box::obey(const std::string& command, SteadyTime now)
 std::optional<std::string> Gs232Box::query(const std::string& command) const
 {
     const bool a = m_habits.dialect == Dialect::A;
-    const auto noise = [this](int phase) {
-        constexpr std::array<double, 7> kNoise{0.0, 1.0, 1.0, -1.0, 0.0, -1.0, 1.0};
-        return Angle::fromDegrees(m_faults.worn ? kNoise[static_cast<std::size_t>(m_questions + phase) % 7] : 0.0);
-    };
-    const std::string azimuth = (a ? "+0" : "AZ=") + threeDigits(m_shown.azimuth + m_faults.offset + noise(0));
-    const std::string elevation = (a ? "+0" : "EL=") + threeDigits(m_shown.elevation + noise(3));
+    const std::string azimuth = (a ? "+0" : "AZ=") + threeDigits(m_shown.azimuth + m_faults.offset);
+    const std::string elevation = (a ? "+0" : "EL=") + threeDigits(m_shown.elevation);
     if (command == "C") {
         return azimuth;
     }
@@ -166,7 +160,7 @@ bool Gs232Box::send(Axis axis, std::string_view digits)
         return true;  // the potentiometer shows it already
     }
     if (!motor.runs) {
-        ++motor.starts;
+        ++m_starts;
     }
     motor.target = target;
     motor.runs = true;
@@ -180,7 +174,7 @@ void Gs232Box::stop(Axis axis)
     if (m_faults.stuckRelay || !motor.runs) {
         return;
     }
-    motor.coast = *motor.target < motor.place ? -m_faults.coast : m_faults.coast;
+    motor.coast = *motor.target < motor.place ? -kCoast : kCoast;
     motor.target.reset();
     motor.runs = false;
 }

@@ -47,8 +47,6 @@ public:
         bool stuckMeter = false;               // the potentiometers show what they showed before
         bool stuckRelay = false;               // a stop does not open the relays
         Angle offset{};                        // of what the potentiometer of the azimuth reports
-        bool worn = false;                     // both potentiometers report one of three counts, about the right one
-        Angle coast = kCoast;                  // when the relay has opened
         std::array<double, 2> pace{1.0, 1.0};  // of each motor, of its speed
     };
 
@@ -65,10 +63,9 @@ public:
 
     // Where it really stands at the time of the last call.
     [[nodiscard]] AxisPosition truth() const { return {.azimuth = m_axes[0].place, .elevation = m_axes[1].place}; }
-    [[nodiscard]] int moves() const { return m_moves; }  // commands to move or stop, accepted so far
-    [[nodiscard]] int starts() const { return starts(Axis::Azimuth) + starts(Axis::Elevation); }
-    [[nodiscard]] int starts(Axis axis) const { return m_axes[index(axis)].starts; }  // of its motor
-    [[nodiscard]] const std::deque<std::string>& heard() const { return m_heard; }    // commands, without line ends
+    [[nodiscard]] int moves() const { return m_moves; }    // commands to move or stop, accepted so far
+    [[nodiscard]] int starts() const { return m_starts; }  // of a motor
+    [[nodiscard]] const std::deque<std::string>& heard() const { return m_heard; }  // commands, without line ends
     void moveOn(SteadyTime now);
 
 private:
@@ -79,7 +76,6 @@ private:
         std::optional<Angle> target;
         bool runs = false;
         Angle coast{};  // still to come, with its sign
-        int starts = 0;
     };
     struct Due
     {
@@ -105,6 +101,7 @@ private:
     std::deque<std::string> m_heard;
     std::optional<SteadyTime> m_moved;
     int m_moves = 0;
+    int m_starts = 0;
     int m_questions = 0;
 };
 

@@ -35,7 +35,7 @@ Result<> fits(const profile::Profile& profile, const Capabilities& capabilities,
 }  // namespace
 
 Gs232Mount::Gs232Mount(const profile::InForce& profile, AlarmBoard& alarms, const AxisSet& axes)
-    : BoxMount(profile, alarms, axes, kAxis, kAxis.step),
+    : BoxMount(profile, alarms, axes, kAxis),
       m_fitness(fits(*profile, capabilities(), Axis::Azimuth).and_then([&] {
           return fits(*profile, capabilities(), Axis::Elevation);
       })),

@@ -23,7 +23,7 @@ constexpr Angle kNearly = Angle::fromDegrees(0.5);
 constexpr Seconds kStands{3.0};
 constexpr Seconds kLeftBehind{8.0};  // its driver reports an axis that does not go before that
 // It need not run after its set-points so far when nothing is wanted any more.
-constexpr Angle kRunsAfter = Angle::fromDegrees(1.5);
+constexpr Angle kRunsAfter = Angle::fromDegrees(3.0);
 
 AxisProfile profileOf(const profile::AxisSettings& axis, const TravelRange& travel)
 {
@@ -65,11 +65,6 @@ TravelRange passed(Angle before, const AxisProfile& axis)
 bool within(const TravelRange& inner, const TravelRange& outer)
 {
     return inner.min >= outer.min - pointing::kRounding && inner.max <= outer.max + pointing::kRounding;
-}
-
-TravelRange widened(const TravelRange& range, Angle by, const TravelRange& within)
-{
-    return {.min = std::max(range.min - by, within.min), .max = std::min(range.max + by, within.max)};
 }
 
 TravelRange with(const TravelRange& range, Angle place)
@@ -194,8 +189,8 @@ AxisBox GuardedAxes::fromSeen(AxisBox box) const
     return box;
 }
 
-// Nothing is wanted any more, and a slow rotator, or one whose motors have no ramp, would run on for long to where the
-// set-points will rest. It settles once: what wind pushes away later, its driver sends back.
+// The set-points rest where nothing is wanted any more, and a slow rotator is still on its way there. It settles once:
+// what wind pushes away later, its driver sends back.
 bool GuardedAxes::runsAfter(const AxisWish& azimuth, const AxisWish& elevation)
 {
     const auto isNothing = [](const AxisWish& wish) { return !wish.target && wish.rate == AngularRate{}; };
@@ -204,11 +199,10 @@ bool GuardedAxes::runsAfter(const AxisWish& azimuth, const AxisWish& elevation)
         return false;
     }
     const bool isFar = std::ranges::any_of(kAxes, [this](Axis axis) {
-        const auto& seen = m_sights[index(axis)].place;
-        return m_capabilities.lags(axis) && seen && abs(*seen - restOf(axis)) > kRunsAfter;
+        return lags(axis) && abs(*m_sights[index(axis)].place - setpoint(axis).position) > kRunsAfter;
     });
     m_settles = m_settles && (isFar || !atRest());
-    return m_settles && isFar;
+    return m_settles && atRest();
 }
 
 bool GuardedAxes::strays() const
@@ -316,41 +310,6 @@ void GuardedAxes::brake(Seconds duration, const AxisBox& within, const AxisWish&
 const tracking::Setpoint& GuardedAxes::setpoint(Axis axis) const
 {
     return (axis == Axis::Azimuth ? m_azimuth : m_elevation).setpoint();
-}
-
-Angle GuardedAxes::restOf(Axis axis) const
-{
-    const tracking::AxisProfile& profile = axis == Axis::Azimuth ? m_azimuth : m_elevation;
-    const TravelRange range = profile.untilRest();
-    const tracking::Setpoint& here = profile.setpoint();
-    const double way = here.rate != AngularRate{} ? here.rate.degrees() : here.acceleration.degrees();
-    return way > 0.0 ? range.max : way < 0.0 ? range.min : here.position;
-}
-
-GuardedAxes::Surroundings GuardedAxes::surroundings(const AxisPosition& room) const
-{
-    if (!m_enforced) {
-        return {.box = m_travel, .free = true};
-    }
-    AxisBox box = fromSeen(untilRest());
-    if (!m_region.permits(box)) {
-        return {.box = box};
-    }
-    const auto around = [&](Axis axis, const TravelRange& range, Angle by, const TravelRange& within) {
-        return widened(with(range, m_sights[index(axis)].place.value_or(range.min)), by, within);
-    };
-    const AxisBox& ranges = m_region.ranges();
-    const AxisBox wide{.azimuth = around(Axis::Azimuth, box.azimuth, room.azimuth, ranges.azimuth),
-                       .elevation = around(Axis::Elevation, box.elevation, room.elevation, ranges.elevation)};
-    if (m_region.permits(wide)) {
-        return {.box = wide, .free = true};
-    }
-    const auto step = [this](Axis axis) {
-        return m_capabilities.has(axis) ? m_capabilities.axes[index(axis)]->step : Angle{};
-    };
-    box.azimuth = widened(box.azimuth, step(Axis::Azimuth), m_region.azimuthsAround(box));
-    box.elevation = widened(box.elevation, step(Axis::Elevation), m_region.elevationsAround(box));
-    return {.box = box};
 }
 
 AxisPosition GuardedAxes::place() const

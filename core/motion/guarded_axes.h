@@ -62,17 +62,6 @@ public:
     // The rotator is on a way to the set-points that is permitted no more, since an edge was moved into it, or it was
     // left behind there. Or nothing is wanted any more, and it is far behind.
     [[nodiscard]] bool stray() const { return m_stray; }
-    // Where both axes may be while the set-points are where they are: all they pass until rest, where the rotator is
-    // seen, and as much beside that as `room`, as far as travel and limits go. With another edge in that it is not
-    // `free`, and a step beside at most.
-    struct Surroundings
-    {
-        pointing::AxisBox box;
-        bool free = false;
-    };
-    [[nodiscard]] Surroundings surroundings(const AxisPosition& room) const;
-    // Where the set-point comes to rest if it brakes from now on.
-    [[nodiscard]] Angle restOf(Axis axis) const;
     // How long it takes at least until both axes rest there, if nothing is in the way.
     [[nodiscard]] Seconds restTime(const AxisPosition& target) const;
     // The axis was asked to go on, but stands at, or brakes for, an edge of what is permitted.

@@ -21,15 +21,6 @@ constexpr Angle kSameEnd = Angle::fromDegrees(0.5);
 // way.
 constexpr Angle kSidePreference = Angle::fromDegrees(1.0);
 
-// A motor without speed control is switched on this late, so that it runs through to the end: it is faster than
-// set-points that still speed up.
-constexpr Seconds kGather{0.9};
-constexpr Angle kMostGathered = Angle::fromDegrees(6.0);
-// Set-points so near to a target that moves follow it.
-constexpr Angle kFollows = Angle::fromDegrees(1.0);
-// A target that is slow needs no lead: its motor starts seldom.
-constexpr Seconds kLeadTime{20.0};
-
 Angle distance(const AxisPosition& a, const AxisPosition& b)
 {
     const double width = std::cos(a.elevation.radians());
@@ -288,64 +279,6 @@ std::optional<tracking::MovingTarget> Motion::path(SteadyTime now) const
 {
     const auto target = movingTarget(now);
     return target && target->streaming ? target : std::nullopt;
-}
-
-bool Motion::follows(SteadyTime now) const
-{
-    const auto target = path(now);
-    return target && abs(target->position.azimuth - place().azimuth) < kFollows &&
-           abs(target->position.elevation - place().elevation) < kFollows;
-}
-
-// Where the set-point stands, the axis has to be there.
-Angle Motion::slack(Axis axis, SteadyTime now) const
-{
-    const tracking::Setpoint& here = setpoint(axis);
-    const bool stands = here.rate == AngularRate{} && here.acceleration == AngularAcceleration{};
-    if (!m_capabilities.lags(axis) || stands) {
-        return {};
-    }
-    if (const auto* const rates = std::get_if<AxisRates>(&m_wanted)) {
-        const AngularRate rate = axis == Axis::Azimuth ? rates->azimuth : rates->elevation;
-        return std::min(abs(rate) * kGather, kMostGathered);
-    }
-    if (follows(now)) {
-        return std::max(m_band.width, m_capabilities.axes[index(axis)]->step);
-    }
-    const auto end = target(now);
-    const Angle left = end ? abs((axis == Axis::Azimuth ? end->azimuth : end->elevation) - here.position) : Angle{};
-    const Angle gathered = std::min(m_limits[index(axis)].speed * kGather, kMostGathered);
-    return left > gathered ? gathered : Angle{};
-}
-
-std::array<tracking::Leeway, 2> Motion::leeway(SteadyTime now) const
-{
-    std::array<tracking::Leeway, 2> all{};
-    if (!m_capabilities.lags(Axis::Azimuth) && !m_capabilities.lags(Axis::Elevation)) {
-        return all;
-    }
-    AxisPosition room;
-    for (const Axis axis : kAxes) {
-        tracking::Leeway& one = all[index(axis)];
-        one.rest = m_axes.restOf(axis);
-        one.band = slack(axis, now);
-        if (one.band > Angle{} && follows(now)) {
-            const Angle lead = setpoint(axis).rate * kLeadTime;
-            one.lead = std::clamp(lead, -one.band, one.band);
-            one.halfBeam = m_band.halfBeam;
-        }
-        const Angle step = m_capabilities.has(axis) ? m_capabilities.axes[index(axis)]->step : Angle{};
-        (axis == Axis::Azimuth ? room.azimuth : room.elevation) = one.band + abs(one.lead) + step;
-    }
-    const GuardedAxes::Surroundings around = m_axes.surroundings(room);
-    for (const Axis axis : kAxes) {
-        tracking::Leeway& one = all[index(axis)];
-        one.within = axis == Axis::Azimuth ? around.box.azimuth : around.box.elevation;
-        if (!around.free) {
-            one.band = one.lead = one.halfBeam = Angle{};
-        }
-    }
-    return all;
 }
 
 bool Motion::limited(Axis axis) const

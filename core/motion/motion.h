@@ -6,7 +6,6 @@
 #include "core/messages/capabilities.h"
 #include "core/motion/guarded_axes.h"
 #include "core/profile/profile.h"
-#include "core/tracking/leeway.h"
 #include "core/tracking/target_stream.h"
 #include "core/units/sky.h"
 
@@ -54,13 +53,6 @@ public:
     void setArrival(profile::Arrival arrival) { m_arrival = arrival; }
     // While nobody knows on which turn an axis stands, nobody knows what is forbidden: only the travel counts.
     void enforceRegion(bool enforced) { m_axes.enforce(enforced); }
-    // How far from a target that moves an axis may stand whose motor is only switched on and off.
-    struct Band
-    {
-        Angle width;
-        Angle halfBeam;  // of the antenna
-    };
-    void setBand(const Band& band) { m_band = band; }
     // Where the rotator is now, if that is known.
     void setSeen(const std::optional<AxisPosition>& place) { m_axes.setSeen(place); }
 
@@ -77,11 +69,6 @@ public:
     [[nodiscard]] bool streaming(SteadyTime now) const;                      // the points look like a path in the sky
     [[nodiscard]] std::optional<tracking::MovingTarget> path(SteadyTime now) const;  // then this is where it is
     [[nodiscard]] bool atRest() const { return m_axes.atRest(); }                    // both set-points stand still
-
-    // How freely each axis of a rotator that runs by itself may be sent.
-    [[nodiscard]] std::array<tracking::Leeway, 2> leeway(SteadyTime now) const;
-    // How far from its set-point such an axis may stand by what is wanted, where nothing is forbidden near it.
-    [[nodiscard]] Angle slack(Axis axis, SteadyTime now) const;
 
     [[nodiscard]] const pointing::PermittedRegion& region() const { return m_axes.region(); }
     // Of the profile, between the last steps that the rotator reaches there.
@@ -125,7 +112,6 @@ private:
     };
 
     [[nodiscard]] std::optional<tracking::MovingTarget> movingTarget(SteadyTime now) const;
-    [[nodiscard]] bool follows(SteadyTime now) const;
     [[nodiscard]] std::optional<tracking::MovingTarget> permitted(const tracking::MovingTarget& target);
     void driveTo(const tracking::MovingTarget& target, SteadyTime now, Seconds step);
     void stepTo(const tracking::MovingTarget& goal, Seconds step);
@@ -140,7 +126,6 @@ private:
     std::array<AngularAcceleration, 2> m_hardest;
     bool m_hardBraking = false;
     profile::Arrival m_arrival;
-    Band m_band;
     Way m_way;
     struct Limited
     {

@@ -7,7 +7,6 @@
 #include "core/mount/mount_report.h"
 #include "core/profile/profile.h"
 #include "core/tracking/axis_profile.h"
-#include "core/tracking/leeway.h"
 #include "core/units/sky.h"
 
 #include <QString>
@@ -56,8 +55,6 @@ public:
     // The place of an axis that has begun to follow in this tick, once: its first set-point must be there.
     [[nodiscard]] virtual std::optional<Angle> takeFollowing(Axis axis) = 0;
     virtual void command(Axis axis, const tracking::Setpoint& setpoint) = 0;
-    // How freely an axis that runs by itself may be sent instead of just to its set-point. With each command.
-    virtual void setLeeway(Axis /*axis*/, const tracking::Leeway& /*leeway*/) {}
     // Stops axes that run by themselves, and takes them over again where they stand.
     virtual void retake() {}
     virtual void brakeHard(bool hard) = 0;  // the set-points brake as hard as the mount can

@@ -42,12 +42,6 @@ std::vector<pointing::Antenna> Profile::allAntennas() const
     return all;
 }
 
-// To either side that costs 0.3 dB, and leaves what a motor needs to start within a quarter of the beam.
-Angle Profile::deadBand(const pointing::Antenna& antenna) const
-{
-    return rotator.deadBand > Angle{} ? rotator.deadBand : 0.15 * antenna.beamWidth;
-}
-
 pointing::Antenna Profile::antenna(const std::string& name) const
 {
     const std::vector<pointing::Antenna> all = allAntennas();

@@ -59,16 +59,6 @@ struct AxisSettings
     bool operator==(const AxisSettings&) const = default;
 };
 
-// Of motors that are only switched on and off. Zero stands for what Boresight computes or measures itself.
-struct RotatorSettings
-{
-    Angle deadBand{};
-    int mostStarts = 30;  // of each motor in a minute; 0: any number
-    Angle coast{};
-
-    bool operator==(const RotatorSettings&) const = default;
-};
-
 // What the drives are left doing when the program ends.
 enum class OnExit
 {
@@ -401,7 +391,6 @@ struct Profile
     std::vector<std::string> watchedBoards;  // on it, that turn no axis: "3 polarisation", see WatchedBoard
     AxisSettings azimuth = referenceAzimuth();
     AxisSettings elevation = referenceElevation();
-    RotatorSettings rotator;
     ControlSettings control;
     pointing::PointingTerms pointing;         // how the true direction differs from what the axes show
     std::vector<pointing::Antenna> antennas;  // besides the main one, which has the beam width of the mount
@@ -443,8 +432,6 @@ struct Profile
     {
         return pointing::termsFor(pointing, antenna, missing());
     }
-    // How far a motor that is only switched on and off may leave its axis beside a target that moves.
-    [[nodiscard]] Angle deadBand(const pointing::Antenna& antenna) const;
     // The main one and all others, in the order of the file.
     [[nodiscard]] std::vector<pointing::Antenna> allAntennas() const;
     bool operator==(const Profile&) const = default;

@@ -12,8 +12,25 @@
 namespace boresight {
 namespace {
 
+// The target is this far ahead of the set-point. The rotator then runs on until the next target, half a second later.
+constexpr Seconds kAhead{0.6};
+// Of a rotator that is slower than its profile says: it must not run far when the line fails.
+constexpr Angle kFarthest = 12_deg;
 // Until an alarm reports that nothing answers.
 constexpr std::chrono::seconds kPatience{3};
+
+Angle inSteps(Angle angle, Angle step)
+{
+    return step > Angle{} ? step * std::round(angle / step) : angle;
+}
+
+// The nearest place that the rotator can be sent to. From inside the travel it is inside.
+Angle onStep(const TravelRange& travel, Angle angle, Angle step)
+{
+    const TravelRange steps = stepsIn(travel, step);
+    const bool isInside = angle >= travel.min && angle <= travel.max;
+    return isInside ? std::clamp(inSteps(angle, step), steps.min, steps.max) : inSteps(angle, step);
+}
 
 std::optional<AxisCapabilities> capabilitiesOf(const AxisSet& axes, Axis axis, const AxisCapabilities& each)
 {
@@ -50,18 +67,13 @@ Result<> countsAsTheRotator(const profile::Profile& profile, Axis axis)
 }
 
 BoxMount::BoxMount(const profile::InForce& profile, AlarmBoard& alarms, const AxisSet& axes,
-                   const AxisCapabilities& each, Angle count)
+                   const AxisCapabilities& each)
     : m_profile(profile),
       m_alarms(alarms),
       m_capabilities{.axes = {capabilitiesOf(axes, Axis::Azimuth, each), capabilitiesOf(axes, Axis::Elevation, each)}},
       m_each(each),
-      m_count(count),
       m_names{QStringLiteral("azimuth drive"), QStringLiteral("elevation drive")}
-{
-    for (AxisOfBox& axis : m_axes) {
-        axis.watch = ObedienceWatch(2.0 * count);
-    }
-}
+{}
 
 bool BoxMount::answers() const
 {
@@ -123,7 +135,6 @@ void BoxMount::lineOpened()
     for (AxisOfBox& axis : m_axes) {
         axis.filter.forget();
         axis.watch.release();
-        axis.motor.forget();
     }
 }
 
@@ -154,8 +165,7 @@ void BoxMount::takePlaces(const RotatorTalk::Places& places)
             mine.jump = jump;
         }
         if (mine.filter.place() && mine.filter.placed() == m_now) {
-            mine.watch.place(*mine.filter.place(), m_now);
-            mine.motor.see(*mine.filter.place(), m_now);
+            mine.watch.place(inSteps(*mine.filter.place(), grain()), m_now);
         }
     }
     if (placed()) {
@@ -197,7 +207,6 @@ void BoxMount::beginSilence(MountFindings& found)
     for (const Axis axis : kAxes) {
         of(axis).filter.forget();
         of(axis).watch.release();
-        of(axis).motor.forget();
         if (followed && m_capabilities.has(axis)) {
             m_state.lost = true;
             found.troubles.push_back({.axis = axis,
@@ -227,7 +236,6 @@ void BoxMount::superviseAxis(Axis axis, MountFindings& found)
         lose(found, axis,
              {alarmEntry("rotator.jumped"), {label(axis), degreesText(jump->from, 0), degreesText(jump->to, 0)}});
     }
-    showSpared(axis);
     if (!answers()) {
         return;
     }
@@ -235,13 +243,12 @@ void BoxMount::superviseAxis(Axis axis, MountFindings& found)
         case ObedienceWatch::Verdict::Obeys:
             break;
         case ObedienceWatch::Verdict::SendAgain:
-            sendTo({axis == Axis::Azimuth ? of(axis).motor.target() : std::nullopt,
-                    axis == Axis::Elevation ? of(axis).motor.target() : std::nullopt});
+            sendOrdered();
             break;
         case ObedienceWatch::Verdict::Stuck:
             lose(found, axis,
                  {alarmEntry("rotator.stuck"),
-                  {label(axis), degreesText(*of(axis).filter.place(), 0), degreesText(*of(axis).motor.target(), 0)}});
+                  {label(axis), degreesText(*of(axis).filter.place(), 0), degreesText(*of(axis).ordered, 0)}});
             break;
         case ObedienceWatch::Verdict::StopAgain:
             talk().stop();
@@ -281,17 +288,14 @@ void BoxMount::begin()
         AxisOfBox& mine = of(axis);
         mine.begins = true;
         mine.watch.release();
-        if (m_capabilities.has(axis)) {
-            mine.motor.setHabits(habits());
-            mine.motor.begin();
-        }
+        mine.ordered =
+            m_capabilities.has(axis) ? std::optional(inSteps(*mine.filter.place(), m_each.step)) : std::nullopt;
     }
 }
 
 std::optional<Angle> BoxMount::takeFollowing(Axis axis)
 {
-    const auto place = m_capabilities.has(axis) ? std::optional(of(axis).motor.place()) : report(axis).place;
-    return std::exchange(of(axis).begins, false) ? place : std::nullopt;
+    return std::exchange(of(axis).begins, false) ? report(axis).place : std::nullopt;
 }
 
 void BoxMount::stop()
@@ -300,7 +304,6 @@ void BoxMount::stop()
     for (const Axis axis : kAxes) {
         if (m_capabilities.has(axis)) {
             of(axis).watch.stopped(m_now);
-            of(axis).motor.stopped(m_now);
         }
     }
 }
@@ -313,12 +316,9 @@ void BoxMount::letGo()
     }
 }
 
-// Behind STOP it is stopped already.
 void BoxMount::retake()
 {
-    if (!m_state.hard) {
-        stop();
-    }
+    stop();
     m_state.follows = false;
 }
 
@@ -359,75 +359,53 @@ void BoxMount::leave(profile::OnExit /*how*/)
     }
 }
 
-SwitchedAxis::Habits BoxMount::habits() const
+// Not farther than the axis needs to stop from there: it is permitted up to that point.
+Angle BoxMount::aimOf(Axis axis) const
 {
-    const profile::RotatorSettings& set = m_profile->rotator;
-    return {.step = m_each.step,
-            .count = m_count,
-            .mostStarts = set.mostStarts,
-            .coast = set.coast > Angle{} ? std::optional(set.coast) : std::nullopt};
+    const tracking::Setpoint& setpoint = of(axis).setpoint;
+    const double rate = setpoint.rate.degrees();
+    const double stopping = rate * rate / (2.0 * m_profile->axis(axis).limits.acceleration.degrees());
+    const double ahead = std::min(std::abs(rate) * kAhead.count(), stopping);
+    const Angle aim = setpoint.position + Angle::fromDegrees(std::copysign(ahead, rate));
+    const auto& place = of(axis).filter.place();
+    return onStep(m_profile->axis(axis).geometry.travel,
+                  place ? std::clamp(aim, *place - kFarthest, *place + kFarthest) : aim, m_each.step);
 }
 
-std::optional<MotorStarts> BoxMount::starts(Axis axis) const
-{
-    return m_capabilities.has(axis) ? std::optional(of(axis).motor.starts(m_now)) : std::nullopt;
-}
-
-// A command names both axes: while one coasts, any place in it would switch its motor on again.
 void BoxMount::order()
 {
-    std::array<std::optional<Angle>, 2> targets;
+    bool changed = false;
     for (const Axis axis : kAxes) {
-        const AxisOfBox& other = of(axis == Axis::Azimuth ? Axis::Elevation : Axis::Azimuth);
         AxisOfBox& mine = of(axis);
-        mine.motor.setHabits(habits());
-        if (m_capabilities.has(axis) && !other.motor.coasts()) {
-            targets[index(axis)] = mine.motor.next(mine.leeway, m_now);
+        if (const Angle aim = aimOf(axis); m_capabilities.has(axis) && aim != mine.ordered) {
+            mine.ordered = aim;
+            changed = true;
         }
     }
-    sendTo(targets);
+    if (changed && !m_state.hard) {
+        sendOrdered();
+    }
 }
 
-// An axis without a target of its own goes on as it does.
-void BoxMount::sendTo(const std::array<std::optional<Angle>, 2>& targets)
+void BoxMount::sendOrdered()
 {
-    const auto target = [&](Axis axis) -> std::optional<Angle> {
-        if (targets[index(axis)] || !of(axis).filter.place()) {
-            return targets[index(axis)];
-        }
-        return of(axis).motor.unchanged();
+    const auto target = [this](Axis axis) {
+        const AxisOfBox& mine = of(axis);
+        return mine.ordered ? mine.ordered : mine.filter.place();
     };
-    const bool isAny = targets[0] || targets[1];
-    if (!isAny || !goTo({.azimuth = target(Axis::Azimuth), .elevation = target(Axis::Elevation)})) {
+    if (!goTo({.azimuth = target(Axis::Azimuth), .elevation = target(Axis::Elevation)})) {
         return;
     }
     for (const Axis axis : kAxes) {
-        if (const auto& sent = targets[index(axis)]) {
-            of(axis).motor.sent(*sent, m_now);
-            of(axis).watch.sent(of(axis).motor.aim(), m_now);
+        if (of(axis).ordered) {
+            of(axis).watch.sent(*of(axis).ordered, m_now);
         }
-    }
-}
-
-// It stands until the limit was no hindrance for a minute.
-void BoxMount::showSpared(Axis axis)
-{
-    constexpr std::chrono::minutes kOver{1};
-    AxisOfBox& mine = of(axis);
-    const AlarmKey spared = alarmEntry("rotator.spared").of(axis);
-    const Angle away = abs(mine.setpoint.position - mine.filter.place().value_or(mine.setpoint.position));
-    if (mine.motor.spared() && mine.leeway.follows() && away > mine.leeway.halfBeam) {
-        mine.late = m_now;
-        m_alarms.raise(spared, {label(axis), degreesText(away, 0), QString::number(m_profile->rotator.mostStarts)});
-    } else if (mine.late && (!m_state.follows || m_now - *mine.late > kOver)) {
-        mine.late.reset();
-        m_alarms.clear(spared);
     }
 }
 
 std::string BoxMount::send()
 {
-    if (m_state.follows && !m_state.hard) {
+    if (m_state.follows) {
         order();
     }
     return m_lineOpen ? talk().send(m_now) : std::string();

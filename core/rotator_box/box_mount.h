@@ -7,7 +7,6 @@
 #include "core/rotator_box/obedience_watch.h"
 #include "core/rotator_box/place_filter.h"
 #include "core/rotator_box/rotator_talk.h"
-#include "core/rotator_box/switched_axis.h"
 
 #include <array>
 #include <optional>
@@ -15,8 +14,8 @@
 #include <string_view>
 
 // A rotator behind the port of the mount that runs to where it is sent by itself: steps, no rates, no watchdog. It is
-// sent only where the leeway of the control permits: what lies beyond may be forbidden. It is sent elsewhere only when
-// that is needed (SwitchedAxis), so taking it over moves nothing. What it says and what is said to it is the matter of
+// sent only as far ahead of a set-point as that needs to stop: what lies beyond may be forbidden. It is sent elsewhere
+// only when the step changes, so taking it over moves nothing. What it says and what is said to it is the matter of
 // each kind. No I/O: bytes and time are passed in. Station thread only. Mechanical angles are those that the rotator
 // counts.
 namespace boresight {
@@ -47,8 +46,6 @@ public:
     [[nodiscard]] std::optional<QString> identity(Axis axis) const override;
     [[nodiscard]] QString lastIdentity(Axis /*axis*/) const override { return {}; }
     [[nodiscard]] AxisReport report(Axis axis) const override;
-    // Empty: the rotator does not turn this axis.
-    [[nodiscard]] std::optional<MotorStarts> starts(Axis axis) const;
     [[nodiscard]] Result<> available() const override { return {}; }
     [[nodiscard]] MountService* service() override { return nullptr; }
     [[nodiscard]] const MountService* service() const override { return nullptr; }
@@ -57,7 +54,6 @@ public:
     void engage() override { m_state.wanted = !m_state.lost; }
     [[nodiscard]] std::optional<Angle> takeFollowing(Axis axis) override;
     void command(Axis axis, const tracking::Setpoint& setpoint) override { of(axis).setpoint = setpoint; }
-    void setLeeway(Axis axis, const tracking::Leeway& leeway) override { of(axis).leeway = leeway; }
     void retake() override;
     void brakeHard(bool hard) override;
     void seize() override;
@@ -67,16 +63,16 @@ public:
     void setSensor(Axis /*axis*/, const std::optional<Angle>& /*heading*/) override {}
 
 protected:
-    // They outlive this. `axes` are those that the rotator turns, each of them can do `each`. Its places are compared
-    // in counts of `count`: finer is the noise of its sensor.
-    BoxMount(const profile::InForce& profile, AlarmBoard& alarms, const AxisSet& axes, const AxisCapabilities& each,
-             Angle count);
+    // They outlive this. `axes` are those that the rotator turns, each of them can do `each`.
+    BoxMount(const profile::InForce& profile, AlarmBoard& alarms, const AxisSet& axes, const AxisCapabilities& each);
 
     // The target of both axes, in steps. An axis that this mount does not turn is sent to where it stands. False: it
     // cannot be sent there.
     virtual bool goTo(const RotatorTalk::Places& target) = 0;
     // What to do while nothing answers.
     [[nodiscard]] virtual QString remedyOfNoAnswer() const = 0;
+    // How finely the places are compared to see whether an axis moves: finer is the noise of its sensor.
+    [[nodiscard]] virtual Angle grain() const { return Angle{}; }
 
     [[nodiscard]] const profile::InForce& profile() const { return m_profile; }
     // Where the rotator says that it stands, if that is credible. Also of an axis that this mount does not turn.
@@ -91,10 +87,8 @@ private:
         ObedienceWatch watch;
         std::optional<PlaceFilter::Jump> jump;  // not reported yet
         tracking::Setpoint setpoint{};
-        tracking::Leeway leeway{};
-        SwitchedAxis motor;
-        std::optional<SteadyTime> late;  // for the limit of starts it was far from its target then
-        bool begins = false;             // to follow, not taken yet
+        std::optional<Angle> ordered;  // in steps; where it was sent last, or stood when it was taken over
+        bool begins = false;           // to follow, not taken yet
     };
     struct State
     {
@@ -110,7 +104,7 @@ private:
     [[nodiscard]] bool answers() const;
     [[nodiscard]] bool placed() const;
     [[nodiscard]] bool moves() const;
-    [[nodiscard]] SwitchedAxis::Habits habits() const;
+    [[nodiscard]] Angle aimOf(Axis axis) const;
     void takePlaces(const RotatorTalk::Places& places);
     void beginSilence(MountFindings& found);
     void showNoAnswer();
@@ -120,14 +114,12 @@ private:
     void stop();
     void letGo();
     void order();
-    void sendTo(const std::array<std::optional<Angle>, 2>& targets);
-    void showSpared(Axis axis);
+    void sendOrdered();
 
     const profile::InForce& m_profile;
     AlarmBoard& m_alarms;
     Capabilities m_capabilities;
     AxisCapabilities m_each;
-    Angle m_count;
     std::array<QString, 2> m_names;
     std::array<AxisOfBox, 2> m_axes;
     State m_state;

@@ -1,28 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/rotator_box/obedience_watch.h"
 
-#include <algorithm>
-
 namespace boresight {
-namespace {
-
-constexpr Angle kRounding = Angle::fromDegrees(1e-6);
-
-bool isNear(Angle target, Angle place)
-{
-    return abs(target - place) <= ObedienceWatch::kMet + kRounding;
-}
-
-}  // namespace
 
 void ObedienceWatch::sent(Angle target, SteadyTime now)
 {
-    const bool wasThere = !m_target || (m_place && isNear(*m_target, *m_place));
-    const double way = m_place && target < *m_place ? -1.0 : 1.0;
-    if (wasThere || way != m_way) {
-        m_way = way;
-        m_reached = m_place;
-    }
+    const bool wasThere = !m_target || (m_place && abs(*m_target - *m_place) <= kMet);
     m_target = target;
     m_stopped.reset();
     if (wasThere) {
@@ -46,18 +29,13 @@ void ObedienceWatch::release()
 
 void ObedienceWatch::place(Angle place, SteadyTime now)
 {
-    m_same = m_place ? TravelRange{.min = std::min(m_same.min, place), .max = std::max(m_same.max, place)}
-                     : TravelRange{.min = place, .max = place};
-    if (m_same.max - m_same.min > m_noise + kRounding) {
-        m_same = place == m_same.max ? TravelRange{.min = place - m_noise, .max = place}
-                                     : TravelRange{.min = place, .max = place + m_noise};
-        m_changed = now;
-    }
-    // A slow motor takes long for more than the noise. It comes nearer all the same, which noise does twice at most.
-    if (m_changed == now || !m_reached || m_way * (place - *m_reached) > kRounding) {
-        m_reached = place;
-        m_progress = now;
-        m_sentAgain = false;
+    if (m_place && *m_place != place) {
+        if (m_before != place) {  // to and fro by one count is the converter
+            m_changed = now;
+            m_progress = now;
+            m_sentAgain = false;
+        }
+        m_before = m_place;
     }
     m_place = place;
 }
@@ -69,7 +47,7 @@ ObedienceWatch::Verdict ObedienceWatch::judge(SteadyTime now)
 
 ObedienceWatch::Verdict ObedienceWatch::judgeTarget(SteadyTime now)
 {
-    if (!m_place || isNear(*m_target, *m_place)) {
+    if (!m_place || abs(*m_target - *m_place) <= kMet) {
         m_progress = now;
         m_sentAgain = false;
         return Verdict::Obeys;

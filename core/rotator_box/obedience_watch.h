@@ -3,7 +3,6 @@
 
 #include "core/base/clock.h"
 #include "core/units/quantity.h"
-#include "core/units/sky.h"
 
 #include <optional>
 
@@ -32,9 +31,6 @@ public:
         RunsOn
     };
 
-    // Places within `noise` may be the same one: the potentiometer is worn, or its converter flickers.
-    explicit ObedienceWatch(Angle noise = Angle::fromDegrees(2.0)) : m_noise(noise) {}
-
     void sent(Angle target, SteadyTime now);
     void stopped(SteadyTime now);
     // Boresight sends it nothing more and does not watch it.
@@ -51,14 +47,11 @@ private:
     [[nodiscard]] Verdict judgeTarget(SteadyTime now);
     [[nodiscard]] Verdict judgeStop(SteadyTime now);
 
-    Angle m_noise;
     std::optional<Angle> m_place;
-    TravelRange m_same{};                 // the last places that may be one
+    std::optional<Angle> m_before;        // the place before this one
     std::optional<SteadyTime> m_changed;  // its place, from one that was known
     std::optional<Angle> m_target;
-    double m_way = 1.0;              // to there
-    std::optional<Angle> m_reached;  // on it, the farthest
-    SteadyTime m_progress{};         // it was near its target, moved, or was sent elsewhere
+    SteadyTime m_progress{};  // it was near its target, moved, or was sent elsewhere
     bool m_sentAgain = false;
     std::optional<SteadyTime> m_stopped;  // and not seen to stand since
     SteadyTime m_lastStop{};

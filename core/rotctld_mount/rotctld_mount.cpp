@@ -47,7 +47,7 @@ Result<> axisFits(const profile::Profile& profile, const RotatorState& state, Ax
 }  // namespace
 
 RotctldMount::RotctldMount(const profile::InForce& profile, AlarmBoard& alarms, const AxisSet& axes)
-    : BoxMount(profile, alarms, axes, kAxis, kGrain), m_fitness(fits())
+    : BoxMount(profile, alarms, axes, kAxis), m_fitness(fits())
 {}
 
 QString RotctldMount::kindInWords() const

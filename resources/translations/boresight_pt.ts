@@ -442,17 +442,6 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
     </message>
 </context>
 <context>
-    <name>MotorWords</name>
-    <message>
-        <source>%1 motor starts in the last minute, %2 in total</source>
-        <translation>%1 arranques do motor no último minuto, %2 no total</translation>
-    </message>
-    <message>
-        <source>The axis coasts %1 beyond its target</source>
-        <translation>O eixo desliza %1 para lá do seu alvo</translation>
-    </message>
-</context>
-<context>
     <name>ParkWords</name>
     <message>
         <source>Move park to %1</source>
@@ -853,10 +842,6 @@ até %1</translation>
     <message>
         <source>Wind</source>
         <translation>Vento</translation>
-    </message>
-    <message>
-        <source>Switched motors</source>
-        <translation>Motores comutados</translation>
     </message>
 </context>
 <context>
@@ -9936,42 +9921,6 @@ até %1</translation>
     <message>
         <source>the object has no &quot;%1&quot; (wind.key)</source>
         <translation>o objeto não tem &quot;%1&quot; (wind.key)</translation>
-    </message>
-    <message>
-        <source>The %1 is %2 beside its target, more than half the beam</source>
-        <translation>O eixo (%1) está a %2 do seu alvo, mais de metade do feixe</translation>
-    </message>
-    <message>
-        <source>Boresight waits, because the motor may start %3 times a minute</source>
-        <translation>O Boresight espera, porque o motor pode arrancar %3 vezes por minuto</translation>
-    </message>
-    <message>
-        <source>Permit more starts on the page Profile (rotator.max_starts_per_min), or point less exactly.</source>
-        <translation>Permita mais arranques na página Perfil (rotator.max_starts_per_min), ou aponte com menos exatidão.</translation>
-    </message>
-    <message>
-        <source>Dead-band</source>
-        <translation>Banda morta</translation>
-    </message>
-    <message>
-        <source>A motor that is only switched on and off starts when its target is this far away. 0: 0.15 of the beam width.</source>
-        <translation>Um motor que só se liga e desliga arranca quando o seu alvo está a esta distância. 0: 0,15 da largura do feixe.</translation>
-    </message>
-    <message>
-        <source>Most motor starts per minute</source>
-        <translation>Máximo de arranques por minuto</translation>
-    </message>
-    <message>
-        <source>While a target is tracked, each motor that is only switched on and off starts at most this often in a minute. 0: no limit.</source>
-        <translation>Enquanto se segue um alvo, cada motor que só se liga e desliga arranca no máximo este número de vezes por minuto. 0: sem limite.</translation>
-    </message>
-    <message>
-        <source>Coast</source>
-        <translation>Deslize</translation>
-    </message>
-    <message>
-        <source>How far an axis goes on when its motor is switched off at its target. 0: as Boresight measures it.</source>
-        <translation>Quanto um eixo ainda anda quando o seu motor se desliga no alvo. 0: como o Boresight o mede.</translation>
     </message>
 </context>
 <context>

@@ -9,7 +9,6 @@
 #include "ui/sky/range_words.h"
 #include "ui/window/authority_button.h"
 #include "ui/window/clock_words.h"
-#include "ui/window/motor_words.h"
 #include "ui/window/stop_button.h"
 
 #include <QGridLayout>
@@ -459,8 +458,8 @@ void HeaderBar::showLinks(const StationStatus& status)
     setShown(*m_transmit, transmitShown(status.transmit));
     m_transmit->setToolTip(status.transmit.output.isEmpty() ? QString() : transmitHelp(status.transmit));
     m_line->setToolTip(status.line.kind.isEmpty() ? QString() : lineHelp(status));
-    m_azimuth->setToolTip(axisHelp(status.azimuth));
-    m_elevation->setToolTip(axisHelp(status.elevation));
+    m_azimuth->setToolTip(status.azimuth.stateText);
+    m_elevation->setToolTip(status.elevation.stateText);
     const bool ours = status.authority == Authority::Operator;
     if (status.listening.isEmpty()) {
         m_control->setValue(notListening(m_control->width()), Tone::Warning, Symbol::Warning);

@@ -165,26 +165,6 @@ TEST(Gs232Stop, AFlickerOfOneCountIsNoMotion)
     EXPECT_FALSE(watch.stopping());
 }
 
-// REQ-GS232-24
-TEST(Gs232Stop, ASlowMotorIsNotStuckAndABlockedOneIsInSpiteOfNoise)
-{
-    SteadyTime now = SteadyTime{} + std::chrono::hours(1);
-    ObedienceWatch slow;
-    slow.place(90_deg, now);
-    slow.sent(100_deg, now);
-    ObedienceWatch blocked = slow;
-    bool isStuck = false;
-    for (int count = 0; count < 80; ++count) {
-        now += std::chrono::milliseconds(250);
-        slow.place(Angle::fromDegrees(90 + count / 12), now);  // 0.33 °/s
-        blocked.place(Angle::fromDegrees(90 + count % 3 - 1), now);
-        blocked.sent(Angle::fromDegrees(100 + count), now);
-        EXPECT_NE(slow.judge(now), ObedienceWatch::Verdict::Stuck);
-        isStuck = isStuck || blocked.judge(now) == ObedienceWatch::Verdict::Stuck;
-    }
-    EXPECT_TRUE(isStuck);
-}
-
 // A stop that works is sent once.
 TEST(Gs232Stop, IsSentOnce)
 {
