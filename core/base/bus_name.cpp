@@ -75,7 +75,7 @@ Result<BusName> parseHamlib(std::string_view text)
     const bool noPort = colon != std::string_view::npos && port.empty();
     if (!model || *model < 1 || *model > kMostModel || noPort || hasControlCharacters(port)) {
         return failure(ErrorCode::InvalidInput,
-                       Text::tr("'%1' is no model of Hamlib with its port; write for example %2")
+                       Text::tr("'%1' is not a model of Hamlib with its port. Write for example %2")
                            .arg(toQString(printable(std::string(text))), QLatin1String("hamlib:901:/dev/ttyUSB0")));
     }
     return BusName{.kind = BusKind::Hamlib, .target = std::string(port), .model = static_cast<int>(*model)};

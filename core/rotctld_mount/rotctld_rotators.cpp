@@ -64,14 +64,14 @@ RotatorOffer hamlibOffer()
             .hasModels = true,
             .place = Text::tr("Port"),
             .placeHelp = Text::tr("The serial port of the rotator, such as /dev/ttyUSB0, or HOST:PORT for a model that "
-                                  "has a network plug"),
+                                  "has a network connection"),
             .example = QStringLiteral("/dev/ttyUSB0"),
             .onSerialPort = true,
             .network = "hamlib",
             .promise = {Text::tr("Boresight starts rotctld for this model, and ends it."),
                         Text::tr("Connect asks for the limits and for the position. Boresight moves nothing. Some "
                                  "models send their box a greeting."),
-                        Text::tr("Choose the model with care. Hamlib does not check what is on the port.")},
+                        Text::tr("Choose exactly the model that is on the port. Hamlib does not check it.")},
             .checks = {Text::tr("Check the power of the rotator, and the cable."),
                        Text::tr("Compare the model and the speed with the manual of the rotator."),
                        Text::tr("End other programs that use the port.")}};

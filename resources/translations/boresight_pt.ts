@@ -9635,10 +9635,6 @@ até %1</translation>
         <translation>Verifique o anemómetro e o seu programa, e wind.source na página Perfil. Estacione a montagem se for possível vento forte</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is no model of Hamlib with its port; write for example %2</source>
-        <translation>&apos;%1&apos; não é um modelo do Hamlib com a sua porta; escreva por exemplo %2</translation>
-    </message>
-    <message>
         <source>unknown bus &apos;%1&apos;. Write simulated, socketcan:INTERFACE, fdcanusb:PATH, serial:PATH, tcp:HOST:PORT, rotctld:HOST:PORT or hamlib:MODEL:PORT</source>
         <translation>barramento desconhecido &apos;%1&apos;. Escreva simulated, socketcan:INTERFACE, fdcanusb:CAMINHO, serial:CAMINHO, tcp:HOST:PORTA, rotctld:HOST:PORTA ou hamlib:MODELO:PORTA</translation>
     </message>
@@ -9847,20 +9843,12 @@ até %1</translation>
         <translation>Um rotor da lista do Hamlib, neste computador</translation>
     </message>
     <message>
-        <source>The serial port of the rotator, such as /dev/ttyUSB0, or HOST:PORT for a model that has a network plug</source>
-        <translation>A porta série do rotor, como /dev/ttyUSB0, ou HOST:PORTA para um modelo com ligação de rede</translation>
-    </message>
-    <message>
         <source>Boresight starts rotctld for this model, and ends it.</source>
         <translation>O Boresight inicia o rotctld para este modelo e termina-o.</translation>
     </message>
     <message>
         <source>Connect asks for the limits and for the position. Boresight moves nothing. Some models send their box a greeting.</source>
         <translation>Ligar pergunta os limites e a posição. O Boresight não move nada. Alguns modelos enviam uma saudação à sua caixa.</translation>
-    </message>
-    <message>
-        <source>Choose the model with care. Hamlib does not check what is on the port.</source>
-        <translation>Escolha o modelo com cuidado. O Hamlib não verifica o que está na porta.</translation>
     </message>
     <message>
         <source>Check the power of the rotator, and the cable.</source>
@@ -9921,6 +9909,18 @@ até %1</translation>
     <message>
         <source>the object has no &quot;%1&quot; (wind.key)</source>
         <translation>o objeto não tem &quot;%1&quot; (wind.key)</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a model of Hamlib with its port. Write for example %2</source>
+        <translation>&apos;%1&apos; não é um modelo do Hamlib com a sua porta. Escreva por exemplo %2</translation>
+    </message>
+    <message>
+        <source>The serial port of the rotator, such as /dev/ttyUSB0, or HOST:PORT for a model that has a network connection</source>
+        <translation>A porta série do rotor, como /dev/ttyUSB0, ou HOST:PORTA para um modelo com ligação de rede</translation>
+    </message>
+    <message>
+        <source>Choose exactly the model that is on the port. Hamlib does not check it.</source>
+        <translation>Escolha exatamente o modelo que está na porta. O Hamlib não o verifica.</translation>
     </message>
 </context>
 <context>
@@ -10185,8 +10185,8 @@ SDL 2, toml++</translation>
         <translation>Abrir o alarme completo no registo</translation>
     </message>
     <message>
-        <source>The operator may move the mount in the wind for a while. Then it parks again</source>
-        <translation>O operador pode mover a montagem com vento durante algum tempo. Depois ela volta a estacionar</translation>
+        <source>The mount may move in the wind for the time of wind.override_min. Then the mount parks again</source>
+        <translation>A montagem pode mover-se com vento durante o tempo de wind.override_min. Depois a montagem volta a estacionar</translation>
     </message>
 </context>
 <context>

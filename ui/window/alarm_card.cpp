@@ -96,7 +96,8 @@ QString alternativeTip(AlarmHelp help)
                ? AlarmCard::tr(
                      "Do not unwrap. The mount waits at the cable end until it can reach the target again. "
                      "Clients keep control")
-               : AlarmCard::tr("The operator may move the mount in the wind for a while. Then it parks again");
+               : AlarmCard::tr(
+                     "The mount may move in the wind for the time of wind.override_min. Then the mount parks again");
 }
 
 // A latched STOP is no alarm of the station. The operator knows it, but needs the way back.
