@@ -58,7 +58,7 @@ public:
 private:
     struct Reading
     {
-        double speed;
+        double speed = 0.0;  // m/s
         SteadyTime arrival;
     };
 
