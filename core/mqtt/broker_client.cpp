@@ -137,11 +137,11 @@ void BrokerClient::tryNextAddress()
 
 void BrokerClient::accepted()
 {
-    m_connectedAt = m_clock.now();
     for (const QString& filter : std::as_const(m_subscriptions.wanted)) {
         m_session->subscribe(filter);
     }
     setProblem({});
+    m_connectedAt = m_clock.now();  // last: no signal shows the connection before connected() does
     Q_EMIT connected();
 }
 
