@@ -39,6 +39,14 @@
 // are mechanical (unwrapped); `SkyPointing` values are directions.
 namespace boresight {
 
+// A value as it is before anything is known. All share one, because a status is made many times a second.
+template <class T>
+[[nodiscard]] std::shared_ptr<const T> fresh()
+{
+    static const auto one = std::make_shared<const T>();
+    return one;
+}
+
 enum class StationState
 {
     Disconnected,  // no bus, or a drive does not answer
@@ -291,15 +299,15 @@ struct StationStatus
     UtcTime utc;
     std::uint64_t tick = 0;
     // What is in force: the object that is drawn and edited is the object that is obeyed. Never null.
-    std::shared_ptr<const profile::Profile> profile = std::make_shared<const profile::Profile>();
+    std::shared_ptr<const profile::Profile> profile = fresh<profile::Profile>();
     std::vector<pointing::KeepOut> sunKeepOuts;  // obeyed besides the profile's keep-outs, while the Sun is up
     std::vector<std::string> waitingKeys;        // applied, and in force after Reconnect
     // What the calibration desk does and has found; never null.
-    std::shared_ptr<const CalibrationStatus> calibration = std::make_shared<const CalibrationStatus>();
+    std::shared_ptr<const CalibrationStatus> calibration = fresh<CalibrationStatus>();
     // What the tuning desk does and has measured; never null.
-    std::shared_ptr<const TuningStatus> tuning = std::make_shared<const TuningStatus>();
+    std::shared_ptr<const TuningStatus> tuning = fresh<TuningStatus>();
     // The passes that are tracked by themselves; never null.
-    std::shared_ptr<const ScheduleStatus> schedule = std::make_shared<const ScheduleStatus>();
+    std::shared_ptr<const ScheduleStatus> schedule = fresh<ScheduleStatus>();
     RehearsalStatus rehearsal;
     TransmitStatus transmit;
     ClockStatus clock;

@@ -91,13 +91,15 @@ bool SimulatedStation::runUntil(const std::function<bool()>& condition, Seconds 
 bool SimulatedStation::settle(Seconds limit)
 {
     run(Seconds(0.2));
+    const auto stands = [this](Axis axis) { return abs(link->truth(axis).rate) < kSimulatedStationStill; };
     const auto rests = [](const AxisStatus& axis) { return axis.state != AxisState::Moving; };
     return runUntil(
         [&] {
+            if (!stands(Axis::Azimuth) || !stands(Axis::Elevation)) {
+                return false;  // a status takes longer than a tick
+            }
             const StationStatus now = status();
-            return rests(now.azimuth) && rests(now.elevation) && now.state != StationState::Slew &&
-                   abs(link->truth(Axis::Azimuth).rate) < kSimulatedStationStill &&
-                   abs(link->truth(Axis::Elevation).rate) < kSimulatedStationStill;
+            return rests(now.azimuth) && rests(now.elevation) && now.state != StationState::Slew;
         },
         limit);
 }

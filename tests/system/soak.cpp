@@ -116,8 +116,10 @@ void Soak::start(const std::optional<EnteredPlace>& standingAt)
         m_stateDir.path(), m_clock);
     QObject::connect(m_station.get(), &Station::started,
                      [this](const QString& listening) { m_port = listening.section(QLatin1Char(':'), -1).toUShort(); });
-    QObject::connect(m_station.get(), &Station::updated,
-                     [this](const StationUpdate& update) { m_answers = update.answers; });
+    QObject::connect(m_station.get(), &Station::updated, [this](const StationUpdate& update) {
+        m_answers = update.answers;
+        m_shown = update.status;
+    });
     m_station->openAll();
     wait(Seconds(10.0));  // until the drive check is done
 }
@@ -214,14 +216,13 @@ void Soak::judge()
     }
     m_station->updateTaken();
     m_station->publish();
-    const StationStatus status = m_station->status();
     for (const Axis axis : kAxes) {
-        const AxisStatus& told = axis == Axis::Azimuth ? status.azimuth : status.elevation;
+        const AxisStatus& told = axis == Axis::Azimuth ? m_shown.azimuth : m_shown.elevation;
         if (told.turnKnown && told.age && *told.age <= kTick) {
             m_findings.astray = std::max(m_findings.astray, abs(*told.actual - m_bus.truth(axis).angle));
         }
     }
-    operate(status);
+    operate(m_shown);
 }
 
 // Re-arms, and gives control back to the client.
@@ -280,10 +281,11 @@ void Soak::trouble()
         m_clock.stepUtc(Seconds((chance(0.5) ? 90.0 : 3600.0) * (chance(0.5) ? 1.0 : -1.0)));
         ++m_counts.clockSteps;
     }
-    const StationStatus status = m_station->status();
-    const bool armed =
-        status.azimuth.commanded && status.elevation.commanded && status.drives->armingObstacle.isEmpty();
-    if (!m_troubles || m_time < m_nextTrouble || m_lost || m_outage || !armed || m_time - m_armedSince < kCalm) {
+    const auto armed = [this] {  // asked last: a status takes longer than a tick
+        const StationStatus status = m_station->status();
+        return status.azimuth.commanded && status.elevation.commanded && status.drives->armingObstacle.isEmpty();
+    };
+    if (!m_troubles || m_time < m_nextTrouble || m_lost || m_outage || m_time - m_armedSince < kCalm || !armed()) {
         return;
     }
     m_nextTrouble = m_time + Seconds(random(10.0, 300.0));

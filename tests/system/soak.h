@@ -104,6 +104,7 @@ private:
     SoakCounts m_counts;
     SoakFindings m_findings;
     std::vector<Answer> m_answers;
+    StationStatus m_shown;  // by the last update
     memory::LoadedMemory m_journal;
     std::uint16_t m_port = 0;
 

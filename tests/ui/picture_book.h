@@ -9,8 +9,9 @@
 #include <ostream>
 
 // Pictures of the window to look at, and the checks that a program can do on them. A test puts a scene on the screen
-// once and takes it at every size and scale, into pictures/SCENE-EDITION-VIEW.png of its working folder. An edition (a
-// theme, or Portuguese) is a separate test, so that editions run in parallel.
+// once and draws it at every size and scale. With the environment variable BORESIGHT_PICTURES=FOLDER each picture is
+// kept as FOLDER/SCENE-EDITION-VIEW.png. An edition (a theme, or Portuguese) is a separate test, so that editions run
+// in parallel.
 namespace boresight::ui {
 
 struct Edition

@@ -155,8 +155,9 @@ struct StationRig
     }
 
     [[nodiscard]] StationState state() const { return control.state(); }
-    [[nodiscard]] double azimuthDegrees() const { return control.status().azimuth.actual->degrees(); }
-    [[nodiscard]] double elevationDegrees() const { return control.status().elevation.actual->degrees(); }
+    [[nodiscard]] double azimuthDegrees() const { return degrees(Axis::Azimuth); }
+    [[nodiscard]] double elevationDegrees() const { return degrees(Axis::Elevation); }
+    [[nodiscard]] double degrees(Axis axis) const { return mount.report(axis).place.value().degrees(); }
     [[nodiscard]] std::size_t commands() const { return azimuth.seen.size() + elevation.seen.size(); }
 
     [[nodiscard]] std::string lastLog() const

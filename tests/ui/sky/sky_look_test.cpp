@@ -11,7 +11,6 @@
 #include <QAction>
 #include <QApplication>
 #include <QContextMenuEvent>
-#include <QDir>
 #include <QMenu>
 #include <QPainter>
 #include <QScreen>
@@ -92,17 +91,6 @@ protected:
             }
         }
         return {};
-    }
-    void look(const QString& scene)
-    {
-        QDir().mkpath(QStringLiteral("pictures"));
-        for (const ThemeKind theme : kEachTheme) {
-            paintIn(theme);
-            for (const int side : kSquares) {
-                plot.resize(side, side);
-                plot.grab().save(QStringLiteral("pictures/sky-%1-%2-%3.png").arg(scene, name(theme)).arg(side));
-            }
-        }
     }
     QMenu* openedMenu() { return plot.findChild<QMenu*>(); }
     QAction* entry(const char* begin)
@@ -463,26 +451,6 @@ TEST_F(SkyLook, APictureHasTheWordsOfTheCorners)
         inked += picture.pixelColor(x, words.center().y()) != currentTheme().window ? 1 : 0;
     }
     EXPECT_GT(inked, 5);
-}
-
-// Pictures to look at: pictures/sky-*.png in the working folder.
-TEST_F(SkyLook, Pictures)
-{
-    StationStatus pass = everything();
-    for (int second = 0; second < 300; ++second) {
-        pass.utc += std::chrono::seconds(1);
-        pass.actual = SkyPointing{Angle::fromDegrees(330.0 + 0.15 * second).wrapped360(),
-                                  Angle::fromDegrees(45.0 + 0.05 * second)};
-        pass.azimuth.actual = Angle::fromDegrees(330.0 + 0.15 * second);
-        pass.commanded = pass.actual;
-        pass.target = pass.actual;
-        show(pass);
-    }
-    look(QStringLiteral("pass"));
-    show(unwrapping());
-    look(QStringLiteral("slew"));
-    show(samples::asking(Axis::Azimuth, 3, 360_deg / 2.0, false));
-    look(QStringLiteral("unknown"));
 }
 
 }  // namespace

@@ -81,8 +81,8 @@ protected:
     }
 };
 
-// REQ-UI-15 (PanelPictures.*): Nothing that must be readable is cut off at 1024×700. The tests also write pictures to
-// look at.
+// REQ-UI-15 (PanelPictures.*): Nothing that must be readable is cut off at 1024×700. packaging/screenshots has the
+// tests write the pictures to look at.
 TEST_P(PanelPictures, AreTakenOfEveryPanel)
 {
     takeAll(kHealthy);
