@@ -66,7 +66,8 @@ local::LocalAnswer askLocally(const profile::ListenAddress& station, const local
                            : QStringLiteral("No station listens on %1: %2.").arg(path(), socket.errorString()));
     }
     socket.write(local::requestLine(request));
-    const QDeadlineTimer deadline(patience);                  // all of it again: the station may have obeyed already
+    // The whole patience again: the station may have obeyed already.
+    const QDeadlineTimer deadline(patience);
     while (socket.state() == QLocalSocket::ConnectedState) {  // until the station has sent all
         if (!socket.waitForReadyRead(static_cast<int>(deadline.remainingTime())) && deadline.hasExpired()) {
             return failure(ErrorCode::NoAnswer,

@@ -25,8 +25,7 @@ struct LevelLimits
     Angle lowest = Angle::fromDegrees(10.0);   // of the boom: near 0° the sensor cannot distinguish up from down
     Angle highest = Angle::fromDegrees(80.0);  // of the boom: above this, azimuth says little about direction
     Angle roll = Angle::fromDegrees(3.0);  // sigma of the roll of the box about the boom, which turns the tilt a little
-    Angle zeroAlignment =
-        Angle::fromDegrees(1.0);  // sigma of the box along the boom, and of the zero of the accelerometer
+    Angle zeroAlignment = Angle::fromDegrees(1.0);  // sigma of the box along the boom, and of its zero
 };
 
 struct AxisTilt

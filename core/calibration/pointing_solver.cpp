@@ -16,8 +16,7 @@ using pointing::PointingModel;
 using pointing::PointingTerms;
 
 constexpr int kPointingSolverRounds = 30;
-constexpr int kFreshDerivatives =
-    2;  // rounds; after that the derivatives are accurate, because the model is nearly linear
+constexpr int kFreshDerivatives = 2;  // rounds; later the derivatives hardly change
 constexpr double kConverged = 1e-11;  // rad
 constexpr double kStep = 1e-5;        // rad, of the numeric derivatives: their error is the square of it
 constexpr double kWorstCondition = 1e10;

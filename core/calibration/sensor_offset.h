@@ -37,8 +37,7 @@ struct SensorOffsetLimits
     double outliers = 0.2;                              // of the readings, at most
     Angle unknownDeviation = Angle::fromDegrees(6.0);  // rms of ±8° once and ±3° twice round the circle, at one heading
     Angle alignment = Angle::fromDegrees(0.5);         // of the box on the boom, and of the declination
-    Angle curveConstant =
-        Angle::fromDegrees(1.6);  // of a curve with unknown sigma: the usual value of a swing (METHOD.md)
+    Angle curveConstant = Angle::fromDegrees(1.6);  // if its sigma is unknown: usual for a swing (METHOD.md)
 };
 
 struct SensorOffset
