@@ -22,7 +22,7 @@ constexpr std::size_t kMostNamed = 3;  // of satellites that fit
 constexpr double kLowest = -1000.0;    // m
 constexpr double kHighest = 100'000.0;
 
-// Whatever the locale is.
+// Independent of the locale.
 char lower(char character)
 {
     return character >= 'A' && character <= 'Z' ? static_cast<char>(character - 'A' + 'a') : character;
@@ -55,7 +55,7 @@ std::optional<double> sexagesimal(std::string_view text)
     }
 }
 
-// Of "38.757,-9.117"; one that is no number is NaN.
+// The numbers of, for example, "38.757,-9.117". A text that is not a number becomes NaN.
 std::vector<double> numbersOf(std::string_view text)
 {
     std::vector<double> numbers;
@@ -140,7 +140,7 @@ std::optional<Target> objectOf(std::string_view small)
     return objectTarget(*found);
 }
 
-// Of a text in small letters; all that is not ASCII is a letter.
+// `text` is in small letters. Every character that is not ASCII counts as a letter.
 bool isPartOfWord(std::string_view text, std::size_t at)
 {
     const char c = at < text.size() ? text[at] : ' ';
@@ -160,7 +160,7 @@ bool hasWords(std::string_view text, std::string_view words)
 
 using Satellites = std::vector<const orbit::ElementSet*>;
 
-// Those of this number or name; else those whose name has these words.
+// The satellites with this number or name. If there are none: those with these words in their name.
 Satellites satellitesOf(std::string_view small, std::span<const orbit::ElementSet> known)
 {
     const auto number = parseInteger(small);
