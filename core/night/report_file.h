@@ -28,9 +28,9 @@ public:
     [[nodiscard]] const QString& problem() const { return m_problem.isEmpty() ? m_pass.problem() : m_problem; }
     void keep(const schedule::NightReport& report);
 
-    // A pass that goes on, and its end before the report that has it.
+    // Stores the pass that is being tracked. Its end is stored before the report that contains the pass.
     void keepPass(const schedule::PassRecord& pass);
-    // That the report does not have: the program before was killed, or the power failed.
+    // A stored pass that the report does not contain, because the program was killed or the power failed.
     [[nodiscard]] std::optional<schedule::PassRecord> lostPass() const;
 
 private:
@@ -44,7 +44,7 @@ private:
     NewestWriter m_writer{this};
 };
 
-// Of a mount. A simulated one has its own.
+// The path for a mount. A simulated mount has its own file.
 [[nodiscard]] QString reportPath(const QString& stateDir, const QString& mountName, bool simulated);
 
 }  // namespace boresight
