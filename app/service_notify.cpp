@@ -34,7 +34,7 @@ void notifyService(std::string_view state, bool wait)
     ::close(socket);
 }
 
-// As sd_watchdog_enabled(3). The check of the process id prevents that a child of the service feeds the watchdog.
+// As sd_watchdog_enabled(3). The check of the process id keeps a child of the service from feeding it.
 ServiceWatchdog::ServiceWatchdog()
 {
     const bool isOurs = qEnvironmentVariableIsEmpty("WATCHDOG_PID") ||

@@ -68,7 +68,7 @@ local::LocalAnswer askLocally(const profile::ListenAddress& station, const local
     socket.write(local::requestLine(request));
     // The whole patience again: the station may have obeyed already.
     const QDeadlineTimer deadline(patience);
-    while (socket.state() == QLocalSocket::ConnectedState) {  // until the station has sent all
+    while (socket.state() == QLocalSocket::ConnectedState) {  // until the station has sent everything
         if (!socket.waitForReadyRead(static_cast<int>(deadline.remainingTime())) && deadline.hasExpired()) {
             return failure(ErrorCode::NoAnswer,
                            QStringLiteral("The station on %1 does not answer: %2.").arg(path(), socket.errorString()));
