@@ -91,7 +91,7 @@ struct SwingCoverage
 
 struct CompassSwing
 {
-    Estimate north;     // azimuth in the north of the headings = azimuth of the axis + north; 0…360°
+    Estimate north;     // azimuth from the north of the sensor = azimuth of the axis + north; 0…360°
     Angle statistical;  // the part of the sigma of north that comes from the readings
     Angle systematic;   // the part that no swing can see
     DeviationCurve curve;

@@ -221,8 +221,9 @@ std::optional<BeamFit> refined(Beam beam, const Line& line)
     return std::nullopt;
 }
 
-// The line in elevation runs at the azimuth of the middle. Where it comes nearest to a source that is so far beside it,
-// it is higher than the source: tan(elevation) = tan(nearest) × cos(beside). Over the top the same holds.
+// The line in elevation runs at the azimuth of the middle, so it may pass beside the source. At the point of the line
+// that is nearest to the source, the line is higher than the source: tan(elevation) = tan(nearest) × cos(beside). The
+// same formula applies over the top.
 Angle seenFromBeside(Angle nearest, Angle beside)
 {
     return Angle::fromRadians(

@@ -42,7 +42,7 @@ struct SensorOffsetLimits
 
 struct SensorOffset
 {
-    Estimate offset;    // azimuth in the north of the headings = azimuth of the axis + offset; 0…360°
+    Estimate offset;    // azimuth from the north of the sensor = azimuth of the axis + offset; 0…360°
     Angle statistical;  // the part of the sigma that more readings reduce
     Angle scatter;      // rms of the readings
     std::size_t used = 0;
