@@ -15,15 +15,15 @@ namespace boresight::orbit {
 
 struct ElementAddress
 {
-    QString
-        name;  // in messages, without what may be a secret: "CelesTrak group stations", "https://example.org/a.json"
+    // For messages, without parts that may be secret: "CelesTrak group stations", "https://example.org/a.json".
+    QString name;
     QUrl url;
     QString file;  // the name of its file in the cache
 
     bool operator==(const ElementAddress&) const = default;
 };
 
-// An entry of a list of element files that is no path: "celestrak:stations", "https://example.org/a.json".
+// True for an entry of a list of element files that is not a path: "celestrak:stations", "https://example.org/a.json".
 [[nodiscard]] bool isElementAddress(std::string_view entry);
 
 // Accepts https, and http only for mirrors on this computer.
