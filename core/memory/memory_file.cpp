@@ -78,7 +78,7 @@ Result<> write(const QString& path, const MountMemory& memory)
 // Never waits or reads for ever: a pipe without a writer and /dev/zero are refused at once.
 Result<MountMemory> read(const QString& path)
 {
-    constexpr qint64 kLargest = 1 << 20;  // a memory has 2 kB
+    constexpr qint64 kLargest = 1 << 20;  // a journal file has 2 kB
     const FileDescriptor descriptor(
         ::open(QFile::encodeName(path).constData(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
     struct stat info = {};

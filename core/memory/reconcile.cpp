@@ -221,7 +221,7 @@ private:
     const Evidence& m_evidence;
     const pointing::AxisGeometry& m_axis;
     std::vector<Angle> m_candidates;
-    std::optional<Obstacle> m_obstacle;  // to counting on from the record
+    std::optional<Obstacle> m_obstacle;  // why the drive's count may not be continued from the record
     bool m_ofThisDrive = false;          // the record is of this drive
     bool m_phaseKnown = false;           // the reported position is correct to whole periods
 };
