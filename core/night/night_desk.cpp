@@ -282,7 +282,7 @@ void NightDesk::noticeClock()
     }
 }
 
-// A pass that is tracked stays as it was planned.
+// Used for new plans only: a tracked pass stays as it was planned.
 std::function<bool(const SkyPointing&)> NightDesk::clearSkyOf(std::int64_t satellite) const
 {
     const std::string own = orbit::antennaOf(m_profile->satellites, satellite);

@@ -45,10 +45,10 @@ public:
     // In a longer pause the mount may be parked.
     static constexpr std::chrono::minutes kLongPause{30};
 
-    // All of them outlive the desk.
+    // All arguments must outlive this object.
     NightDesk(StationControl& control, const profile::InForce& profile, ReportFile& file, const Clock& clock,
               EventLog& log, Search search, PassMoments::Tell tell = {});
-    ~NightDesk();  // a pass that goes on comes into the report
+    ~NightDesk();  // writes a pass in progress into the report
     NightDesk(const NightDesk&) = delete;
     NightDesk& operator=(const NightDesk&) = delete;
 
@@ -58,11 +58,11 @@ public:
     void noticed(const Request& request, const Source& by);
     void setSatellites(const Satellites& satellites);
     void profileChanged(const profile::Profile& before, const profile::Profile& after);
-    // Once per tick, before StationControl's.
+    // Once per tick, before the tick of StationControl.
     void tick();
 
     [[nodiscard]] const std::shared_ptr<const ScheduleStatus>& status() const { return m_shown; }
-    // Its part of the station's.
+    // Fills in the schedule's part of the status.
     void fill(StationStatus& status) const;
 
 private:

@@ -19,12 +19,12 @@ class PassFile final : public QObject
     Q_OBJECT
 
 public:
-    // An empty path: nothing is kept. Blocks while it reads. It goes to the thread of its parent with it.
+    // An empty path: nothing is kept. Blocks while it reads. Moves to another thread together with its parent.
     PassFile(const QString& path, QObject* parent);
 
     // The pass that the previous run of the program stored.
     [[nodiscard]] const std::optional<schedule::NewestPass>& found() const { return m_found; }
-    // Why the file could not be read, or not be written the last time. Empty while all is well.
+    // Why the file could not be read, or could not be written the last time. Empty: no problem.
     [[nodiscard]] const QString& problem() const { return m_problem; }
     void keep(const schedule::NewestPass& newest);
 

@@ -16,7 +16,7 @@ class PassMoments
 public:
     using Tell = std::function<void(const schedule::PassMoment&)>;
 
-    // Both outlive it. Without `tell` the moments are lines of the log only.
+    // Log and clock must outlive this object. Without `tell` the moments are lines of the log only.
     PassMoments(EventLog& log, const Clock& clock, Tell tell);
 
     // Call it in each tick between two passes with the next pass. Null: none.

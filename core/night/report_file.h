@@ -11,8 +11,9 @@
 #include <optional>
 
 // The file of the night report, STATE_DIR/NAME.night.toml: read once when the program starts, written after each pass.
-// Saving never blocks the station thread, on which this lives. The newest report is on the disk before its end. A file
-// that cannot be read is never written over. Beside it stands the pass that goes on (PassFile), NAME.night.toml.pass.
+// Saving never blocks the station thread, on which this object lives. The destructor waits until the newest report is
+// on the disk. A file that cannot be read is never overwritten. Beside it is the file of the present pass (PassFile),
+// NAME.night.toml.pass.
 namespace boresight {
 
 class ReportFile final : public QObject
@@ -24,7 +25,7 @@ public:
     explicit ReportFile(const QString& path, QObject* parent = nullptr);
 
     [[nodiscard]] const schedule::NightReport& report() const { return m_report; }
-    // Why the file could not be read, or not be written the last time. Empty while all is well.
+    // Why the file could not be read, or could not be written the last time. Empty: no problem.
     [[nodiscard]] const QString& problem() const { return m_problem.isEmpty() ? m_pass.problem() : m_problem; }
     void keep(const schedule::NightReport& report);
 

@@ -23,7 +23,7 @@ public:
     // A crash loses at most this time of a pass. A write has about 300 bytes, which is little for a flash card.
     static constexpr std::chrono::seconds kKept{30};
 
-    // All of them outlive the keeper. `source` stands in the lines of the log.
+    // All arguments must outlive this object. `source` stands in the lines of the log.
     ReportKeeper(ReportFile& file, const Clock& clock, EventLog& log, QString source);
 
     [[nodiscard]] const schedule::NightReport& report() const { return m_report; }
