@@ -17,7 +17,7 @@ namespace boresight {
 class BodyFollower
 {
 public:
-    // All of them outlive it.
+    // All arguments must outlive this object.
     BodyFollower(StationControl& control, const profile::InForce& profile, const Clock& clock, EventLog& log);
 
     void profileChanged(const profile::Profile& before, const profile::Profile& after);

@@ -10,7 +10,7 @@
 namespace boresight {
 namespace {
 
-// With a narrower beam the dish still focuses sunlight on the feed or beside it.
+// Within this angle of the Sun a dish focuses sunlight on or near its feed, even if its beam is narrower.
 constexpr Angle kNearSun = Angle::fromDegrees(1.0);
 // Keeps the alarm from coming and going with the noise of an encoder.
 constexpr Angle kClearOfSun = Angle::fromDegrees(0.05);

@@ -12,7 +12,7 @@ namespace boresight {
 class CalibrationAlarms
 {
 public:
-    // All of them outlive it.
+    // All arguments must outlive this object.
     CalibrationAlarms(StationControl& control, const profile::InForce& profile, const CalibrationFile& file,
                       const ModelInForce& model, const AxisObserver& axes, BodyFollower& follower)
         : m_control(control), m_profile(profile), m_file(file), m_model(model), m_axes(axes), m_follower(follower)

@@ -53,10 +53,10 @@ private:
     NewestWriter m_writer{this};
 };
 
-// Where the points lie of whose calibrations lie there.
+// The path of the points file that belongs to this file of calibrations.
 [[nodiscard]] QString pointsPath(const QString& calibrations);
 
-// Of a mount. A simulated one has its own: what was found there never comes into the history of the real one.
+// The path for a mount. A simulated mount has its own file, so its results never enter the history of the real one.
 [[nodiscard]] QString calibrationPath(const QString& stateDir, const QString& mountName, bool simulated);
 
 }  // namespace boresight

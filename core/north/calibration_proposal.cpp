@@ -18,16 +18,16 @@ using calibration::indexOf;
 using calibration::Term;
 using calibration::valueOf;
 
-// A tilt within this many of its sigmas is as good as none.
+// A tilt within this many of its sigmas counts as none.
 constexpr double kSignificant = 2.0;
-// As far as the profile lets the zero of an axis be corrected.
+// The largest correction of an axis zero that the profile permits.
 constexpr Angle kMostZero = Angle::fromDegrees(10.0);
-// A north found less exactly than this is worth a warning: Gpredict's satellites need it to a few degrees.
+// A warning follows if north is known less exactly than this. Tracking satellites of Gpredict needs a few degrees.
 constexpr Angle kPoorNorth = Angle::fromDegrees(3.0);
 
-// Beyond as many of their joint sigmas two values are not of the same thing any more.
+// If two values differ by more than this many of their joint sigmas, they contradict each other.
 constexpr double kContradicts = 3.0;
-// A north that moves by less leaves a compass where it is.
+// If north moves by less than this, the sensor's offset stays unchanged.
 constexpr Angle kSameNorth = Angle::fromDegrees(0.01);
 
 constexpr std::array kTermTexts = {
@@ -43,19 +43,19 @@ QString northText(const calibration::Estimate& north)
         .arg(azimuthText(north.value, 2), degreesText(north.sigma, 1));
 }
 
-// The offset of the azimuth may be any turn of it; the one that is nearest to today's moves no other number.
+// The offset of azimuth may be on any turn. The turn nearest to the present value changes no other number.
 Angle nearestOffset(Angle north, const profile::Profile& profile)
 {
     const Angle near = north.nearestTo(profile.pointing.azimuthOffset);
     return abs(near) < Angle::fromTurns(1.0) ? near : near.wrapped180();
 }
 
-// Of what is in force, beside what was found here.
+// How a term in force relates to the value that was found.
 enum class Standing
 {
     Replaced,
-    Stays,        // points know it better
-    Contradicted  // they have, but it can not be true any more
+    Stays,        // points gave it more exactly
+    Contradicted  // points gave it, but it cannot be true any more
 };
 
 Standing standingOf(const std::optional<Angle>& told, Angle sigma, Angle apart)

@@ -16,7 +16,7 @@ namespace boresight {
 class CalibrationRuns
 {
 public:
-    // All of them outlive it.
+    // All arguments must outlive this object.
     CalibrationRuns(StationControl& control, const profile::InForce& profile, const LiveSensor& sensor,
                     const AxisObserver& axes, BodyFollower& follower, const Clock& clock, EventLog& log);
 

@@ -16,7 +16,7 @@ namespace boresight {
 class KeptPoints
 {
 public:
-    // All of them outlive it.
+    // All arguments must outlive this object.
     KeptPoints(StationControl& control, CalibrationFile& file, const MountIdentity& mount, const ModelInForce& model,
                const Clock& clock, EventLog& log);
 

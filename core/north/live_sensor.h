@@ -15,7 +15,7 @@ namespace boresight {
 class LiveSensor
 {
 public:
-    // Profile and clock outlive it.
+    // Profile and clock must outlive it.
     LiveSensor(const profile::InForce& profile, const Clock& clock) : m_profile(profile), m_clock(clock) {}
 
     // The value, or null if it was already taken.

@@ -16,7 +16,7 @@ namespace boresight {
 class ModelChanges
 {
 public:
-    // All of them outlive it.
+    // All arguments must outlive this object.
     ModelChanges(const StationControl& control, const profile::InForce& profile, CalibrationFile& file,
                  const MountIdentity& mount, const CalibrationRuns& runs, BodyFollower& follower, const Clock& clock,
                  EventLog& log);

@@ -12,7 +12,7 @@ namespace boresight {
 class ModelInForce
 {
 public:
-    // All of them outlive it.
+    // All arguments must outlive this object.
     ModelInForce(const CalibrationFile& file, const profile::InForce& profile, const MountIdentity& mount,
                  const Clock& clock)
         : m_file(file), m_profile(profile), m_mount(mount), m_clock(clock)

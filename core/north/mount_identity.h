@@ -14,7 +14,7 @@ namespace boresight {
 class MountIdentity
 {
 public:
-    // Control and profile outlive it.
+    // Control and profile must outlive it.
     MountIdentity(const StationControl& control, const profile::InForce& profile)
         : m_control(control), m_profile(profile)
     {}

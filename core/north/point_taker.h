@@ -11,7 +11,7 @@ namespace boresight {
 class PointTaker
 {
 public:
-    // All of them outlive it.
+    // All arguments must outlive this object.
     PointTaker(const StationControl& control, const CalibrationRuns& runs, const AxisObserver& axes,
                const ModelInForce& model, BodyFollower& follower, KeptPoints& points, EventLog& log);
 

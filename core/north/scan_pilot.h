@@ -17,7 +17,7 @@ namespace boresight {
 class ScanPilot
 {
 public:
-    // All of them outlive it.
+    // All arguments must outlive this object.
     ScanPilot(const StationControl& control, BodyFollower& follower, const AxisObserver& axes, const Clock& clock);
 
     [[nodiscard]] static Result<> isWidth(Angle width);

@@ -11,7 +11,7 @@ namespace {
 
 // If a body neither rises nor sets, the search is repeated after this time.
 constexpr std::chrono::hours kSearchAgain{1};
-// The middle of the disc at the horizon as it appears: the air lifts it by 34'.
+// The true elevation of the middle of the disc when it appears at the horizon: refraction lifts it by 34'.
 constexpr Angle kAtHorizon = Angle::fromDegrees(-34.0 / 60.0);
 
 std::size_t index(ephemeris::Body body)

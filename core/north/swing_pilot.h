@@ -16,7 +16,7 @@ namespace boresight {
 class SwingPilot
 {
 public:
-    // All of them outlive it.
+    // All arguments must outlive this object.
     SwingPilot(StationControl& control, const profile::InForce& profile, const LiveSensor& sensor,
                const AxisObserver& axes, const Clock& clock, EventLog& log);
 
