@@ -58,7 +58,7 @@ private:
     std::optional<Refused> m_refused;  // of the last message, if it was refused
     bool m_wanted = false;
     QStringList m_denied;       // topics that the broker denied on this connection
-    bool m_denialTold = false;  // the status says what is denied, or that all is well
+    bool m_denialTold = false;  // the status already shows the present denial, or that there is none
     SourceStatus m_status;
 };
 
