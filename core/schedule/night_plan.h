@@ -9,8 +9,8 @@
 #include <cstdint>
 #include <vector>
 
-// Which passes of a night are tracked, and which are not because another one is. The same passes give the same plan,
-// in whatever order they come. Pure, any thread.
+// Which passes of a night are tracked, and which are left out because of another pass. The same passes give the same
+// plan in any order. Pure, any thread.
 namespace boresight::schedule {
 
 struct WatchedPass
