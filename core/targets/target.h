@@ -43,7 +43,7 @@ struct Target
     bool operator==(const Target&) const = default;
 };
 
-// Its number where it has no name.
+// The name of a satellite, or its number if it has no name.
 [[nodiscard]] QString satelliteName(const orbit::ElementSet& elements);
 [[nodiscard]] Target satelliteTarget(const orbit::ElementSet& elements);
 // Sun, Moon, a planet or a radio source, by its name in the language of the program.

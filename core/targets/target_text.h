@@ -32,7 +32,7 @@ namespace boresight::targets {
 // The text without blanks around it if it begins with "rotctld:". Empty: another target.
 [[nodiscard]] std::optional<QString> otherRotator(std::string_view text);
 
-// "12:30:49.4,12:23:28" or "12.514,12.391". Empty for all else.
+// Parses "12:30:49.4,12:23:28" or "12.514,12.391". Empty for any other text.
 [[nodiscard]] std::optional<ephemeris::StarPlace> parseStarPlace(std::string_view text);
 
 }  // namespace boresight::targets
