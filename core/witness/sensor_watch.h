@@ -30,7 +30,7 @@ struct SensorEvidence
 class SensorWatch
 {
 public:
-    // All of them outlive it.
+    // All arguments must outlive this object.
     SensorWatch(const profile::InForce& profile, const Clock& clock, EventLog& log, AlarmBoard& alarms);
 
     // The mount does not have this axis, so the axis is not compared.
@@ -117,7 +117,7 @@ private:
     AmpereLink m_currentLink;
     std::uint64_t m_breaks = 0;  // of the course, in addition to those in the judge
     Told m_told;
-    std::optional<Angle> m_northTold;  // in the advice to set north
+    std::optional<Angle> m_northTold;  // difference that the advice to set north shows
 };
 
 }  // namespace boresight
