@@ -27,7 +27,7 @@ public:
 
     // `key` names an entry of the catalogue, which also gives the number of arguments.
     void raise(const AlarmKey& key, const QStringList& arguments = {});
-    // One of the entry's two severities.
+    // `severity` is one of the entry's two severities.
     void raise(const AlarmKey& key, Severity severity, const QStringList& arguments);
     void clear(const AlarmKey& key);  // the active alarm in this place
     void tick();                      // in each tick of the station
