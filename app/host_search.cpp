@@ -58,7 +58,7 @@ struct HostSearch::Scan
         context.reset();
     }
 
-    // On the thread. `done` is called there.
+    // Runs on the thread of the scan, and calls `done` there.
     void begin(const QString& bus, const MakeLink& makeLink, const std::function<void(const ScanResult&)>& done)
     {
         const auto fail = [&](const QString& why) { done({.bus = bus, .drives = {}, .problems = {why}}); };
