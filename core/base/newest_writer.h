@@ -38,7 +38,7 @@ private:
     void start(Job job);
     void finish();
 
-    // Of the last job; the worker uses it until the job ends.
+    // The result of the last job. The worker uses it until the job ends.
     std::shared_ptr<Result<>> m_outcome = std::make_shared<Result<>>();
     Job m_next;              // the waiting job; null: none
     bool m_writing = false;  // finish() is still to be called
