@@ -47,8 +47,8 @@ struct PointingFit
     pointing::PointingTerms terms;
     std::array<FittedTerm, kTerms> fitted;
     double chiSquare = 0.0;
-    double degreesOfFreedom = 0.0;  // unknowns that earlier knowledge determines are not subtracted
-    double noiseScale = 1.0;        // by which the points scatter more than their sigmas; included in the sigmas
+    double degreesOfFreedom = 0.0;  // an unknown that earlier knowledge determines does not reduce it
+    double noiseScale = 1.0;        // scatter of the points divided by their given sigmas; the results include it
     Angle rmsBefore;                // on the sky
     Angle rmsAfter;
     std::optional<Angle> rmsLeftOut;

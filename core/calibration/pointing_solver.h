@@ -46,7 +46,7 @@ struct TermSolution
     pointing::PointingTerms terms;
     std::array<Angle, kTerms> sigmas;  // of the solved terms, with the sigmas of the points as given
     double chiSquare = 0.0;            // of the points
-    double knowledge = 0.0;            // the same for the earlier knowledge
+    double knowledge = 0.0;            // chi square of the earlier knowledge
     double logVolume = 0.0;            // of the remaining uncertainty: ½ log det of the covariance
     // Offset of each point from a fit without it, to first order. Empty if the other points do not determine the terms.
     std::vector<std::optional<SkyOffset>> leftOut;

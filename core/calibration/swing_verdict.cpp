@@ -30,7 +30,7 @@ Angle unreliableArc(const CompassSwing& swing)
 struct CurrentEffect
 {
     double correlation = 0.0;
-    Angle amplitude;  // rms of the residuals that correlate with the current
+    Angle amplitude;  // rms of the part of the residuals that follows the current
 };
 
 // The correlation between the residuals of the curve and the current of the motors.
