@@ -38,7 +38,7 @@ public:
         if (isElementLine(line.text, '1')) {
             dropFirst();
             m_first = line;
-            // Also a truncated line.
+            // A truncated second line counts, too.
         } else if (isElementLine(line.text, '2') || (m_first && line.text.starts_with("2 "))) {
             takeSecond(line);
         } else {
