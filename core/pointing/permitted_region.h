@@ -43,8 +43,8 @@ public:
     // The horizon in axis angles, and its image over the top, turned by 180° and with 180° - elevation.
     [[nodiscard]] const Skyline& horizon() const { return m_upright; }
     [[nodiscard]] const Skyline& overTheTop() const { return m_overTheTop; }
-    // The highest horizon at these azimuths, and the lowest limit of its image over the top, below which a beam over
-    // the top must stay.
+    // floor(): the highest horizon at these azimuths. ceiling(): the elevation below which a beam over the top must
+    // stay.
     [[nodiscard]] Angle floor(const TravelRange& azimuths) const;
     [[nodiscard]] Angle ceiling(const TravelRange& azimuths) const;
     // The keep-outs in axis angles, one for each reachable turn and side of the zenith.
