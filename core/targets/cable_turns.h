@@ -30,7 +30,7 @@ struct CableTurns
     bool hasRoom = true;  // there is a wrap with room for the whole path
     bool hasGap = false;  // no wrap has room, because the mount turns less than 360°
     int turns = 0;        // how often the cable is unwrapped within the path
-    // Longest lost time that the limits do not hide anyway; depends on where the mount comes from.
+    // Longest time lost while the limits do not hide the target. Depends on where the mount comes from.
     Seconds lost{0.0};
     bool fitsOverTheTop = false;  // with elevations above 90° the mount would lose nothing
 
