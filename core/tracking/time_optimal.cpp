@@ -33,7 +33,7 @@ public:
     [[nodiscard]] std::vector<Segment> take() { return std::move(m_segments); }
 
 private:
-    // Change of speed, constant speed, change to the rate of the target, motion with the target.
+    // The parts of a way: change of speed, constant speed, change to the rate of the target, motion with the target.
     static constexpr std::size_t kMost = 4;
 
     std::vector<Segment> m_segments;
