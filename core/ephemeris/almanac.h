@@ -12,8 +12,8 @@
 
 // The directions of Sun, Moon, planets and stars at one site: the true direction of the centre of the disc, without
 // refraction (refraction.h adds it), for any UTC of the years 1900 to 2100. The algorithms are those of the IAU
-// standards in the ERFA library. An object keeps the orientation of the Earth's axis and the motion of the bodies for a
-// minute, so it belongs to one thread. README.md has the accuracy.
+// standards in the ERFA library. An object keeps the motion of the bodies for a minute and the orientation of the
+// Earth's axis for ten minutes, so it belongs to one thread. README.md has the accuracy.
 namespace boresight::ephemeris {
 
 enum class Body
