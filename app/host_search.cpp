@@ -36,7 +36,7 @@ ScanResult resultOf(const QString& bus, const std::vector<survey::FoundControlle
 
 }  // namespace
 
-// The thread of one scan, with the link and the scan that live on it.
+// The thread of one scan, with the link and the scan that live on this thread.
 struct HostSearch::Scan
 {
     QThread thread;
@@ -58,7 +58,7 @@ struct HostSearch::Scan
         context.reset();
     }
 
-    // On the thread. `done` is called there.
+    // Runs on the thread of the scan, and calls `done` there.
     void begin(const QString& bus, const MakeLink& makeLink, const std::function<void(const ScanResult&)>& done)
     {
         const auto fail = [&](const QString& why) { done({.bus = bus, .drives = {}, .problems = {why}}); };
@@ -128,14 +128,14 @@ void HostSearch::scan(const QString& bus)
     };
     connect(&scan->thread, &QThread::started, scan->context.get(),
             [scan, bus, done, makeLink = m_makeLink] { scan->begin(bus, makeLink, done); });
-    // What lives on the thread must end on it.
+    // Objects that live on the thread must end on it.
     connect(
         &scan->thread, &QThread::finished, scan->context.get(), [scan] { scan->clear(); }, Qt::DirectConnection);
     scan->thread.setObjectName(QStringLiteral("scan"));
     scan->thread.start();
 }
 
-// The adapter is free again before the result is reported: the next thing may be to use it.
+// The adapter is released before the result is reported, because the receiver may use the adapter next.
 void HostSearch::endScan(const ScanResult& result)
 {
     m_scan.reset();

@@ -16,9 +16,9 @@
 #include <functional>
 #include <memory>
 
-// Looks at this computer for the window, without ever making it wait: which adapters and models of rotators there are,
-// who answers on one that no station works on, and what a Gpredict here knows. Lives on the main thread; each answer is
-// a signal on it.
+// Searches this computer for the window without delaying it: which adapters and models of rotators there are, which
+// drives answer on a bus that no station uses, and what Gpredict on this computer knows. Lives on the main thread; each
+// answer is a signal on that thread.
 namespace boresight::app {
 
 class HostSearch : public QObject
@@ -35,7 +35,7 @@ public Q_SLOTS:
     void findAdapters(const QString& namedBus);
     void findRotatorModels();
     void findGpredict(const QString& folder);
-    // Only asks: nothing moves. One at a time; a second while one runs is answered by a problem.
+    // Sends only queries: nothing moves. One scan at a time. A second call during a scan is answered with a problem.
     void scan(const QString& bus);
 
 Q_SIGNALS:

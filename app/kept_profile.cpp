@@ -13,8 +13,8 @@
 namespace boresight::app {
 namespace {
 
-// A file that names no real bus becomes the real mount's as soon as it holds anything of it. Otherwise what was found
-// of it would be taken for what an older version found of the simulated mount.
+// A file without the name of a real bus belongs to the real mount as soon as it holds a value of that mount. Otherwise
+// such a value would look like one that an older version found on the simulated mount.
 void becomeReal(profile::Profile& kept, std::vector<std::string>& keys)
 {
     if (std::ranges::any_of(keys, profile::isOfOneMount)) {
@@ -66,7 +66,7 @@ Result<> KeptProfile::saveChanges(const profile::Profile& wanted, std::vector<st
     });
 }
 
-// A new name must not be another mount's.
+// A new name must not be the name of another mount.
 Result<> KeptProfile::write(const profile::Profile& whole, QString& path, const std::string& nameBefore) const
 {
     const profile::ProfileStore store(m_configDir);

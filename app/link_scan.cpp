@@ -8,7 +8,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// Not the source number of a station: on a shared bus its drives' answers are not for us, nor ours for it.
+// Differs from the source number of a station, so that on a shared bus neither receives the other's answers.
 constexpr std::uint8_t kSource = 0x70;
 constexpr auto kStep = 3ms;
 

@@ -9,8 +9,8 @@
 
 #include <vector>
 
-// A scan of an open bus (core/survey/bus_scan.h) with a timer of its own: who is there, and how each one is. Takes 1.3
-// seconds. Lives with its link.
+// A scan of an open bus (core/survey/bus_scan.h) with its own timer: which controllers answer, and the condition of
+// each. Takes 1.3 seconds. Lives on the thread of its link.
 namespace boresight::app {
 
 class LinkScan final : public QObject
@@ -18,15 +18,15 @@ class LinkScan final : public QObject
     Q_OBJECT
 
 public:
-    // The link outlives the scan and is open.
+    // The link must be open and outlive the scan.
     explicit LinkScan(CanLink& link, QObject* parent = nullptr);
 
     void start();
-    // In the order of their ids.
+    // Sorted by id.
     [[nodiscard]] const std::vector<survey::FoundController>& controllers() const { return m_scan.controllers(); }
 
 Q_SIGNALS:
-    // With the link's reason if a question could not be sent; else empty.
+    // `problem`: why the link could not send a query. Empty: no problem.
     void finished(const QString& problem);
 
 private:

@@ -15,7 +15,7 @@
 namespace boresight::app {
 namespace {
 
-// A pipe that polls writable takes this much at once (POSIX: PIPE_BUF is at least 512, on Linux 4096).
+// A pipe that poll() reports as writable takes at least this much at once (PIPE_BUF: 512 by POSIX, 4096 on Linux).
 constexpr qsizetype kLongestLine = 4096;
 
 void writeLine(QtMsgType type, const QMessageLogContext& context, const QString& message)

@@ -5,13 +5,14 @@
 
 namespace boresight::app {
 
-// From now on Qt's log goes to standard error without ever waiting for its reader: a terminal that is stopped or a log
-// collector that hangs must not stop the control of the mount, and one that went away must not end the program. Lines
-// that find no room are dropped; events.log has them. A file beyond the limit of its size is an error of its writing
-// and does not end the program either. Call it before the application object is made.
+// From this call on Qt's log goes to standard error without waiting for a reader. A stopped terminal or a hanging log
+// collector must not stop the control of the mount, and a closed one must not end the program. Lines that do not fit
+// are dropped; events.log has them. A file that exceeds its size limit causes a write error and does not end the
+// program either. Call it before the application object is created.
 void logToStandardError();
 
-// A line for whoever started the program, on standard error: how every program without a window shows a text.
+// Prints a line on standard error for the person who started the program. Programs without a window print texts with
+// it.
 void printError(const QString& line);
 
 }  // namespace boresight::app

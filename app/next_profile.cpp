@@ -79,7 +79,7 @@ NextProfile::Choice NextProfile::next(const profile::Profile& wanted)
     const profile::Profile& last = m_kept.last();
     const bool simulated = simulates(last);
     if (!simulated) {
-        m_ownPath = m_kept.path();  // the first change may have made it
+        m_ownPath = m_kept.path();  // the first change may have created the file
     }
     const bool sameMount = wanted.mount.name == last.mount.name;
     if (wanted == last || (sameMount && simulated && simulates(wanted))) {
@@ -105,7 +105,7 @@ Result<> NextProfile::switchTo(const profile::Profile& wanted)
     }
     Result<> current;
     if (const auto own = loaded(m_ownPath); !own || own->mount.name != wanted.mount.name) {
-        m_ownPath = fileOf(m_configDir, wanted);  // empty: of a mount that is not kept yet
+        m_ownPath = fileOf(m_configDir, wanted);  // empty: this mount has no file yet
         if (!m_ownPath.isEmpty() && m_asked == Simulation::Off) {
             current = profile::ProfileStore(m_configDir).setCurrent(m_ownPath);
         }
@@ -118,7 +118,7 @@ Result<> NextProfile::switchTo(const profile::Profile& wanted)
     return current;
 }
 
-// The simulation works without its file too: then each change reports that it is not kept.
+// The simulation also works without its file. Then each change reports that it is not saved.
 void NextProfile::simulate(const profile::Profile& own, const profile::Profile& fresh)
 {
     const auto opened = m_simulated.open(own, fresh);
@@ -126,8 +126,8 @@ void NextProfile::simulate(const profile::Profile& own, const profile::Profile& 
     m_kept.begin(opened.value_or(fresh), m_simulated.fileOf(own));
 }
 
-// Where the file cannot be written the real mount is connected all the same. A file that cannot be read, or that the
-// edits do not go with, is left alone, and the simulation goes on.
+// If the file cannot be written, the real mount is connected all the same. If the file cannot be read, or the edits do
+// not fit it, the file is left unchanged and the simulation goes on.
 Result<> NextProfile::leaveSimulation(const profile::Profile& wanted)
 {
     const Result<profile::Profile> own = m_ownPath.isEmpty() ? profile::Profile{} : profile::loadProfile(m_ownPath);

@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
-// Which profile each station begins with, and which file its changes go to. While a mount is simulated that is the
-// simulation's own file of this mount. Blocking file access: not on the gui thread, nor the station's.
+// Which profile each station begins with, and which file its changes go to. For a simulated mount this is the
+// simulation's own file of that mount. Blocking file access: neither on the gui thread nor on the station thread.
 namespace boresight::app {
 
 class NextProfile
@@ -23,18 +23,18 @@ public:
     struct Choice
     {
         profile::Profile profile;
-        QStringList problems;  // what could not be read or written for it, for the operator
+        QStringList problems;  // what could not be read or written, for the operator
     };
 
-    // `kept` outlives it.
+    // `kept` must outlive it.
     NextProfile(const Options& options, KeptProfile& kept);
 
-    // What the first station begins with.
+    // The choice for the first station.
     [[nodiscard]] Choice first();
-    // What the next station begins with, when a reconnect with `wanted` was asked for: the profile of another mount,
-    // the one that was applied last, or a simulated one with a real bus. The latter leaves the simulation: the real
-    // mount gets its own profile with what was changed together with the bus. Its directions are to be confirmed.
-    // Where that cannot be, it is the mount of before, and a problem says why.
+    // The choice for the next station, after a request to reconnect with `wanted`. That is the profile of another
+    // mount, the profile that was applied last, or a simulated profile with a real bus. A real bus ends the simulation:
+    // the real mount gets its own profile with the values that were changed together with the bus, and its directions
+    // must be confirmed. If this fails, the previous mount stays, and a problem says why.
     [[nodiscard]] Choice next(const profile::Profile& wanted);
 
 private:
@@ -48,9 +48,9 @@ private:
 
     QString m_configDir;
     SimulatedProfiles m_simulated;
-    Simulation m_asked;                     // by the command line
-    std::vector<std::string> m_overridden;  // by the command line: they hold in the simulation, too
-    QString m_ownPath;                      // of the mount's own profile; empty: no file yet
+    Simulation m_asked;                     // of the command line
+    std::vector<std::string> m_overridden;  // keys that the command line overrides, also in the simulation
+    QString m_ownPath;                      // the file of the mount's own profile; empty: no file yet
     KeptProfile& m_kept;
     QStringList m_problems;  // of this choice
 };

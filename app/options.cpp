@@ -36,7 +36,7 @@ QString timeOfNow()
     return QDateTime::currentDateTimeUtc().toString(QStringLiteral("yyyy-MM-ddTHH:mmZ"));
 }
 
-// "moteus (a moteus drive), simple (…)".
+// For example "moteus (a moteus drive), simple (…)".
 QString simulatedDrivers()
 {
     QStringList all;
@@ -81,7 +81,8 @@ void addOptions(QCommandLineParser& parser)
          QStringLiteral("AZ,EL@UTC")});
 }
 
-// The driver of "--simulate=DRIVER" is taken out: an option of QCommandLineParser has a value always or never.
+// Takes the driver of "--simulate=DRIVER" out of the arguments, because QCommandLineParser has no options with an
+// optional value.
 Result<QStringList> takeSimulatedDriver(Options& options, const QStringList& arguments)
 {
     const QString prefix = QStringLiteral("--simulate=");
@@ -136,7 +137,7 @@ void useRealBus(Options& options, const std::string& bus)
     }
 }
 
-// Without a bus of a real mount there is only the simulated one.
+// A profile without a real bus can only be simulated.
 void warnSimulated(const Options& options)
 {
     if (!options.isFirstStart() && options.simulation == Simulation::Off && profile::namesNoBus(options.profile)) {

@@ -18,19 +18,20 @@ namespace boresight::app {
 
 struct Options
 {
-    profile::Profile profile;                 // with the overrides applied
-    QString profilePath;                      // empty: built-in defaults, because there is no profile at all
+    profile::Profile profile;                 // with the overrides of the command line
+    QString profilePath;                      // empty: there is no profile at all, so the built-in defaults are used
     QString configDir;                        // of the profile store
     QString stateDir;                         // created if absent
-    Simulation simulation = Simulation::Off;  // what the command line asks for, over every profile
-    std::vector<std::string> overridden;      // the keys that hold in the simulation, too, and are never written
+    Simulation simulation = Simulation::Off;  // set by the command line, for every profile
+    std::vector<std::string> overridden;      // keys that are overridden also in the simulation, and never written
     std::optional<EnteredPlace> standingAt;
 
-    // What runs with the profile of another mount.
+    // The simulation in which the profile of another mount runs.
     [[nodiscard]] Simulation simulationFor(const profile::Profile& of) const { return simulationOf(simulation, of); }
     [[nodiscard]] bool isFirstStart() const { return profilePath.isEmpty(); }
-    // What the window begins with. Without any profile nobody has looked yet which way the axes turn; unless it is the
-    // simulated mount that was asked for, which has its sensor on it, so that finding north can be tried at once.
+    // The profile with which the window begins. Without any profile the directions of the axes are not confirmed.
+    // Exception: a requested simulated mount has confirmed directions and a sensor, so that finding north can be tried
+    // at once.
     [[nodiscard]] profile::Profile startingProfile() const;
 };
 
@@ -38,11 +39,11 @@ struct Options
 struct NoStart
 {
     Error error;
-    bool byItsProfile = false;  // and not by what was typed: another profile helps
+    bool byItsProfile = false;  // the profile is the reason, not the command line: another profile may work
 };
 
-// `arguments` with the program's name first. Prints help or version and ends the program when asked for them. The
-// error text is ready to print: one or more lines.
+// `arguments` begins with the name of the program. Prints help or version and ends the program if requested. The error
+// text is ready to print: one or more lines.
 [[nodiscard]] tl::expected<Options, NoStart> readOptions(const QStringList& arguments, const QString& description);
 
 }  // namespace boresight::app

@@ -10,7 +10,7 @@ ProfileSaver::ProfileSaver(const Options& options, QObject* parent)
     m_worker.setExpiryTimeout(-1);
     const NextProfile::Choice choice = m_next.first();
     m_first = choice.profile;
-    // Once somebody listens.
+    // Queued, because nobody is connected to the signal yet.
     QMetaObject::invokeMethod(
         this, [this, problems = choice.problems] { report(problems); }, Qt::QueuedConnection);
 }

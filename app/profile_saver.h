@@ -11,9 +11,9 @@
 #include <QStringList>
 #include <QThreadPool>
 
-// Keeps what the operator applies, and finds what each station begins with, without ever making the window wait. Lives
-// on the main thread. One worker reads and writes, in the order of the calls: what the next station begins with is
-// found after the last change is written. Each answer is a signal.
+// Saves what the operator applies, and finds the profile of each station, without delaying the window. Lives on the
+// main thread. One worker reads and writes in the order of the calls, so the profile of the next station is found after
+// the last change is written. Each answer is a signal.
 namespace boresight::app {
 
 class ProfileSaver : public QObject
@@ -21,30 +21,30 @@ class ProfileSaver : public QObject
     Q_OBJECT
 
 public:
-    // Reads the files: before there is a window.
+    // Reads the files, so create it before the window.
     explicit ProfileSaver(const Options& options, QObject* parent = nullptr);
-    ~ProfileSaver() override;  // after the last change is on the disk
+    ~ProfileSaver() override;  // waits until the last change is on the disk
 
-    // What the first station begins with.
+    // The profile of the first station.
     [[nodiscard]] const profile::Profile& first() const { return m_first; }
 
 public Q_SLOTS:
     void save(const boresight::profile::Profile& wanted);
-    // What the next station begins with (next_profile.h). Each call is answered by one nextFound().
+    // Finds the profile of the next station (next_profile.h). Each call is answered by one nextFound().
     void findNext(const boresight::profile::Profile& wanted);
 
 Q_SIGNALS:
     void nextFound(const boresight::profile::Profile& profile);
-    void failed(const QString& reason);  // not saved, or not what was wanted
+    void failed(const QString& reason);  // the change was not saved, or the wanted profile is not in use
 
 private:
     void report(const QStringList& problems);
 
-    // The worker's.
+    // Used by the worker.
     KeptProfile m_kept;
     NextProfile m_next;
 
-    profile::Profile m_first;  // no profile is in force yet when it is read
+    profile::Profile m_first;  // read before any profile is in force
     QThreadPool m_worker;
 };
 

@@ -31,7 +31,7 @@ std::string wholeText(const moteus::Reply& known, Register reg)
     return value ? formatFixed(*value, 0) : "?";
 }
 
-// The code is a fault in mode 1 only; else it may name the limit that is active.
+// The code is a fault in mode 1 only. In other modes it may name the active limit.
 std::string faultColumn(const moteus::Reply& known)
 {
     const std::optional<int> code = known.fault();
@@ -63,7 +63,7 @@ Row row(const FoundController& controller)
             home ? std::string(moteus::homeStateText(*home)) : "?"};
 }
 
-// Characters on the screen: the second and later bytes of a UTF-8 character do not count.
+// The number of characters on the screen. The second and later bytes of a UTF-8 character do not count.
 std::size_t width(const std::string& text)
 {
     return static_cast<std::size_t>(

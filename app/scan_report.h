@@ -8,18 +8,18 @@
 #include <span>
 #include <string>
 
-// What a scan of a bus found, in words. Pure.
+// The result of a scan of a bus, in words. Pure.
 namespace boresight::app {
 
 using survey::FoundController;
 
-// One line per controller, units with every number; "?" is what it did not report. Lines end with LF.
+// One line per controller, every number with its unit. "?" stands for a value that was not reported. Lines end with LF.
 [[nodiscard]] std::string table(std::span<const FoundController> controllers);
 
-// What is wrong and what to do about it, one paragraph each without its LF; empty if all is in order.
+// The problems and their remedies, one paragraph each without a final LF. Empty: no problem.
 [[nodiscard]] QStringList problems(std::span<const FoundController> controllers);
 
-// Nobody answered: what to look at.
+// The text for a scan without answers: what to check.
 [[nodiscard]] QString silenceText(const QString& bus);
 
 }  // namespace boresight::app

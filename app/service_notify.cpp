@@ -34,7 +34,7 @@ void notifyService(std::string_view state, bool wait)
     ::close(socket);
 }
 
-// sd_watchdog_enabled(3): the number of the process keeps a child of the service from feeding in its place.
+// As sd_watchdog_enabled(3). The check of the process id keeps a child of the service from feeding it.
 ServiceWatchdog::ServiceWatchdog()
 {
     const bool isOurs = qEnvironmentVariableIsEmpty("WATCHDOG_PID") ||

@@ -8,13 +8,13 @@
 
 namespace boresight::app {
 
-// Tells systemd about the service ("READY=1", "STOPPING=1") where it asked for it through NOTIFY_SOCKET; else nothing.
-// The protocol is one datagram (sd_notify(3)), so that no library is needed for it.
-// Waits while systemd does not read, unless `wait` is false: what the control loop sends may be lost.
+// Reports the state of the service to systemd ("READY=1", "STOPPING=1") if NOTIFY_SOCKET is set. Otherwise does
+// nothing. The protocol is one datagram (sd_notify(3)), so no library is needed. `wait`: waits while systemd does not
+// read. The control loop passes false, so its messages may be lost.
 void notifyService(std::string_view state, bool wait = true);
 
-// Proves to systemd that the control loop ticks, where it asked for it (WatchdogSec= of the unit): at half the time
-// that it grants, and only while somebody calls feed().
+// Proves to systemd that the control loop ticks, if the unit sets WatchdogSec=. It notifies systemd at half of that
+// time, and only while feed() is called.
 class ServiceWatchdog
 {
 public:
@@ -23,7 +23,7 @@ public:
     void feed(SteadyTime now);
 
 private:
-    std::optional<SteadyTime::duration> m_period;  // empty: nobody asked
+    std::optional<SteadyTime::duration> m_period;  // empty: no watchdog is requested
     std::optional<SteadyTime> m_fed;
 };
 

@@ -42,9 +42,9 @@ Result<profile::Profile> SimulatedProfiles::open(const profile::Profile& own, co
     QDir().mkpath(m_folder);
     const bool isUnchanged = origin && kept && profile::changedKeys(profile::withoutBus(*origin), *kept).empty();
     if (!isUnchanged) {
-        QFile::rename(file, freeNameFor(file));  // not as MOUNT.toml~, which the next change would overwrite
+        QFile::rename(file, freeNameFor(file));  // not to MOUNT.toml~, which the next change would overwrite
     }
-    // The origin comes last: without it the copy is made again.
+    // The origin is written last. If it is missing, the copy is made again.
     return profile::saveProfile(profile::withoutBus(fresh), file)
         .and_then([&] { return profile::saveProfile(own, originFile); })
         .map([&] { return fresh; });

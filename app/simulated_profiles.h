@@ -7,11 +7,11 @@
 #include <QString>
 
 // The files of the simulation: FOLDER/MOUNT.toml holds what the operator set and found while this mount was simulated.
-// The file begins as a copy of the mount's own profile, and the next simulation of the same profile goes on with it.
-// MOUNT.toml.origin is the profile that was copied. Once the mount's own profile is another one, the copy is made
-// again. An old copy in which anything was set or found stays as MOUNT.toml.old, else .old2 and so on. The copy names
-// no bus, so no real mount takes it for its own. The files of a real mount are elsewhere, and nothing here writes them.
-// Blocking file access. Two programs may share a file: each reads it again before it writes, and replaces it whole.
+// The file begins as a copy of the mount's own profile. MOUNT.toml.origin is the profile that was copied, and the next
+// simulation of the same profile continues with the copy. After a change of the mount's own profile, the copy is made
+// again. An old copy in which anything was set or found stays as MOUNT.toml.old, .old2 and so on. The copy names no
+// bus, so it is never used for a real mount. Nothing here writes the files of a real mount. Blocking file access. Two
+// programs may share a file: each reads it again before it writes, and replaces it whole.
 namespace boresight::app {
 
 class SimulatedProfiles
@@ -20,8 +20,8 @@ public:
     explicit SimulatedProfiles(const QString& folder) : m_folder(folder) {}
 
     [[nodiscard]] QString fileOf(const profile::Profile& own) const;
-    // What the simulation of the mount begins with. `own` is its own profile, `fresh` what a new copy begins with. A
-    // copy that cannot be written is an error.
+    // The profile with which the simulation of the mount begins. `own` is the mount's own profile, `fresh` the content
+    // of a new copy. A copy that cannot be written is an error.
     [[nodiscard]] Result<profile::Profile> open(const profile::Profile& own, const profile::Profile& fresh) const;
 
 private:

@@ -27,7 +27,7 @@ void StationThread::prepare()
     m_running = std::make_unique<Running>();
     QThread& thread = m_running->thread;
     thread.setObjectName(QStringLiteral("station"));
-    // Its timers and sockets must end on the thread they live on.
+    // The timers and sockets of the station must end on their own thread.
     connect(
         &thread, &QThread::finished, &thread, [running = m_running.get()] { running->station.reset(); },
         Qt::DirectConnection);
@@ -42,7 +42,7 @@ void StationThread::listenTo(const Station& station)
     connect(&station, &Station::reconnectWanted, this, &StationThread::reconnect);
 }
 
-// From here on the station receives requests. It starts as soon as its thread runs.
+// From this call on the station receives requests. The station starts as soon as its thread runs.
 void StationThread::launch()
 {
     if (m_shuttingDown) {
@@ -74,7 +74,7 @@ void StationThread::end()
     }
 }
 
-// Between two stations there is nothing to wait for.
+// Between two stations there is no station to wait for.
 void StationThread::shutDown()
 {
     m_shuttingDown = true;
@@ -83,7 +83,7 @@ void StationThread::shutDown()
     }
 }
 
-// The old station has left its drives and closed its bus before it asked for this.
+// The old station has stopped its drives and closed its bus before it requested this.
 void StationThread::reconnect(const profile::Profile& profile)
 {
     m_isBetween = true;
@@ -118,7 +118,7 @@ void StationThread::begin(const profile::Profile& profile)
     start();
 }
 
-// What was meant for the mount of before must not move the next one.
+// A request for the previous mount must not move the next one.
 void StationThread::keep(const NumberedRequest& request)
 {
     if (m_isBetween) {

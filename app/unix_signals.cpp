@@ -9,7 +9,7 @@
 namespace boresight::app {
 namespace {
 
-int writeEnd = -1;  // a signal handler can reach nothing but globals
+int writeEnd = -1;  // global, because a signal handler has no other way to reach it
 
 void noteSignal(int number)
 {
@@ -38,7 +38,7 @@ bool isIgnored(int number)
 UnixSignals::UnixSignals(HangUp hangUp, QObject* parent) : QObject(parent), m_hangUp(hangUp)
 {
     if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0, m_sockets.data()) != 0) {
-        return;  // the signals then keep their default: the program dies and the drives stop by their watchdog
+        return;  // the signals keep their default: the program dies and the drives stop by their watchdog
     }
     writeEnd = m_sockets[0];
     m_notifier = std::make_unique<QSocketNotifier>(m_sockets[1], QSocketNotifier::Read);

@@ -7,11 +7,11 @@
 #include <array>
 #include <memory>
 
-// Signals of Unix as Qt signals on the thread that made this object, so that a program can end in good order: SIGTERM,
-// SIGINT and SIGHUP. One per program.
+// Unix signals as Qt signals on the thread that created this object, so that a program can end in good order: SIGTERM,
+// SIGINT and SIGHUP. One object per program.
 namespace boresight::app {
 
-// What SIGHUP means. A program with a terminal or a window ends with it; a service reads its settings again.
+// The effect of SIGHUP. It ends a program with a terminal or a window. A service reads its settings again.
 enum class HangUp
 {
     Ends,  // unless the program was started to outlive its terminal (nohup)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// boresight: the desktop program. The window on this thread, the station on its own.
+// boresight: the desktop program. The window runs on this thread, the station on its own thread.
 #include "app/host_search.h"
 #include "app/log_output.h"
 #include "app/options.h"
@@ -44,8 +44,8 @@ const QString kFavouritesKey = QStringLiteral("passes_favourites_only");
 const QString kColumnsKey = QStringLiteral("passes_columns");
 const QString kGuideKey = QStringLiteral("guide");
 
-constexpr int kFailed = 2;       // what the program ends with
-constexpr int kDarkBelow = 128;  // of 255: the lightness of a desktop that is dark
+constexpr int kFailed = 2;       // exit status
+constexpr int kDarkBelow = 128;  // of 255: a desktop with a lower lightness is dark
 
 int complain(const QString& text)
 {
@@ -79,7 +79,7 @@ void keepLayout(const ui::WindowLayout& layout, QSettings& kept)
     kept.setValue(kColumnsKey, layout.passes.columns);
 }
 
-// Opens by itself at the first start, and wherever it was open when the program ended.
+// The guide opens by itself at the first start. Later it is open if it was open when the program ended.
 ui::GuideProgress guideProgress(const app::Options& options, const QSettings& layout)
 {
     if (!layout.contains(kGuideKey)) {
@@ -103,7 +103,7 @@ ui::WindowSettings windowSettings(const app::Options& options, const QSettings& 
             .onlySimulated = options.simulation != Simulation::Off};
 }
 
-// What the start costs, for tests/bench: from main() to the first picture with a live status in it.
+// Prints the time from main() to the first picture with a live status. For tests/bench.
 void reportStart(const QElapsedTimer& sinceStart, ui::MainWindow& window)
 {
     if (!qEnvironmentVariableIsSet("BORESIGHT_STARTUP_TIMING")) {
@@ -117,10 +117,10 @@ void reportStart(const QElapsedTimer& sinceStart, ui::MainWindow& window)
         static_cast<Qt::ConnectionType>(Qt::QueuedConnection | Qt::SingleShotConnection));
 }
 
-// The first time: as large as it likes where that fits into the screen with a window manager's frame, else all of it.
+// At the first start: the preferred size if it fits into the screen with a window frame, else maximized.
 void showFirst(ui::MainWindow& window)
 {
-    const QSize frame(16, 48);  // generous: it is known only once the window is shown
+    const QSize frame(16, 48);  // generous: the real size of the frame is known only after the window is shown
     const QSize room = window.screen()->availableSize() - frame;
     if (window.width() <= room.width() && window.height() <= room.height()) {
         window.show();
@@ -217,7 +217,7 @@ void nameProgram()
     QCoreApplication::setApplicationVersion(QString::fromUtf8(kVersion.data(), kVersion.size()));
 }
 
-// Help, version and mistakes of the command line or the profile are told without a display.
+// Help, version and errors of the command line or the profile are printed without a display.
 tl::expected<app::Options, app::NoStart> readOptionsAlone(int argc, char** argv, const QStringList& more)
 {
     const QCoreApplication application(argc, argv);
@@ -226,8 +226,8 @@ tl::expected<app::Options, app::NoStart> readOptionsAlone(int argc, char** argv,
                             QStringLiteral("Controls a ground-station antenna mount."));
 }
 
-// Whoever starts it from a menu sees no terminal, and wherever it was started another profile helps. The end of the
-// session closes the window as its button does. Returns the profile to start with instead; empty: none.
+// A program that was started from a menu has no terminal, so a window shows the problem and offers another profile. The
+// end of the session closes the window like its button. Returns the chosen profile; empty: none.
 QString complainInWindow(int argc, char** argv, const QString& text)
 {
     QApplication::setStyle(QStringLiteral("Fusion"));

@@ -10,7 +10,7 @@
 namespace boresight::ctl {
 namespace {
 
-// "azimuth moteus id 1".
+// For example "azimuth moteus id 1".
 QString driverText(const QString& axis, const profile::AxisSettings& settings)
 {
     if (settings.driver == profile::AxisDriver::None) {

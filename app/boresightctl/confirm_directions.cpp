@@ -16,7 +16,7 @@ ExitStatus fail(const Error& error)
     return kFoundWrong;
 }
 
-// Of each axis that the mount has.
+// Names each axis that the mount has.
 QString question(const profile::Profile& profile)
 {
     QStringList speeds;

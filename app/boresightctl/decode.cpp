@@ -48,7 +48,7 @@ Result<std::vector<std::uint8_t>> readBytes(const std::string& digits)
     return *bytes;
 }
 
-// The data may come in pieces, as logs show it: "11 00 1f" in one argument or in three.
+// The data may come in several pieces, as in logs: "11 00 1f" as one argument or as three.
 Result<CanFrame> readFrame(Arguments arguments)
 {
     std::string digits;

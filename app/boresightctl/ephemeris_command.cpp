@@ -22,9 +22,9 @@ namespace {
 constexpr int kAngleDecimals = 6;
 constexpr int kRangeDecimals = 6;
 constexpr int kRateDecimals = 9;
-constexpr int kDopplerDecimals = 12;  // as fine as the rate
+constexpr int kDopplerDecimals = 12;  // the same precision as the range rate
 constexpr int kBodyDecimals = 3;
-constexpr qint64 kMostBytesOfTimes = 16 << 20;  // 700,000 times
+constexpr qint64 kMostBytesOfTimes = 16 << 20;  // 16 MiB: 700,000 times
 constexpr int kMostBadLines = 100;
 
 struct SkyTimes
@@ -33,7 +33,7 @@ struct SkyTimes
     int badLines = 0;
 };
 
-// A single read() of a pipe returns what is in it already.
+// Reads to the end of the file or up to `most` bytes. A single read() of a pipe returns only what it holds already.
 QByteArray upTo(qint64 most, QFile& file)
 {
     constexpr qint64 kPiece = 1 << 16;
@@ -59,8 +59,8 @@ Result<QByteArray> bytesOf(const QString& path)
     return bytes;
 }
 
-// One in each line, before a comma if there is one. Blank lines, comments that begin with # and a line of names above
-// all times are left out.
+// Reads one time per line; a comma and the text after it are ignored. Blank lines, comments that begin with # and a
+// line of column names above all times are left out.
 SkyTimes timesOf(const QByteArray& bytes, const QString& path)
 {
     SkyTimes times;
@@ -98,7 +98,7 @@ Row directionRow(UtcTime utc, const SkyPointing& direction)
             formatFixed(direction.elevation.degrees(), kAngleDecimals)};
 }
 
-// A time at which there is no answer has a row without numbers, so that rows and times stay beside each other.
+// A time without an answer has a row without numbers, so that row N belongs to time N.
 Row emptyRow(UtcTime utc, std::size_t columns)
 {
     Row row(columns);
@@ -106,7 +106,7 @@ Row emptyRow(UtcTime utc, std::size_t columns)
     return row;
 }
 
-// What is printed of each time.
+// What is printed for each time.
 struct SkyView
 {
     const Site& site;

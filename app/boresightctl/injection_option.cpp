@@ -187,7 +187,7 @@ std::string arguments(const InjectionOption& option)
 
 constexpr double kLongestTime = 86400.0;  // s
 
-// "5", "5s", "500ms", up to a day.
+// For example "5", "5s" or "500ms", up to a day.
 std::optional<double> readTime(std::string_view text)
 {
     double factor = 1.0;
@@ -220,7 +220,7 @@ std::string numberText(double value)
     return text.ends_with('.') ? text.substr(0, text.size() - 1) : text;
 }
 
-// The text in its parts: az : 30 @ 5 + 3.
+// The parts of an option's text: az : 30 @ 5 + 3.
 struct Parts
 {
     std::optional<Axis> axis{};
@@ -249,7 +249,7 @@ Parts split(std::string_view text)
     return parts;
 }
 
-// What is wrong with the parts; each check leaves its result in the injection. Empty: nothing.
+// Each check stores its part in the injection and returns what is wrong with it. Empty: nothing is wrong.
 QString takeAxis(const InjectionOption& option, const Parts& parts, Injection& injection)
 {
     injection.axis = parts.axis;
@@ -260,7 +260,7 @@ QString takeValue(const InjectionOption& option, const Parts& parts, Injection& 
 {
     std::string text(parts.value);
     if (option.need == kOptional && !parts.axis && text.starts_with(':')) {
-        text.erase(0, 1);  // "[AXIS][:VALUE]" without an axis
+        text.erase(0, 1);  // the form "[AXIS][:VALUE]" without an axis
     }
     if (text.empty()) {
         return option.need == kNeeded ? QStringLiteral("the value is missing") : QString();
@@ -301,7 +301,7 @@ QString takeTimes(const Parts& parts, Injection& injection)
     return {};
 }
 
-// As it stands behind a number.
+// The unit as it is written after a number.
 std::string unitText(const InjectionOption& option)
 {
     if (option.unit.empty()) {
@@ -356,7 +356,7 @@ Result<Injection> parseInjection(const InjectionOption& option, std::string_view
                            .arg(toQString(option.name), toQString(text), problem, toQString(arguments(option))));
     }
     if (option.kind == FaultKind::DuplicateId && !injection.axis) {
-        injection.axis = Axis::Elevation;  // both with the other's id would be two different ids again
+        injection.axis = Axis::Elevation;  // if both axes took the id of the other, the ids would differ again
     }
     return injection;
 }

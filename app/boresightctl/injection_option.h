@@ -7,9 +7,9 @@
 #include <string>
 #include <string_view>
 
-// Injected faults as options of the command line: --NAME [AXIS:]VALUE[@START][+DURATION], for instance --wind
-// az:30Nm@5+3. AXIS is az or el, both without it. START and DURATION are times ("5", "5s", "500ms") on the clock of
-// the simulated pair; without them the fault is there from the beginning and for ever. Pure.
+// Injected faults as options of the command line: --NAME [AXIS:]VALUE[@START][+DURATION], for example --wind
+// az:30Nm@5+3. AXIS is az or el; without AXIS the fault is on both. START and DURATION are times ("5", "5s", "500ms")
+// on the clock of the simulated pair. Without them the fault is present from the beginning and for ever. Pure.
 namespace boresight::ctl {
 
 enum class NeedOfValue
@@ -24,26 +24,26 @@ struct InjectionOption
     std::string_view name;  // without the dashes
     sim::FaultKind kind;
     NeedOfValue need = NeedOfValue::None;
-    std::string_view value;  // what the help calls it: "TORQUE"
-    std::string_view unit;   // may stand behind the number; "s" also allows "ms"
+    std::string_view value;  // the name of the value in the help: "TORQUE"
+    std::string_view unit;   // may follow the number; "s" also allows "ms"
     double min = 0.0;
     double max = 0.0;
     bool whole = false;     // no fractions
-    bool takesAxis = true;  // else of the mount or the adapter
+    bool takesAxis = true;  // false: a fault of the mount or the adapter
     bool ofAdapter = false;
     std::string_view text;  // "wind of # Nm": # is the value
 };
 
-// Nothing if no fault has that name.
+// Null if no fault has this name.
 [[nodiscard]] const InjectionOption* findInjectionOption(std::string_view name);
 
 // The error names the option and what it expects.
 [[nodiscard]] Result<sim::Injection> parseInjection(const InjectionOption& option, std::string_view text);
 
-// The fault is one of the adapter. A CAN interface has no adapter.
+// True: the fault is one of the USB adapter. A CAN interface has no adapter.
 [[nodiscard]] bool isOfAdapter(sim::FaultKind kind);
 
-// "elevation: wind of 30 Nm".
+// For example "elevation: wind of 30 Nm".
 [[nodiscard]] std::string describe(const sim::Injection& injection);
 
 // One line per option, for the help.

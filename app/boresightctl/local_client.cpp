@@ -66,8 +66,9 @@ local::LocalAnswer askLocally(const profile::ListenAddress& station, const local
                            : QStringLiteral("No station listens on %1: %2.").arg(path(), socket.errorString()));
     }
     socket.write(local::requestLine(request));
-    const QDeadlineTimer deadline(patience);                  // all of it again: the station may have obeyed already
-    while (socket.state() == QLocalSocket::ConnectedState) {  // until the station has sent all
+    // The whole patience again: the station may have obeyed already.
+    const QDeadlineTimer deadline(patience);
+    while (socket.state() == QLocalSocket::ConnectedState) {  // until the station has sent everything
         if (!socket.waitForReadyRead(static_cast<int>(deadline.remainingTime())) && deadline.hasExpired()) {
             return failure(ErrorCode::NoAnswer,
                            QStringLiteral("The station on %1 does not answer: %2.").arg(path(), socket.errorString()));

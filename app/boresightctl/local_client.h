@@ -11,19 +11,19 @@
 #include <chrono>
 #include <functional>
 
-// A station of this user on this computer, or for root its service, asked by its local socket. Waits for the socket at
-// most kPatience of rotctld_client.h, and then for the answer. Error codes: InvalidInput for the station of another
-// computer, Refused with the reason of the station, or NoAnswer when nobody answers.
+// Asks a station of this user on this computer (for root: the service) through its local socket. Waits for the socket
+// at most kPatience of rotctld_client.h, and then for the answer. Error codes: InvalidInput for a station on another
+// computer, Refused with the reason of the station, NoAnswer if nobody answers.
 namespace boresight::ctl {
 
 [[nodiscard]] local::LocalAnswer askLocally(const profile::ListenAddress& station, const local::LocalRequest& request,
                                             std::chrono::seconds patience = kPatience);
 
-// Whether askLocally() finds a socket without waiting for it.
+// Whether the local socket exists now.
 [[nodiscard]] bool hasLocalSocket(const profile::ListenAddress& station);
 
-// Connects to the path of this moment, by the deadline. `pause` comes between two attempts: a station that reconnects
-// has no socket for a moment.
+// Connects before the deadline. Calls `path` before each attempt and `pause` between two attempts, because a station
+// that reconnects has no socket for a moment.
 [[nodiscard]] bool connectBy(const QDeadlineTimer& deadline, const std::function<QString()>& path, QLocalSocket& socket,
                              const std::function<void()>& pause);
 

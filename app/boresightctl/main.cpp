@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// boresightctl: simulate, find and understand moteus controllers, check profiles, predict satellites, Sun and Moon, ask
-// a running station. Commands no drive itself.
+// boresightctl: simulates, finds and explains moteus controllers, checks profiles, predicts satellites, Sun and Moon,
+// and asks a running station. It never commands a drive directly.
 #include "app/boresightctl/subcommand.h"
 #include "app/log_output.h"
 #include "core/base/text.h"

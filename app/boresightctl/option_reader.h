@@ -9,7 +9,7 @@
 
 namespace boresight::ctl {
 
-// Options and their values one after the other: "--name value", "--name=value", "--name".
+// Reads options and their values one after the other: "--name value", "--name=value", "--name".
 class OptionReader
 {
 public:
@@ -17,16 +17,16 @@ public:
 
     [[nodiscard]] bool atEnd() const { return m_arguments.empty(); }
 
-    // The option without its dashes; what it may take as a value is then waiting.
+    // The name of the next option without its dashes. Call takeValue() next if the option takes a value.
     [[nodiscard]] Result<std::string> takeName();
-    // Nothing if the next argument is an option itself. A negative number is a value.
+    // Empty if the next argument is an option. A negative number is a value.
     [[nodiscard]] std::optional<std::string> takeValue();
 
     [[nodiscard]] bool hasUnusedValue() const { return m_joined.has_value(); }
 
 private:
     Arguments m_arguments;
-    std::optional<std::string> m_joined;  // behind "="
+    std::optional<std::string> m_joined;  // the text after "="
 };
 
 }  // namespace boresight::ctl

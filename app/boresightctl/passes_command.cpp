@@ -29,7 +29,7 @@ struct FoundPass
     passes::Pass pass;
 };
 
-// That is to track the passes, with its main antenna.
+// The mount that is to track the passes, with its main antenna.
 struct Mount
 {
     std::function<bool(const SkyPointing&)> isClear;
@@ -48,7 +48,7 @@ Result<std::optional<Mount>> chosenMount(const QString& file)
     });
 }
 
-// What the mount makes of it.
+// Flags that show how well the mount can track the pass.
 std::string mountFlagsOf(const FoundPass& found, const Site& site, const Mount& mount)
 {
     constexpr Seconds kHidden{1.0};
@@ -71,7 +71,7 @@ std::string degreesCell(Angle angle)
     return formatFixed(angle.degrees(), kDegreeDecimals);
 }
 
-// To the digits that are printed.
+// Rounded to the printed digits.
 std::string timeCell(UtcTime utc)
 {
     return skyTimeText(std::chrono::round<std::chrono::milliseconds>(utc), kTimeDigits);
@@ -99,7 +99,7 @@ RecordTable tableOf(const std::vector<FoundPass>& found, const Site& site, const
     return table;
 }
 
-// What the table cannot show of a satellite.
+// Reports on standard error what the table cannot show about a satellite.
 void report(const orbit::ElementSet& set, const passes::PassList& list, const passes::PassSearch& search, bool isAsked)
 {
     if (list.end) {

@@ -71,7 +71,7 @@ std::string jsonObject(const std::vector<TableColumn>& columns, const Cells& cel
     return object + '}';
 }
 
-// As a terminal shows it: names of satellites are hardly wider than their letters.
+// Width on a terminal. A name of a satellite is hardly wider than its number of letters.
 std::size_t widthOf(const std::string& text)
 {
     return static_cast<std::size_t>(QString::fromStdString(text).size());
@@ -109,7 +109,7 @@ std::string inColumns(const RecordTable& table)
 
 std::optional<TableFormat> parseTableFormat(std::string_view name)
 {
-    constexpr std::array<std::string_view, 3> kNames{"csv", "table", "json"};  // as TableFormat
+    constexpr std::array<std::string_view, 3> kNames{"csv", "table", "json"};  // in the order of TableFormat
     const auto* const found = std::ranges::find(kNames, name);
     if (found == kNames.end()) {
         return std::nullopt;

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-// Rows that another program reads, or a person: as CSV with a line of names, as a JSON array of objects with these
-// names, or as columns of one width. Pure.
+// Rows for another program or for a person: as CSV with a header line, as a JSON array of objects, or as columns of
+// equal width. Pure.
 namespace boresight::ctl {
 
 enum class TableFormat
@@ -17,7 +17,7 @@ enum class TableFormat
     Json
 };
 
-// "csv", "table" or "json". Empty for all else.
+// "csv", "table" or "json". Empty for any other text.
 [[nodiscard]] std::optional<TableFormat> parseTableFormat(std::string_view name);
 
 struct TableColumn
@@ -29,7 +29,7 @@ struct TableColumn
 struct RecordTable
 {
     std::vector<TableColumn> columns;
-    std::vector<std::vector<std::string>> rows;  // UTF-8. An empty number is one that there is not: null
+    std::vector<std::vector<std::string>> rows;  // UTF-8. An empty number is unknown; JSON has null for it
 
     [[nodiscard]] std::string text(TableFormat format) const;
 };

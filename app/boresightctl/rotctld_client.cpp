@@ -13,7 +13,7 @@ namespace {
 
 constexpr qsizetype kLongestReply = 4096;
 
-// The protocol gives a number only: core/rotctld/README.md.
+// The protocol reports only a number (core/rotctld/README.md).
 QString refusalText(int code)
 {
     switch (code) {
@@ -30,7 +30,7 @@ QString refusalText(int code)
     }
 }
 
-// The number of the last line, "RPRT -9"; empty while the reply is not complete.
+// The number in the last line, for example "RPRT -9". Empty while the reply is incomplete.
 std::optional<int> codeOf(const QByteArray& reply)
 {
     const qsizetype place = reply.lastIndexOf("RPRT ");
@@ -42,7 +42,7 @@ std::optional<int> codeOf(const QByteArray& reply)
     return isNumber ? std::optional(code) : std::nullopt;
 }
 
-// What stands behind "LABEL: " in an extended reply.
+// The text after "LABEL: " in an extended reply.
 QByteArray valueOf(const QByteArray& reply, const QByteArray& label)
 {
     for (const QByteArray& line : reply.split('\n')) {

@@ -11,8 +11,9 @@
 
 #include <chrono>
 
-// A station as a client of its rotctld server asks it, one question after the other. Waits for the answers, together
-// at most kPatience: for a program that does nothing else. Error codes: Refused, or NoAnswer when nobody answers.
+// Asks a station as a client of its rotctld server, one question after the other. All answers together take at most
+// kPatience. It blocks, so it is for programs that do nothing else meanwhile. Error codes: Refused, or NoAnswer if
+// nobody answers.
 namespace boresight::ctl {
 
 inline constexpr std::chrono::seconds kPatience{2};
@@ -26,7 +27,7 @@ public:
     [[nodiscard]] Result<> park();
     // Ends the motion. The protocol has no STOP that latches.
     [[nodiscard]] Result<> hold();
-    // The keys of station_report.h, as far as the protocol knows them.
+    // The keys of station_report.h that the protocol can report.
     [[nodiscard]] Result<QJsonObject> status();
 
 private:

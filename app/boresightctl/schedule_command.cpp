@@ -35,7 +35,7 @@ std::string cell(const QJsonObject& row, const char* key)
     return value.isDouble() ? QString::number(value.toDouble(), 'g', 12).toStdString() : value.toString().toStdString();
 }
 
-// The columns are the names of what the station says.
+// The columns are named like the keys in the answer of the station.
 std::string tableOfRows(const std::vector<TableColumn>& columns, const QJsonArray& rows)
 {
     RecordTable table{.columns = columns, .rows = {}};
@@ -130,7 +130,7 @@ void printAnswer(local::LocalCommand command, const QByteArray& answer, bool jso
     }
 }
 
-// Its end.
+// Waits for the end of the rehearsal and returns its result.
 local::LocalAnswer awaitRehearsal(const profile::ListenAddress& station)
 {
     while (true) {

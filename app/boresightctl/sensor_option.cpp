@@ -101,7 +101,7 @@ std::string help(const SensorOption& option)
            std::string(option.text) + '\n';
 }
 
-// The numbers between the commas; one that is none, or outside, ends them.
+// The numbers between the commas, up to the first that is invalid or out of range.
 std::vector<double> readNumbers(const SensorOption& option, std::string_view text)
 {
     std::vector<double> numbers;

@@ -7,21 +7,21 @@
 #include <string>
 #include <string_view>
 
-// What the simulated orientation sensor and the mount below it hide, as options of the command line: --NAME
-// NUMBER[,NUMBER…], for instance --sensor-deviation 6,-5,2,2. Pure.
+// Errors of the simulated orientation sensor and its mount, as options of the command line: --NAME NUMBER[,NUMBER…],
+// for example --sensor-deviation 6,-5,2,2. Pure.
 namespace boresight::ctl {
 
 struct SensorOption
 {
     std::string_view name;    // without the dashes
-    std::string_view values;  // what the help calls them: "NORTH,EAST"
+    std::string_view values;  // the name of the values in the help: "NORTH,EAST"
     std::string_view text;
-    double min = 0.0;  // of each
+    double min = 0.0;  // of each number
     double max = 0.0;
     void (*set)(sim::SensorTruth& truth, const double* numbers);
 };
 
-// Nothing if there is none of that name.
+// Null if no option has this name.
 [[nodiscard]] const SensorOption* findSensorOption(std::string_view name);
 
 // The error names the option and what it expects.

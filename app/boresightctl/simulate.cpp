@@ -38,7 +38,8 @@ std::string truthText(std::string_view name, const sim::AxisTruth& truth)
            "_fault=" + std::to_string(truth.faultCode);
 }
 
-// The pair, and who makes it a device of its own. The pair's time 0 is when this is made.
+// The simulated pair, with everything that makes it a device for other programs. The pair's time 0 is the time of its
+// creation.
 class SimulatedDevice
 {
 public:
@@ -79,7 +80,7 @@ Result<> SimulatedDevice::start()
     return (m_options.can.empty() ? startOnPty() : startOnCan()).and_then([this] { return startSensor(); });
 }
 
-// One box, whichever way it is heard.
+// The same sensor box, connected by serial line or MQTT.
 Result<> SimulatedDevice::startSensor()
 {
     if (!m_options.hasSensor()) {
@@ -137,7 +138,7 @@ Result<> SimulatedDevice::startOnCan()
     return {};
 }
 
-// On the timers of the event loop, which run beside the pair's own clock: within a millisecond or two of it.
+// Uses the timers of the event loop. They agree with the pair's own clock within a millisecond or two.
 void SimulatedDevice::announceInjections()
 {
     const auto announceAt = [this](Seconds time, const std::string& text) {
@@ -172,7 +173,7 @@ ExitStatus simulate(const SimulateOptions& options)
         complain(kSimulateCommand, started.error().text);
         return kFoundWrong;
     }
-    RealTime realTime;  // drives keep their time whatever else the computer does
+    RealTime realTime;  // real-time priority: drives keep their time under any load of the computer
     realTime.ask();
     print("ready\n");
     device.announceInjections();

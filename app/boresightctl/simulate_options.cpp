@@ -47,12 +47,12 @@ Result<> takeBroker(OptionReader& reader, SimulateOptions& options)
     if (!address || address->port == 0) {
         return refuse(QStringLiteral("--sensor-mqtt \"%1\": expected HOST[:PORT]").arg(toQString(text)));
     }
-    // Its own name, not the firmware's: a real sensor at the same broker must not be thrown out.
+    // A client name of its own. With the name of the firmware, the broker would disconnect a real sensor.
     options.sensorBroker = mqtt::Broker{.host = QString::fromStdString(address->host), .port = address->port};
     return {};
 }
 
-// A topic begins with it; "+" and "#" stand for several.
+// Topics begin with this text. "+" and "#" are wildcards, so they are refused.
 Result<> takeTopics(OptionReader& reader, SimulateOptions& options)
 {
     return takeText("sensor-topics", reader, options.sensorTopics).and_then([&]() -> Result<> {
@@ -69,7 +69,7 @@ Result<> takeSwitch(const std::string& name, OptionReader& reader, bool& state)
     return reader.hasUnusedValue() ? refuse(QStringLiteral("--%1 takes no value").arg(toQString(name))) : Result<>();
 }
 
-// Nothing if no option of the sensor has that name.
+// Empty if the sensor has no option of this name.
 std::optional<Result<>> takeOptionOfSensor(const std::string& name, OptionReader& reader, SimulateOptions& options)
 {
     if (name == "sensor") {

@@ -16,13 +16,13 @@ namespace boresight::ctl {
 
 struct SimulateOptions
 {
-    std::string pty;  // exactly one of these two is given
+    std::string pty;  // exactly one of these two is set
     std::string can;
-    std::string sensor;  // link to the orientation sensor's pseudo-terminal; empty: none
+    std::string sensor;  // link to the pseudo-terminal of the orientation sensor; empty: none
     std::optional<mqtt::Broker> sensorBroker{};
     std::string sensorTopics = "antenna/";
-    bool orientationOnly = false;  // of these
-    std::string ofSensor;          // an option that was given and needs a sensor
+    bool orientationOnly = false;  // only the orientation is sent
+    std::string ofSensor;          // an option that was entered and needs a sensor
     sim::SensorTruth sensorTruth = sim::truthToBeFound();
     std::optional<int> azimuthId{};
     std::optional<int> elevationId{};

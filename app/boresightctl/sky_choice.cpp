@@ -26,7 +26,7 @@ QString commaSeparated(const std::vector<std::string>& entries)
     return all.join(QStringLiteral(", "));
 }
 
-// Asks the addresses that are due, as the station does, and returns the files of the cache.
+// Downloads the addresses that are due, by the rules of the station, and returns the files of the cache.
 QStringList downloaded(const std::vector<orbit::ElementAddress>& addresses)
 {
     const QString folder = orbit::ElementCache::userFolder();
@@ -51,7 +51,7 @@ QStringList downloaded(const std::vector<orbit::ElementAddress>& addresses)
     return files;
 }
 
-// Of files and addresses.
+// The files of all entries, which are files or addresses.
 QStringList filesOf(const std::vector<std::string>& entries)
 {
     QStringList files;

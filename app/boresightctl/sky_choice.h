@@ -6,16 +6,17 @@
 
 #include <vector>
 
-// The satellites and the site that a command line means. Blocking: they are in files, or downloaded.
+// The satellites and the site that a command line names. Blocking: reads files and may download.
 namespace boresight::ctl {
 
-// The element sets of the files and addresses, or the one of the number. Reports each bad set, and when none is left.
+// All element sets of the files and addresses, or only the set with the entered number. Reports each bad set, and
+// reports when no set is left.
 [[nodiscard]] std::vector<orbit::ElementSet> chosenSatellites(const Subcommand& subcommand, const SkyOptions& options);
 
-// "ISS (ZARYA) (25544)" in messages.
+// The form in messages: "ISS (ZARYA) (25544)".
 [[nodiscard]] QString satelliteText(const orbit::ElementSet& set);
 
-// As it is typed, or of the file of Gpredict.
+// The site from the command line or from Gpredict's file.
 [[nodiscard]] Result<Site> chosenSite(const SkyOptions& options);
 
 }  // namespace boresight::ctl

@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-// The command lines of `boresightctl ephemeris` and `boresightctl passes`, as values. Pure, but for "now".
+// The command lines of `boresightctl ephemeris` and `boresightctl passes`, as values. Pure, except for the time "now".
 namespace boresight::ctl {
 
 struct SkyOptions
@@ -26,9 +26,9 @@ struct SkyOptions
     std::optional<ephemeris::SkyObject> object;
     QString table;  // a file
     std::optional<Site> site;
-    QString siteFile;     // a .qth of Gpredict, in place of it
-    QString profileFile;  // of a mount that is to track the passes; empty: none is judged
-    QString times;        // a file, "-" is standard input
+    QString siteFile;     // a .qth file of Gpredict, instead of `site`
+    QString profileFile;  // of the mount that is to track the passes; empty: passes are not judged
+    QString times;        // a file; "-" is standard input
     std::optional<UtcTime> from;
     std::optional<double> days;
     std::optional<Angle> minimumElevation;
@@ -37,7 +37,7 @@ struct SkyOptions
     TableFormat format = TableFormat::Csv;
 };
 
-// All that each of them needs is there, and nothing that it has no use for.
+// Refused if an option is missing, or if an option does not belong to the subcommand.
 [[nodiscard]] Result<SkyOptions> parseEphemerisOptions(Arguments arguments);
 [[nodiscard]] Result<SkyOptions> parsePassesOptions(Arguments arguments);
 

@@ -35,7 +35,7 @@ std::string skyTimeText(UtcTime utc, int digits)
                                   .toStdString();
     std::string fraction = std::to_string((rounded - second).count());
     fraction.insert(0, static_cast<std::size_t>(kMicrosecondDigits) - fraction.size(), '0');
-    const std::size_t needed = fraction.find_last_not_of('0') + 1;  // 0 of a whole second
+    const std::size_t needed = fraction.find_last_not_of('0') + 1;  // 0 for a whole second
     fraction.resize(std::max(needed, static_cast<std::size_t>(digits)));
     return whole + (fraction.empty() ? "" : ".") + fraction + "Z";
 }

@@ -10,12 +10,13 @@
 // Times of the command line and of tables. Pure.
 namespace boresight::ctl {
 
-// "2024-05-10T04:50:02.5Z": with Z, +00:00 or neither, with or without fraction and seconds, with a blank for the T,
-// the day of the year for month and day, the day alone for its midnight, or Unix seconds. UTC, of the years 1957 to
-// 2199.
+// For example "2024-05-10T04:50:02.5Z". The zone is Z, +00:00 or missing. Fraction and seconds may be missing. A blank
+// may replace the T, and the day of the year may replace month and day. A day alone means its midnight. Unix seconds
+// are valid, too. UTC, years 1957 to 2199.
 [[nodiscard]] Result<UtcTime> parseSkyTime(std::string_view text);
 
-// "2024-05-10T04:50:02Z". `digits` of a second at least, and more, up to six, if it takes them to write the time.
+// For example "2024-05-10T04:50:02Z". Writes at least `digits` decimals of a second, and up to six if the time needs
+// them.
 [[nodiscard]] std::string skyTimeText(UtcTime utc, int digits);
 
 }  // namespace boresight::ctl

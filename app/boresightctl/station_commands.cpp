@@ -13,7 +13,7 @@
 namespace boresight::ctl {
 namespace {
 
-// Asks `station` for one thing; `done` is told when it agrees.
+// Asks `station` for one thing, and prints `done` when the station agrees.
 template <class Ask>
 ExitStatus orderOf(const Subcommand& subcommand, const StationOptions& options, const Ask& ask, const QString& done)
 {
@@ -57,7 +57,7 @@ QString doneText(local::LocalCommand command)
     return QStringLiteral("STOP is latched. The mount slows down and holds. Nothing moves it until reset-stop.");
 }
 
-// The same by the local socket, for what rotctld has no words for.
+// The same through the local socket, for commands that rotctld lacks.
 template <const Subcommand& subcommand, local::LocalCommand command>
 ExitStatus runLocally(Arguments arguments)
 {
@@ -113,15 +113,15 @@ ExitStatus runPark(Arguments arguments)
                    : usageError(kParkCommand, options.error().text);
 }
 
-// Of a station of this computer. Empty: it does not answer.
+// The answer of a station on this computer. Empty: it does not answer.
 QJsonObject toldLocally(const profile::ListenAddress& station, local::LocalCommand question)
 {
     const auto answer = askLocally(station, {.command = question});
     return QJsonDocument::fromJson(answer.value_or(QByteArray())).object();
 }
 
-// rotctld knows no more than whether an axis moves, and not that a slow one tracks. The station of this computer
-// reports what its window shows, and its transmit output if it has one.
+// rotctld only reports whether an axis moves, so it does not show that a slow mount is tracking. The station of this
+// computer reports what its window shows, and its transmit output if it has one.
 void addLocal(QJsonObject& report, const profile::ListenAddress& station)
 {
     if (!hasLocalSocket(station)) {

@@ -6,7 +6,7 @@
 
 #include <string>
 
-// What the subcommands that ask a running station have in common: paragraphs of their help, and how they end.
+// Shared by the subcommands that ask a running station: paragraphs of their help, and their exit status.
 namespace boresight::ctl {
 
 inline const std::string kExitStatus =
@@ -28,7 +28,7 @@ of the station, for the user who started the station. The socket of the service 
 sudo.
 )";
 
-// Says why nothing was done: by the station, or because nobody answers.
+// Prints why nothing was done: the station refused, or nobody answers.
 ExitStatus failedBy(const Subcommand& subcommand, const Error& error);
 
 }  // namespace boresight::ctl

@@ -14,18 +14,18 @@ namespace boresight::ctl {
 
 struct StationOptions
 {
-    std::optional<profile::ListenAddress> station;  // as given; empty: the one on this computer
+    std::optional<profile::ListenAddress> station;  // as entered; empty: the station on this computer
     bool json = false;
-    std::vector<std::string> places;  // what is no option
+    std::vector<std::string> places;  // the arguments that are not options
 };
 
-// `count` is how many arguments that are no options the subcommand has.
+// `count`: the number of arguments of the subcommand that are not options.
 [[nodiscard]] Result<StationOptions> parseStationOptions(Arguments arguments, std::size_t count);
 
-// Those of `track`: its places are the words of the target.
+// The arguments of `track`: its places are the words of the target.
 [[nodiscard]] Result<StationOptions> parseTrackOptions(Arguments arguments);
 
-// Those of `antenna`: its places are the words of the name, or none.
+// The arguments of `antenna`: its places are the words of the name, or empty.
 [[nodiscard]] Result<StationOptions> parseAntennaOptions(Arguments arguments);
 
 struct SatellitesOptions
@@ -35,7 +35,7 @@ struct SatellitesOptions
 };
 [[nodiscard]] Result<SatellitesOptions> parseSatellitesOptions(Arguments arguments);
 
-// What both protocols take: an azimuth of any wrap, -3600°…3600°, and an elevation of -90°…180°.
+// The range of both protocols: an azimuth of any wrap, -3600°…3600°, and an elevation of -90°…180°.
 [[nodiscard]] Result<SkyPointing> parseDirection(const std::string& azimuth, const std::string& elevation);
 
 }  // namespace boresight::ctl

@@ -15,7 +15,7 @@ QString actualText(const QJsonValue& actual)
         .arg(direction[QStringLiteral("elevation")].toDouble(), 0, 'f', 2);
 }
 
-// Empty: the station has no such output, or is another computer's.
+// Empty: the station has no transmit output, or runs on another computer.
 QString transmitText(const QJsonObject& transmit)
 {
     if (transmit.isEmpty()) {
@@ -30,7 +30,7 @@ QString transmitText(const QJsonObject& transmit)
     return QStringLiteral("transmit: %1\n").arg(parts.join(QStringLiteral(". ")));
 }
 
-// A speed that is not of now is none. Empty: the station reads no wind, or is another computer's.
+// An old speed is not shown. Empty: the station reads no wind, or runs on another computer.
 QString windText(const QJsonObject& wind)
 {
     if (wind.isEmpty()) {
@@ -52,7 +52,7 @@ QString windText(const QJsonObject& wind)
     return QStringLiteral("wind:     %1\n").arg(parts.join(QStringLiteral(". ")));
 }
 
-// Empty: rotctld does not report it, or there is none.
+// Empty: rotctld does not report this key, or its value is empty.
 QString lineOf(const QJsonObject& report, const QString& key)
 {
     const QString value = report[key].toString();

@@ -7,18 +7,18 @@
 #include <string>
 #include <string_view>
 
-// What boresightctl can be asked to do. Each subcommand is one file that offers one entry of the table in main.cpp.
+// The subcommands of boresightctl. Each subcommand is one file that offers one entry of the table in main.cpp.
 namespace boresight::ctl {
 
 enum ExitStatus : int
 {
     kDone = 0,
-    kFoundWrong = 1,    // the work was done, or tried, and something is wrong
-    kUsage = 2,         // the command line makes no sense
+    kFoundWrong = 1,    // the work was done or tried, and something is wrong
+    kUsage = 2,         // the command line is invalid
     kNoConnection = 3,  // no station answers
 };
 
-using Arguments = std::span<const std::string>;  // behind the subcommand's name
+using Arguments = std::span<const std::string>;  // the arguments after the name of the subcommand
 
 struct Subcommand
 {
@@ -50,13 +50,13 @@ extern const Subcommand kTrackCommand;
 extern const Subcommand kAntennaCommand;
 extern const Subcommand kSatellitesCommand;
 
-// Standard output, at once, also into a pipe: what programs may read, and tables and help of a fixed width.
+// Prints to standard output without delay, also into a pipe: text for programs, and tables and help of fixed width.
 void print(const std::string& text);
-// The same for one line to a person.
+// The same for one line that a person reads.
 void printLine(const QString& line);
-// "boresightctl scan: TEXT" on standard error.
+// Prints "boresightctl scan: TEXT" to standard error.
 void complain(const Subcommand& subcommand, const QString& text);
-// The same, and where to read how it is used.
+// The same, followed by where to read about the usage.
 ExitStatus usageError(const Subcommand& subcommand, const QString& text);
 
 }  // namespace boresight::ctl

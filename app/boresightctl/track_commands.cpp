@@ -21,10 +21,10 @@ using Days = std::chrono::duration<double, std::chrono::days::period>;
 
 constexpr int kAgeDecimals = 2;
 
-// The station reads a file of 100 MB in some seconds.
+// The station needs some seconds for a file of 100 MB.
 constexpr std::chrono::seconds kFilePatience{60};
 
-// A file is named by its whole path, because the station has another folder.
+// The path of a file is made absolute, because the station runs in another folder.
 Result<QByteArray> sent(const std::string& target)
 {
     const auto file = targets::tableFile(target);

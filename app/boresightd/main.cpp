@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// boresightd: the station without a screen. Its main thread is the station thread.
+// boresightd: the station without a window. The main thread is the station thread.
 #include "app/log_output.h"
 #include "app/options.h"
 #include "app/service_notify.h"
@@ -39,7 +39,7 @@ Result<app::Options> readOptions()
         .map_error([](const app::NoStart& problem) { return problem.error; });
 }
 
-// Without --profile the window may have made another mount the current one meanwhile.
+// Without --profile, the window may have made another mount the current one since the start.
 Result<profile::Profile> readAgain(const app::Options& started)
 {
     return readOptions().and_then([&](const app::Options& now) -> Result<profile::Profile> {
@@ -53,7 +53,7 @@ Result<profile::Profile> readAgain(const app::Options& started)
     });
 }
 
-// The file is read on another thread: a slow disk must not keep the drives waiting. `started` outlives the reader.
+// Reads the file on another thread: a slow disk must not keep the drives waiting. `started` must outlive the reader.
 void reload(Station& station, const app::Options& started, QThreadPool& reader)
 {
     app::notifyService("RELOADING=1");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// manual_pdf FILE: writes the user manual as PDF.
+// manual_pdf FILE: writes the user manual as a PDF file.
 
 #include "ui/manual/manual_pdf.h"
 

@@ -14,9 +14,10 @@
 #include <utility>
 #include <vector>
 
-// The alarms of the station and their lines in the log: each comes and goes with one line, however often its cause is
-// named. One that flickers is throttled without a word of the others left out; what was told is also told to be over,
-// and what still stands a second after its beginning was left out is told then. Station thread only.
+// The alarms of the station and their lines in the log: one line when an alarm begins and one when it ends, however
+// often its cause is reported. A flickering alarm is throttled; other alarms are not. If the beginning was written, the
+// end is written, too. If the beginning was left out and the alarm is still active a second later, it is written then.
+// Station thread only.
 namespace boresight {
 
 class AlarmBoard
@@ -24,11 +25,12 @@ class AlarmBoard
 public:
     AlarmBoard(EventLog& log, const Clock& clock);
 
-    // With an entry of the catalogue, which says how many arguments its sentences have.
+    // `key` names an entry of the catalogue, which also gives the number of arguments.
     void raise(const AlarmKey& key, const QStringList& arguments = {});
-    void raise(const AlarmKey& key, Severity severity, const QStringList& arguments);  // one of its two
-    void clear(const AlarmKey& key);                                                   // whichever stands in its place
-    void tick();                                                                       // each tick of the station
+    // `severity` is one of the entry's two severities.
+    void raise(const AlarmKey& key, Severity severity, const QStringList& arguments);
+    void clear(const AlarmKey& key);  // the active alarm in this place
+    void tick();                      // in each tick of the station
     void acknowledgeAll() { m_alarms.acknowledgeAll(); }
     void acknowledge(std::uint64_t id) { m_alarms.acknowledge(id); }
 
@@ -45,10 +47,10 @@ private:
     struct Lines
     {
         QString source;
-        LoggedAlarm alarm = {};  // that came last
+        LoggedAlarm alarm = {};  // the latest alarm
         LogThrottle throttle;
-        bool told = false;                    // that it began
-        std::optional<LeftOut> leftOut = {};  // of what stands
+        bool told = false;                    // the beginning was written
+        std::optional<LeftOut> leftOut = {};  // of the active alarm
     };
 
     [[nodiscard]] Lines& linesOf(const AlarmKey& key);
@@ -56,7 +58,7 @@ private:
     EventLog& m_log;
     const Clock& m_clock;
     AlarmList m_alarms;
-    std::map<std::pair<std::string_view, QString>, Lines> m_lines;  // by place and what they are about; these are few
+    std::map<std::pair<std::string_view, QString>, Lines> m_lines;  // by place and subject; there are only a few
 };
 
 }  // namespace boresight

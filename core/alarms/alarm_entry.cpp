@@ -13,7 +13,7 @@ bool endsSentence(const QString& text)
     return text.endsWith(QLatin1Char('.')) || text.endsWith(QLatin1Char('?')) || text.endsWith(QLatin1Char('!'));
 }
 
-// The parts come from many hands: some whole sentences, some not. The name of a device keeps its first letter.
+// The parts come from different sources: some are whole sentences, some are not. A device name keeps its first letter.
 QString asSentence(const QString& text)
 {
     if (text.isEmpty()) {
@@ -25,7 +25,7 @@ QString asSentence(const QString& text)
     return plain ? sentence[0].toUpper() + sentence.sliced(1) : sentence;
 }
 
-// Which argument stands at this place of a sentence: of "%2" the second, 1; else -1.
+// The index of the argument at this position of the sentence, for example 1 for "%2". -1: no argument.
 qsizetype argumentAt(const QString& sentence, qsizetype place)
 {
     const bool named = sentence[place] == QLatin1Char('%') && place + 1 < sentence.size();
@@ -33,7 +33,7 @@ qsizetype argumentAt(const QString& sentence, qsizetype place)
     return digit > 0 ? digit - 1 : -1;
 }
 
-// QString::arg() would count from the lowest number of this sentence.
+// Not QString::arg(), because it would start with the lowest number in the sentence.
 QString filled(const char* marked, const QStringList& arguments)
 {
     const QString sentence = Text::of(marked);

@@ -11,19 +11,20 @@
 #include <string_view>
 #include <utility>
 
-// What an alarm has to do with others that stand at the same time. What explains others stands before them.
+// How an alarm relates to others that are active at the same time. A cause is listed before the alarms that it
+// explains.
 enum class AlarmKin
 {
     Alone,
-    BusGone,       // explains what is reported of drives and axes, and every silence
+    BusGone,       // explains reports of drives and axes, and every silence
     BusDisturbed,  // explains a silence
-    Drive,         // of a drive or its axis: explains the silence of that one
+    Drive,         // of a drive or its axis: explains the silence of the same drive
     Silence
 };
 
 // One entry of the alarm catalogue: id, severity and sentences of an alarm. A constant of the program. The sentences
-// are marked for translation. %1 to %9 in a sentence are the arguments that the alarm is raised with. The id is never
-// translated. Any thread.
+// are marked for translation. %1 to %9 in a sentence are the arguments of the alarm. The id is never translated. Any
+// thread.
 namespace boresight {
 
 struct AlarmKey;
@@ -33,21 +34,21 @@ struct AlarmEntry
     static constexpr std::size_t kMostArguments = 4;
 
     const char* id = "";                    // "drive.silent"
-    const char* source = "";                // of its lines in the log. %1 stands for what the alarm is about.
+    const char* source = "";                // of its lines in the log. %1 is the subject of the alarm
     Severity severity = Severity::Warning;  // the lower one if there are two
     Severity worst = severity;              // the higher one. The place that raises the alarm chooses.
     const char* what = "";                  // what happened
     const char* action = "";                // what Boresight did
     const char* remedy = "";                // what to do
-    const char* brief = "";                 // what happened, after the source in the log. Empty: `what`.
+    const char* brief = "";                 // what happened, after the source in the log. Empty: `what`
     bool thenRearm = false;                 // "Then press Re-arm." follows the remedy
-    AlarmHelp help = AlarmHelp::None;       // the button that does what the remedy says
+    AlarmHelp help = AlarmHelp::None;       // the button that carries out the remedy
     AlarmKin kin = AlarmKin::Alone;
     std::array<const char*, kMostArguments> examples{};  // one for each argument, for the manual
-    // Of the arguments. The others follow what is, a number or a time: the sentence changes, and the alarm stays the
-    // same.
+    // The number of arguments that identify the alarm. The other arguments are changing numbers or times: they change
+    // the sentence, but the alarm stays the same.
     std::size_t identifying = kMostArguments;
-    // The id of another entry. Of alarms with one place only the newest stands.
+    // The id of another entry. Alarms with the same place replace each other.
     const char* placeOf = nullptr;
 
     [[nodiscard]] constexpr std::string_view place() const { return placeOf == nullptr ? id : placeOf; }
@@ -60,15 +61,15 @@ struct AlarmEntry
         return count;
     }
 
-    // About one axis, one board of several.
+    // The alarm about one axis or one of several boards.
     [[nodiscard]] AlarmKey of(const QString& about) const;
     [[nodiscard]] AlarmKey of(Axis axis) const;
 };
 
-// One alarm on the board. Alarms with one place, about the same thing, replace each other.
+// One alarm on the board. Alarms with the same place and the same subject replace each other.
 struct AlarmKey
 {
-    // Most alarms are about the station, so that their entry is enough.
+    // Most alarms are about the station, so the entry alone is enough.
     AlarmKey(const AlarmEntry& what) : entry(&what) {}
     AlarmKey(const AlarmEntry& what, QString of) : entry(&what), about(std::move(of)) {}
 
@@ -81,34 +82,34 @@ struct AlarmKey
     QString about;  // "azimuth"; empty: the station
 };
 
-// What an alarm is raised with.
+// An entry with the arguments of an alarm.
 struct AlarmCase
 {
     const AlarmEntry& entry;
     QStringList arguments = {};
 };
 
-// What the operator reads: what happened, what Boresight did, what to do.
+// The text for the operator: what happened, what Boresight did, what to do.
 struct AlarmText
 {
     QString what;
     QString action;
     QString remedy;
-    QString brief;  // of what happened, for the log
+    QString brief;  // what happened, for the log
 
     bool operator==(const AlarmText&) const = default;
 };
 
 // Whole sentences in the language of the program.
 [[nodiscard]] AlarmText textOf(const AlarmEntry& entry, const QStringList& arguments);
-// What happened, as a part of another sentence.
+// What happened, as part of another sentence.
 [[nodiscard]] QString whatOf(const AlarmCase& alarm);
-// Those of the arguments that what happened names and that make it another alarm.
+// The identifying arguments that occur in the sentence about what happened.
 [[nodiscard]] QStringList namedByWhat(const AlarmEntry& entry, const QStringList& arguments);
 [[nodiscard]] QString logSource(const AlarmKey& alarm);
-// The first of two alarms that both stand is a cause of the second.
+// True: of two active alarms, the first is a cause of the second.
 [[nodiscard]] bool explains(const AlarmKey& cause, const AlarmKey& result);
-// What stands on the button: "Re-arm". Empty: there is none.
+// The text on the button: "Re-arm". Empty: there is no button.
 [[nodiscard]] QString buttonText(AlarmHelp help);
 
 }  // namespace boresight

@@ -9,13 +9,13 @@ namespace boresight {
 
 namespace {
 
-// The sentence about what happened is another.
+// The sentence about what happened differs.
 bool saysOther(const AlarmEntry& now, const AlarmEntry& before)
 {
     return std::string_view(now.what) != before.what;
 }
 
-// From the cause of much to what is mostly a result.
+// Sorts causes of many alarms before alarms that are usually a result.
 int depthOf(AlarmKin kin)
 {
     switch (kin) {
@@ -32,7 +32,7 @@ int depthOf(AlarmKin kin)
     return 2;
 }
 
-// What lasts before what is over, then the worst, then what nobody has acknowledged.
+// Active alarms first, then the higher severity, then unacknowledged alarms.
 std::tuple<bool, int, bool> ownUrgencyOf(const Alarm& alarm)
 {
     return {!alarm.active, -static_cast<int>(alarm.severity), alarm.acknowledged};
@@ -106,7 +106,7 @@ bool AlarmList::active(const AlarmKey& key) const
                                [&key](const Entry& entry) { return entry.alarm.active && entry.key.sharesPlace(key); });
 }
 
-// A cause has the place of the worst of what it explains.
+// A cause has the urgency of the most urgent alarm that it explains.
 AlarmList::Urgency AlarmList::urgencyOf(const Entry& entry) const
 {
     Urgency urgency = ownUrgencyOf(entry.alarm);
@@ -118,7 +118,7 @@ AlarmList::Urgency AlarmList::urgencyOf(const Entry& entry) const
     return urgency;
 }
 
-// Nobody answers on a bus that is gone.
+// A silence on a bus that is gone is not listed.
 bool AlarmList::goesWithoutSaying(const Entry& entry) const
 {
     return entry.alarm.active && entry.key.entry->kin == AlarmKin::Silence &&
@@ -135,7 +135,7 @@ std::vector<Alarm> AlarmList::list() const
             entries.push_back(&entry);
         }
     }
-    // The oldest of equals is more likely the cause than a result.
+    // Among equals the oldest alarm comes first, because it is more likely the cause.
     std::ranges::sort(entries, {}, [this](const Entry* entry) {
         return std::tuple(urgencyOf(*entry), depthOf(entry->key.entry->kin), entry->alarm.id);
     });

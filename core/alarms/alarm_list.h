@@ -10,35 +10,35 @@
 #include <tuple>
 #include <vector>
 
-// The alarms of the station, one in each place of the catalogue and about each thing. An alarm stays until its cause is
-// gone and, above an advisory, somebody has acknowledged it. What gets worse, or turns into something else, is a new
+// The alarms of the station, one for each place of the catalogue and each subject. An alarm stays until its cause is
+// gone and, above an advisory, until it is acknowledged. An alarm that gets worse or turns into another one is a new
 // alarm. Station thread only.
 namespace boresight {
 
 class AlarmList
 {
 public:
-    // The sentences of the alarm if it was not active before, or is worse or another now: worth a log line.
+    // The sentences if the alarm was not active before, or is worse or different now. Then it needs a log line.
     std::optional<AlarmText> raise(const AlarmKey& key, Severity severity, const QStringList& arguments, UtcTime now);
     // The cause is gone. True if an alarm was active in this place.
     bool clear(const AlarmKey& key);
     void acknowledgeAll();
-    void acknowledge(std::uint64_t id);  // one that is gone already stays gone
+    void acknowledge(std::uint64_t id);  // does nothing if the alarm is gone
 
-    [[nodiscard]] bool active(const AlarmKey& key) const;  // in this place
-    // What lasts before what is over; then the worst first; among equals what was not seen, then causes before
-    // symptoms, then the oldest. What explains others that stand comes before them, whatever its own severity.
+    [[nodiscard]] bool active(const AlarmKey& key) const;  // an alarm in this place
+    // Active alarms first, then the higher severity. Among equals unacknowledged alarms first, then causes before
+    // results, then the oldest. A cause comes before the active alarms that it explains, whatever its own severity.
     [[nodiscard]] std::vector<Alarm> list() const;
 
 private:
     struct Entry
     {
         AlarmKey key;
-        QStringList named;  // the arguments that what happened names
+        QStringList named;  // the arguments in the sentence about what happened
         Alarm alarm;
     };
 
-    using Urgency = std::tuple<bool, int, bool>;  // less comes first
+    using Urgency = std::tuple<bool, int, bool>;  // the smaller value is more urgent
 
     [[nodiscard]] std::vector<Entry>::iterator find(const AlarmKey& key);
     [[nodiscard]] bool goesWithoutSaying(const Entry& entry) const;

@@ -7,8 +7,9 @@
 
 #include <array>
 
-// The alarms about what Boresight itself sees going wrong on an axis. Its supervision says what happened, with the
-// numbers. What only warns at first may stop the mount later: that is an alarm of its own, in the place of the warning.
+// The alarms about faults that Boresight itself detects on an axis. The supervision gives the sentence about what
+// happened, with the numbers. A condition that first warns may stop the mount later. That is a separate alarm in the
+// same place.
 namespace boresight {
 
 inline constexpr std::array kAxisAlarms{

@@ -7,7 +7,7 @@
 
 #include <array>
 
-// The alarms of one drive: what it reports itself, and what is missing from it.
+// The alarms of one drive: faults that it reports, and data that it does not send.
 namespace boresight {
 
 inline constexpr std::array kDriveAlarms{

@@ -168,7 +168,8 @@ inline constexpr std::array kPointingAlarms{
     AlarmEntry{
         .id = "sun.near-one-axis",
         .source = "Sun",
-        .severity = Severity::Advisory,  // nobody knows that it is near, and without an azimuth it lasts for hours
+        // Only an advisory: the true distance to the Sun is unknown, and without an azimuth the alarm lasts for hours.
+        .severity = Severity::Advisory,
         .what = QT_TRANSLATE_NOOP("Text",
                                   "The beam may be less than %1° from the Sun, because the mount has only one axis"),
         .action = QT_TRANSLATE_NOOP("Text", "Boresight starts no motion and allows only motions away from the Sun"),

@@ -7,7 +7,7 @@
 
 #include <array>
 
-// The alarms of a rotator with a control box of its own: its line, its answers, and whether it does what it was told.
+// The alarms of a rotator with its own control box: its line, its answers, and whether it carries out commands.
 namespace boresight {
 
 inline constexpr std::array kRotatorAlarms{

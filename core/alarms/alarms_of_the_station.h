@@ -7,7 +7,7 @@
 
 #include <array>
 
-// The alarms of the station itself: this computer, the bus, its files and clients, and what is wanted of the mount.
+// The alarms of the station itself: this computer, the bus, its files and clients, and its settings and requests.
 namespace boresight {
 
 inline constexpr std::array kStationAlarms{

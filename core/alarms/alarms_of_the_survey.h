@@ -7,7 +7,8 @@
 
 #include <array>
 
-// The alarms about what the check of the drives finds on the bus and in their settings. The finding says what happened.
+// The alarms about what the drive check finds on the bus and in the drives' settings. The finding gives the sentence
+// about what happened.
 namespace boresight {
 
 inline constexpr std::array kSurveyAlarms{

@@ -7,7 +7,7 @@
 
 #include <array>
 
-// The alarms that the window raises itself while the station is silent. They are in no log.
+// The alarms that the window raises itself while no data come from the station. They are in no log.
 namespace boresight {
 
 inline constexpr std::array kWindowAlarms{
@@ -24,7 +24,7 @@ inline constexpr std::array kWindowAlarms{
                .what = QT_TRANSLATE_NOOP("Text", "STOP is not confirmed"),
                .action = QT_TRANSLATE_NOOP("Text", "The window sent STOP, but the status does not show it"),
                .remedy = QT_TRANSLATE_NOOP("Text", "Use the hard-wired emergency stop if the mount moves")},
-    // Shown while no other alarm is: the way back from a STOP.
+    // Shown while there is no other alarm: how to reset a STOP.
     AlarmEntry{.id = "window.stop-latched",
                .source = "station",
                .severity = Severity::Warning,

@@ -13,8 +13,8 @@
 #include <string_view>
 #include <vector>
 
-// All alarms of Boresight. Each entry stands in one of the lists above, where the tables of the manual and the tests
-// find it. Who raises an alarm names its id: an id that is in no list does not compile.
+// All alarms of Boresight. Each entry is in one of the lists above, where the tables of the manual and the tests find
+// it. Code that raises an alarm names its id. An id that is in no list does not compile.
 namespace boresight {
 
 // All entries, in the order of the manual.
@@ -22,7 +22,7 @@ namespace boresight {
 
 namespace detail {
 
-void thisAlarmIsInNoList();  // not constexpr: who gets here does not compile
+void thisAlarmIsInNoList();  // not constexpr, so a constant expression that calls it does not compile
 
 template <class List>
 [[nodiscard]] constexpr const AlarmEntry* findAlarm(const List& list, std::string_view id)
@@ -52,7 +52,7 @@ template <class List>
     return *found;
 }
 
-// The manual's table of all alarms, in Markdown. The sentences are filled with examples.
+// The manual's table of all alarms in Markdown. Example arguments complete the sentences.
 [[nodiscard]] QString alarmTable();
 
 }  // namespace boresight

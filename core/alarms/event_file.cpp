@@ -22,14 +22,14 @@ QString line(const LogEntry& entry)
 
 }  // namespace
 
-// What is new since the last writing.
+// The entries since the last write.
 struct EventFile::Batch
 {
-    std::uint64_t after = 0;  // the last number that is on the disk
+    std::uint64_t after = 0;  // number of the last entry that is on the disk
     std::vector<LogEntry> entries;
 };
 
-// The file, and all that may wait for the disk. Called by one thread at a time.
+// The file, and all calls that may wait for the disk. Called by one thread at a time.
 struct EventFile::Writer
 {
     explicit Writer(const QString& path) : file(path) {}
@@ -40,7 +40,7 @@ struct EventFile::Writer
         for (const LogEntry& entry : batch.entries) {
             outcome.result = append(gapBefore(entry, outcome.lastNumber) + line(entry));
             if (!outcome.result) {
-                file.close();  // it may have been deleted, or its disk may have come back
+                file.close();  // opens it again: it may have been deleted, or its disk may have come back
                 break;
             }
             outcome.lastNumber = entry.number;
@@ -73,7 +73,7 @@ private:
         const qint64 before = file.size();
         if (file.write(bytes) != bytes.size()) {
             const Result<> why = failed();
-            file.resize(before);  // half a line would stand before the whole one
+            file.resize(before);  // removes a half-written line
             return why;
         }
         return {};
@@ -104,12 +104,12 @@ EventFile::EventFile(const QString& stateDir, const EventLog& log, const Clock& 
 {
     m_pool->setMaxThreadCount(1);
     m_pool->setExpiryTimeout(-1);
-    m_pool->setThreadPriority(QThread::NormalPriority);  // the station thread has more
+    m_pool->setThreadPriority(QThread::NormalPriority);  // lower than that of the station thread
 }
 
 EventFile::~EventFile()
 {
-    blockSignals(true);  // whoever listened may be half destroyed
+    blockSignals(true);  // receivers of the signals may be half destroyed
     const auto isDone = [this] { return m_pool->waitForDone(static_cast<int>(kPatience.count())); };
     bool isIdle = isDone();
     if (isIdle) {
@@ -118,7 +118,7 @@ EventFile::~EventFile()
         isIdle = isDone();
     }
     if (!isIdle) {
-        (void)m_pool.release();  // its thread hangs in the disk: to delete it would wait for ever
+        (void)m_pool.release();  // its thread waits for the disk, and deleting it would wait for ever
     }
 }
 
@@ -140,7 +140,7 @@ EventFile::Batch EventFile::nextBatch() const
     return {.after = m_lastNumber, .entries = m_log.since(m_lastNumber, EventLog::kCapacity)};
 }
 
-// The answer is the promise's and the future's together: it comes, and finds nobody, if this was destroyed meanwhile.
+// The shared promise keeps the answer valid even if this object was destroyed meanwhile.
 void EventFile::startWriting(Batch batch)
 {
     const auto promise = std::make_shared<QPromise<Outcome>>();

@@ -14,8 +14,8 @@
 
 // The event log on disk: one line per entry in STATE_DIR/events.log, UTC first. At kLargest bytes the file becomes
 // events.log.1 and a new one begins. Lives on the station thread, which never waits for the disk: one worker writes.
-// Entries that are not on the disk yet stay in the EventLog, which keeps EventLog::kCapacity of them; the file says how
-// many were lost beyond that. A write that fails is tried again every kRetry.
+// Entries that are not on the disk yet stay in the EventLog, which keeps EventLog::kCapacity of them. The file says how
+// many more were lost. A failed write is repeated every kRetry.
 namespace boresight {
 
 class EventFile final : public QObject
@@ -25,19 +25,19 @@ class EventFile final : public QObject
 public:
     static constexpr qint64 kLargest = 5'000'000;
     static constexpr std::chrono::seconds kRetry{5};
-    // At the end of the program a disk that does not answer is given up after this time.
+    // At the end of the program the longest wait for a disk that does not answer.
     static constexpr std::chrono::milliseconds kPatience{2000};
 
-    // Log and clock outlive this.
+    // Log and clock must outlive this object.
     EventFile(const QString& stateDir, const EventLog& log, const Clock& clock, QObject* parent = nullptr);
-    // Writes the last entries and waits for them, at most kPatience.
+    // Writes the last entries and waits for that, at most kPatience.
     ~EventFile() override;
 
-    // Takes the worker's answer and hands it what is new. Once per tick of the station.
+    // Takes the result of the worker and passes it the new entries. Once per tick of the station.
     void tick();
 
 Q_SIGNALS:
-    // From tick(). Each time that it fails.
+    // Emitted by tick(), each time that a write fails.
     void failed(const QString& reason);
     void written();
 
@@ -46,7 +46,7 @@ private:
     struct Batch;
     struct Outcome
     {
-        std::uint64_t lastNumber = 0;  // that is on the disk
+        std::uint64_t lastNumber = 0;  // last entry that is on the disk
         Result<> result;
     };
 
@@ -56,8 +56,9 @@ private:
 
     const EventLog& m_log;
     const Clock& m_clock;
-    std::shared_ptr<Writer> m_writer;  // the worker's while it writes; outlives this if the disk hangs at the end
-    std::uint64_t m_lastNumber = 0;    // of the entries that are on the disk
+    // Used by the worker while it writes; shared, because the worker may outlive this object.
+    std::shared_ptr<Writer> m_writer;
+    std::uint64_t m_lastNumber = 0;  // last entry that is on the disk
     std::optional<SteadyTime> m_retryAt;
     std::optional<QFuture<Outcome>> m_writing;
     std::unique_ptr<QThreadPool> m_pool;  // one thread

@@ -9,12 +9,12 @@
 #include <deque>
 #include <vector>
 
-// The station's own diary: who asked for what, why something moved, what went wrong. Keeps the newest kCapacity
-// entries in memory; each also goes to Qt's log category "boresight.station", so the headless service prints it, unless
-// it is that of a rehearsal. Station thread only.
+// The event log of the station: who requested what, why the mount moved, what went wrong. Keeps the newest kCapacity
+// entries in memory. Each entry also goes to Qt's log category "boresight.station", so that the service prints it. The
+// log of a rehearsal does not. Station thread only.
 namespace boresight {
 
-// Without its time, for files: "azimuth drive [drive.silent]: The azimuth drive does not reply. …"
+// A line for files, without the time: "azimuth drive [drive.silent]: The azimuth drive does not reply. …"
 [[nodiscard]] QString plainLine(const LogEntry& entry);
 
 class EventLog
@@ -25,7 +25,7 @@ public:
     enum class Echo
     {
         No,
-        Yes  // to Qt's log
+        Yes  // also prints to Qt's log
     };
 
     explicit EventLog(const Clock& clock, Echo echo = Echo::Yes) : m_clock(clock), m_echo(echo) {}
@@ -33,7 +33,7 @@ public:
     void add(Severity severity, const QString& source, const QString& text, LogKind kind = LogKind::Event,
              const LoggedAlarm& alarm = {});
 
-    // Entries numbered above `number`, oldest first, at most `limit` of the newest.
+    // The entries with numbers above `number`, oldest first: at most the newest `limit` of them.
     [[nodiscard]] std::vector<LogEntry> since(std::uint64_t number, std::size_t limit) const;
     [[nodiscard]] std::uint64_t lastNumber() const { return m_lastNumber; }
 

@@ -7,9 +7,9 @@
 #include <QHash>
 #include <QString>
 
-// Lines that somebody outside can cause at will - connections, commands, a cable that flickers - must not flood the
-// log: each source's repeated line is written once in kRepeat, and no more than `burst` lines a second in all; what was
-// left out is counted in the next line. Station thread only.
+// Protects the log from lines that somebody outside can cause at will, for example by connections, commands or a loose
+// cable. A repeated line of a source is written once in kRepeat, and all lines together at most `burst` times a second.
+// The next line contains the number of lines left out. Station thread only.
 namespace boresight {
 
 class LogThrottle
@@ -19,10 +19,10 @@ public:
 
     LogThrottle(EventLog& log, const Clock& clock, int burst) : m_log(log), m_clock(clock), m_burst(burst) {}
 
-    // False if it was left out.
+    // False if the line was left out.
     bool add(Severity severity, const QString& source, const QString& text, LogKind kind = LogKind::Event,
              const LoggedAlarm& alarm = {});
-    // Written in any case: the end of something whose beginning was.
+    // Always written, for the end of something whose beginning was written.
     void insist(Severity severity, const QString& source, const QString& text, LogKind kind = LogKind::Event,
                 const LoggedAlarm& alarm = {});
 
@@ -30,7 +30,7 @@ private:
     struct Line
     {
         QString text;
-        LoggedAlarm alarm;  // two of them may say the same
+        LoggedAlarm alarm;  // different alarms may have the same text
         SteadyTime time;
     };
 

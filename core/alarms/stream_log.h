@@ -7,8 +7,8 @@
 #include <QHash>
 #include <QString>
 
-// The log of what a source sends again and again: its first line is written, those behind it are counted, and a line a
-// minute says how many there were. The rest is written when the source goes. Station thread only.
+// The log of a source that sends the same thing again and again. Its first line is written. Later ones are counted, and
+// a line each minute gives the number. The last number is written when the source is gone. Station thread only.
 namespace boresight {
 
 class StreamLog
@@ -24,18 +24,18 @@ public:
 
     StreamLog(EventLog& log, const Clock& clock, Answer answer) : m_log(log), m_clock(clock), m_answer(answer) {}
 
-    // True: it begins a stream, and its own line is to be written. Counted else. Another reason of a refusal begins a
-    // stream, too.
+    // True: the line begins a stream and must be written. False: it is only counted. A different reason of a refusal
+    // begins a new stream.
     [[nodiscard]] bool begins(const QString& source, const QString& command, const QString& reason = {});
     void gone(const QString& source);
 
 private:
     struct Stream
     {
-        SteadyTime since{};  // the last line
+        SteadyTime since{};  // time of the last line
         SteadyTime last{};
         int count = 0;
-        QString command;  // the last
+        QString command;  // the last command
         QString reason;   // of the refusal
     };
 

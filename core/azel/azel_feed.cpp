@@ -10,7 +10,7 @@ namespace {
 
 using Days = std::chrono::days;
 
-// From the time of day that is shown to `utc`, by the nearest day: -12 h to 12 h.
+// The time from the shown time of day to `utc`, on the nearest day: -12 h to 12 h.
 UtcTime::duration sinceShown(std::chrono::seconds timeOfDay, UtcTime utc)
 {
     constexpr UtcTime::duration kDay = Days(1);
@@ -39,7 +39,7 @@ void AzelFeed::take(const AzelReading& reading, SteadyTime now, UtcTime utc)
 void AzelFeed::takeText(const AzelText& text, SteadyTime now, UtcTime utc)
 {
     if (m_text && m_text->timeOfDay == text.timeOfDay) {
-        m_text = text;  // the flag may have changed
+        m_text = text;  // the flag R or T may have changed
         return;
     }
     if (m_text) {

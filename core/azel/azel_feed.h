@@ -8,41 +8,41 @@
 
 #include <optional>
 
-// What is known of an azel.dat that is read again and again: its last whole text, how old that is, and whether somebody
-// still writes it. The file stays when its writer ends, and it has no date. So it is fresh only while its time is seen
-// to go on, near the time of this computer. Pure, one thread.
+// The state of an azel.dat that is read again and again: its last complete text, the age of that text, and whether a
+// program still writes it. The file stays after its writer has ended, and it has no date. So it counts as fresh only
+// while its time advances and is near the time of this computer. Pure, one thread.
 namespace boresight::azel {
 
-// What one look at the file found.
+// The result of one read of the file.
 struct AzelReading
 {
     QString path;
     Result<AzelText> text;
-    std::optional<UtcTime> written = {};  // when the file was changed last
+    std::optional<UtcTime> written = {};  // the last change of the file
 };
 
 class AzelFeed
 {
 public:
-    // A text older than this is not steered by: the Moon is 0.125° on.
+    // An older text is not used for pointing. The Moon moves 0.125° in this time.
     static constexpr std::chrono::seconds kStale{30};
-    // Some writers empty the file before they write it: what is wrong for a shorter time is nobody's concern.
+    // Some writers empty the file before they write it. A problem that lasts for a shorter time is not reported.
     static constexpr std::chrono::seconds kPatience{3};
 
     void take(const AzelReading& reading, SteadyTime now, UtcTime utc);
 
     [[nodiscard]] const QString& path() const { return m_path; }
-    // The last whole one.
+    // The last complete text.
     [[nodiscard]] const std::optional<AzelText>& text() const { return m_text; }
-    // The time that it shows, with the day of this computer.
+    // The time in the text, with the date of this computer.
     [[nodiscard]] UtcTime time() const { return m_time; }
-    // By how much the clock of this computer was ahead of the file's when the text arrived.
+    // The clock of this computer minus the time in the file, when the text arrived.
     [[nodiscard]] Seconds clockOff() const { return m_clockOff; }
-    // Since a text with another time arrived, else since the file was written.
+    // The time since a text with a new time arrived. Before that: the time since the file was written.
     [[nodiscard]] std::optional<Seconds> age(SteadyTime now, UtcTime utc) const;
-    // Why the file cannot be read; empty: it can, or has been until just now.
+    // Why the file cannot be read. Empty: no problem, or one that is too recent to report.
     [[nodiscard]] QString problem(SteadyTime now) const;
-    // Whether its Moon is where the Moon is now. The error names what is in the way.
+    // Whether the direction in the text is the present direction of the Moon. The error gives the reason.
     [[nodiscard]] Result<> isFresh(SteadyTime now) const;
 
 private:
@@ -52,7 +52,7 @@ private:
     std::optional<AzelText> m_text;
     UtcTime m_time{};
     Seconds m_clockOff{0.0};
-    std::optional<SteadyTime> m_changed;  // seen to; empty: never
+    std::optional<SteadyTime> m_changed;  // when the time in the text last changed; empty: not yet
     std::optional<UtcTime> m_written;
     std::optional<Error> m_problem;
     SteadyTime m_wrongSince{};

@@ -34,7 +34,7 @@ Fields fieldsOf(std::string_view line)
     return fields;
 }
 
-// Those whose end was written: the last one may be half a line.
+// The lines with a line end. Text after the last line end is left out, because it may be incomplete.
 std::vector<Fields> linesOf(std::string_view text)
 {
     std::vector<Fields> lines;
@@ -45,7 +45,7 @@ std::vector<Fields> linesOf(std::string_view text)
     return lines;
 }
 
-// A digit that is none, a second point, an exponent: no writer makes them.
+// Only digits, a minus sign and a point. No writer makes exponents.
 std::optional<double> plainNumber(std::string_view text)
 {
     return text.find_first_not_of("-.0123456789") == std::string_view::npos ? parseFinite(text)
@@ -72,7 +72,7 @@ std::optional<std::chrono::seconds> timeOfDay(std::string_view text)
     return std::chrono::seconds(seconds);
 }
 
-// 360.0 and -0.0 are written, too.
+// Writers also make 360.0 and -0.0.
 std::optional<SkyPointing> direction(std::string_view azimuth, std::string_view elevation)
 {
     const auto az = plainNumber(azimuth);
@@ -84,7 +84,8 @@ std::optional<SkyPointing> direction(std::string_view azimuth, std::string_view 
     return SkyPointing{.azimuth = Angle::fromDegrees(folded), .elevation = Angle::fromDegrees(*el + 0.0)};
 }
 
-// "hh:mm:ss,az,el,NAME"; the first one of the name, because an early WSJT-X calls the line of its source "Sun" as well.
+// The first line "hh:mm:ss,az,el,NAME" with this name. Early versions of WSJT-X also name the line of their source
+// "Sun".
 const Fields* placeLine(const std::vector<Fields>& lines, std::string_view name)
 {
     const auto found =
@@ -92,7 +93,7 @@ const Fields* placeLine(const std::vector<Fields>& lines, std::string_view name)
     return found != lines.end() ? &*found : nullptr;
 }
 
-// "MHz,…,Doppler" or "MHz,…,Doppler,R".
+// The line "MHz,…,Doppler" or "MHz,…,Doppler,R".
 const Fields* dopplerLine(const std::vector<Fields>& lines)
 {
     const auto isDoppler = [](const Fields& line) {
@@ -109,7 +110,7 @@ std::optional<Radio> radioOf(const Fields& doppler)
                                    : std::optional<Radio>();
 }
 
-// The fields are those before the name. WSJT-X and its Fortran ancestors have rates between the two Dopplers.
+// The numbers are before the name. WSJT-X and older programs have rates between the two Dopplers.
 void addDoppler(const Fields& line, AzelText& text)
 {
     const auto fields = std::ranges::find(line, "Doppler") - line.begin();

@@ -4,24 +4,24 @@
 #include "core/azel/azel_feed.h"
 #include "core/ephemeris/almanac.h"
 
-// How the Moon of azel.dat compares with our own: WSJT-X does not notice a blank or wrong locator. Pure.
+// Compares the Moon in azel.dat with our own, because WSJT-X does not notice an empty or wrong locator. Pure.
 namespace boresight::azel {
 
-// The steps of the file are 0.1° wide, so it is right by 0.07° at best.
+// The file has steps of 0.1°, so its best accuracy is 0.07°.
 inline constexpr Angle kAgrees = Angle::fromDegrees(0.2);
-// The centre of a locator of four characters is at most 1.2° from the station. What is farther away is another place.
+// The centre of a four-character locator is at most 1.2° from the station. A larger difference means another place.
 inline constexpr Angle kElsewhere = Angle::fromDegrees(2.0);
 
 enum class MoonCheck
 {
-    Agrees,    // our own Moon stands for the file's, between its steps
-    Differs,   // the locator of WSJT-X is a coarse one, or differs a little from the site
-    Elsewhere  // the locator is wrong or blank, or the site is
+    Agrees,    // our own Moon is used in place of the steps of the file
+    Differs,   // WSJT-X has a coarse locator, or one that differs a little from the site
+    Elsewhere  // the locator is wrong or empty, or the site is wrong
 };
 
 [[nodiscard]] MoonCheck moonCheck(Angle apart);
 
-// How far the Moon of the file, which has a text, is from our own at the time that the file shows.
+// The angle between the Moon of the file and our own at the time in the file. `feed` must have a text.
 [[nodiscard]] Angle moonApart(const AzelFeed& feed, ephemeris::Almanac& almanac);
 
 }  // namespace boresight::azel

@@ -13,7 +13,7 @@ namespace {
 
 Result<AzelText> readTextOf(const QString& path)
 {
-    // A pipe would keep the reader waiting.
+    // A pipe would block the reader.
     if (!QFileInfo(path).isFile()) {
         return failure(ErrorCode::NoDevice, Text::tr("there is no such file"));
     }

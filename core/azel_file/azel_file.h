@@ -6,13 +6,13 @@
 
 #include <QString>
 
-// The file azel.dat, where it is. Blocking: not on the gui thread, nor the station's.
+// Finds and reads the file azel.dat. Blocking: neither on the gui thread nor on the station thread.
 namespace boresight::azel {
 
-// As the profile says, else where WSJT-X writes it for this user. It need not exist.
+// The path in the profile, or else where WSJT-X writes the file for this user. The file may be missing.
 [[nodiscard]] QString azelPath(const profile::AzelSettings& settings);
 
-// Opened for reading only, and closed at once. Of a file that is too long no more is read than shows that.
+// Opens the file for reading and closes it at once. Reads only as much of a too long file as is needed to detect that.
 [[nodiscard]] AzelReading readAzelFile(const QString& path);
 
 }  // namespace boresight::azel

@@ -18,7 +18,7 @@ constexpr std::string_view kHamlib = "hamlib:";
 
 Result<BusName> parseInterface(std::string_view name)
 {
-    constexpr std::size_t kMaxLength = 15;  // IFNAMSIZ without its end mark
+    constexpr std::size_t kMaxLength = 15;  // IFNAMSIZ without the terminating zero
     if (name.empty()) {
         return failure(ErrorCode::InvalidInput,
                        Text::tr("bus 'socketcan:' names no interface; write for example socketcan:can0"));
@@ -43,7 +43,7 @@ Result<BusName> parsePath(BusKind kind, std::string_view path, const char* examp
     return BusName{.kind = kind, .target = std::string(path)};
 }
 
-// "HOST:PORT", an IPv6 address in brackets.
+// Parses "HOST:PORT". An IPv6 address is in brackets.
 Result<BusName> parseHost(BusKind kind, std::string_view text, const char* example)
 {
     const auto colon = text.rfind(':');
@@ -64,8 +64,8 @@ Result<BusName> parseHost(BusKind kind, std::string_view text, const char* examp
     return BusName{.kind = kind, .target = std::string(host), .port = static_cast<std::uint16_t>(*port)};
 }
 
-// "MODEL:PORT". A model without a port, as the dummy, has the number alone. What follows the first colon is for Hamlib
-// to read: a path, or a host with a port.
+// Parses "MODEL:PORT". A model that needs no port, for example the dummy, is only a number. The text after the first
+// colon is passed to Hamlib unchanged: a path, or a host with a port.
 Result<BusName> parseHamlib(std::string_view text)
 {
     constexpr int kMostModel = 99999;

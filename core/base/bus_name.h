@@ -17,10 +17,10 @@ enum class BusKind
     Simulated,
     SocketCan,
     Fdcanusb,
-    Serial,  // of a box that speaks text
+    Serial,  // a control box with a text protocol
     Tcp,
     Rotctld,  // a rotctld on a host
-    Hamlib,   // a model of Hamlib, driven by a rotctld of our own
+    Hamlib,   // a Hamlib model, driven by a rotctld that Boresight starts
 };
 
 struct BusName

@@ -9,8 +9,7 @@
 #include <span>
 #include <string>
 
-// One frame on a CAN or CAN-FD bus, as a value: what every bus sends and receives. Received frames carry the steady
-// time of their arrival.
+// One frame on a CAN or CAN-FD bus, as a value. A received frame has the steady time of its arrival.
 namespace boresight {
 
 inline constexpr std::size_t kMaxCanPayload = 64;
@@ -23,20 +22,20 @@ struct CanFrame
     bool flexibleData = true;   // CAN-FD frame
     bool bitRateSwitch = true;  // data phase at the fast bit rate
     std::array<std::uint8_t, kMaxCanPayload> data{};
-    std::uint8_t size = 0;  // bytes of data in use, a legal CAN-FD length on the wire
-    SteadyTime received{};  // arrival; epoch for a frame of our own
+    std::uint8_t size = 0;  // number of data bytes in use; must be a valid CAN-FD length
+    SteadyTime received{};  // arrival; the epoch for a frame that we send
 
     [[nodiscard]] std::span<const std::uint8_t> payload() const { return {data.data(), size}; }
-    void setPayload(std::span<const std::uint8_t> bytes);  // bytes.size() <= 64, asserted
+    void setPayload(std::span<const std::uint8_t> bytes);  // asserts bytes.size() <= 64
 
-    // Same bits on the wire; the arrival time does not count.
+    // True for the same bits on the wire. The arrival time is not compared.
     bool operator==(const CanFrame& other) const;
 };
 
-// The CAN-FD lengths are 0..8, 12, 16, 20, 24, 32, 48 and 64: the smallest that holds `size` bytes (size <= 64).
+// The smallest CAN-FD length that holds `size` bytes (size <= 64). The lengths are 0…8, 12, 16, 20, 24, 32, 48 and 64.
 [[nodiscard]] std::size_t legalCanLength(std::size_t size);
 
-// "8001 [3] 11 00 0f": for logs and test failures.
+// For logs and test failures: "8001 [3] 11 00 0f".
 [[nodiscard]] std::string toString(const CanFrame& frame);
 
 }  // namespace boresight

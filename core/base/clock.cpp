@@ -11,7 +11,7 @@ namespace {
 
 timex askKernel(int& state)
 {
-    timex query{};  // no mode is set: the kernel is asked, nothing is changed
+    timex query{};  // no mode is set: the call only reads
     state = ::adjtimex(&query);
     return query;
 }
@@ -52,7 +52,7 @@ std::optional<Seconds> SystemClock::error() const
                : std::nullopt;
 }
 
-// Only the boot time goes on while the computer sleeps.
+// Only CLOCK_BOOTTIME continues while the computer sleeps.
 Seconds SystemClock::slept() const
 {
     return timeOf(CLOCK_BOOTTIME) - timeOf(CLOCK_MONOTONIC);

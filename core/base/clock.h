@@ -4,8 +4,8 @@
 #include <chrono>
 #include <optional>
 
-// Time is injected, so that tests turn it by hand. Ages and control use steady time, orbits and logs use UTC.
-// Any thread may read a SystemClock.
+// The clock is injected, so that tests can set the time by hand. Ages and control use steady time, orbits and logs use
+// UTC. Any thread may read a SystemClock.
 namespace boresight {
 
 using Seconds = std::chrono::duration<double>;
@@ -18,11 +18,11 @@ public:
     virtual ~Clock() = default;
     [[nodiscard]] virtual SteadyTime now() const = 0;
     [[nodiscard]] virtual UtcTime utc() const = 0;
-    // A time source vouches for the UTC: NTP, PTP or a GPS receiver disciplines this computer's clock.
+    // True if NTP, PTP or a GPS receiver keeps this computer's clock synchronised to UTC.
     [[nodiscard]] virtual bool synchronised() const = 0;
-    // How far the UTC is off, as the time source reports it. Empty: nobody reports it.
+    // The error of the UTC, as the time source reports it. Empty: it is not reported.
     [[nodiscard]] virtual std::optional<Seconds> error() const = 0;
-    // How long this computer has slept since its start. The steady time stands still meanwhile.
+    // How long this computer has slept since its start. Steady time does not advance during sleep.
     [[nodiscard]] virtual Seconds slept() const = 0;
 
 protected:
@@ -41,10 +41,10 @@ public:
     [[nodiscard]] Seconds slept() const override;
 };
 
-// What adjtimex(2) returned, and the status bits that it gave.
+// Arguments: the return value and the status bits of adjtimex(2).
 [[nodiscard]] bool isSynchronised(int state, int status);
-// The correction that is still to come and the estimated error (µs) of adjtimex(2), added up. The first is in ns or µs,
-// as the status says.
+// The sum of the pending correction and the estimated error (µs) of adjtimex(2). The correction is in ns or µs,
+// depending on the status.
 [[nodiscard]] Seconds reportedError(long offset, long estimated, int status);
 
 }  // namespace boresight

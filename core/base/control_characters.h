@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
-// The ASCII control characters, line ends and DEL among them: no part of a name, and TOML has no place for them either.
-// They do harm in a log line or on a terminal.
+// The ASCII control characters, including line ends and DEL. They are not permitted in names or in TOML, and can spoil
+// a log line or a terminal.
 namespace boresight {
 
 [[nodiscard]] constexpr bool isControlCharacter(char character)
@@ -21,7 +21,7 @@ namespace boresight {
     return std::ranges::any_of(text, isControlCharacter);
 }
 
-// For the log and the screen: each of them as '?'.
+// For the log and the screen: replaces each control character by '?'.
 [[nodiscard]] inline std::string printable(std::string text)
 {
     std::ranges::replace_if(text, isControlCharacter, '?');

@@ -12,13 +12,13 @@ EdgeThread::EdgeThread(const QString& name, std::unique_ptr<QObject> inside) : m
     connect(
         this, &EdgeThread::posted, m_inside.get(), [](const std::function<void()>& job) { job(); },
         Qt::QueuedConnection);
-    // Its timers and sockets must end on the thread they live on.
+    // The timers and sockets of the object must end on its own thread.
     connect(
         &m_thread, &QThread::finished, m_inside.get(), [this] { m_inside.reset(); }, Qt::DirectConnection);
     m_thread.start(QThread::NormalPriority);
 }
 
-// The last job quits: QThread::quit() from here would overtake the jobs that wait.
+// The last job ends the event loop. Calling QThread::quit() from here would overtake the waiting jobs.
 EdgeThread::~EdgeThread()
 {
     post([this] { m_thread.quit(); });

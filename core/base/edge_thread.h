@@ -8,9 +8,9 @@
 #include <functional>
 #include <memory>
 
-// A thread with an event loop for one object that data from outside can keep busy (a broker, a line of numbers). What
-// the object does there never delays the owner. Only values cross: the owner posts jobs, the object emits signals.
-// Made, used and destroyed on the owner's thread.
+// A thread with an event loop for one object that data from outside can keep busy (a broker, a serial line). The
+// object's work never delays the owner. Only values cross: the owner posts jobs, the object emits signals. Created,
+// used and destroyed on the owner's thread.
 namespace boresight {
 
 class EdgeThread final : public QObject
@@ -20,7 +20,7 @@ class EdgeThread final : public QObject
 public:
     // Starts the thread with normal priority, whatever the owner's priority is.
     EdgeThread(const QString& name, std::unique_ptr<QObject> inside);
-    // Waits until the jobs posted so far are done and the object is destroyed, both on the thread.
+    // Waits until the thread has done all posted jobs and destroyed the object.
     ~EdgeThread() override;
 
     // Runs the job on the thread, after the jobs posted before. Returns at once.

@@ -5,7 +5,7 @@
 
 namespace boresight {
 
-// The mount's name as the name of a file: letters, digits, '-' and '_' stay; a name with anything else also gets a few
+// The mount's name as a file name: letters, digits, '-' and '_' stay. A name with any other character also gets a few
 // digits of its hash, so that two mounts never share a file.
 [[nodiscard]] QString safeFileName(const QString& mountName);
 

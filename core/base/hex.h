@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-// Bytes as hexadecimal text, two digits a byte and nothing between them.
+// Bytes as hexadecimal text: two digits per byte without separators.
 namespace boresight {
 
 enum class HexCase
@@ -19,7 +19,7 @@ enum class HexCase
 
 [[nodiscard]] std::string toHex(std::span<const std::uint8_t> bytes, HexCase letters = HexCase::Lower);
 
-// Both cases are read. Nothing for an odd number of digits or for any character that is not a digit; empty is empty.
+// Accepts both cases. Empty for an odd number of digits or any other character. An empty text gives no bytes.
 [[nodiscard]] std::optional<std::vector<std::uint8_t>> parseHex(std::string_view digits);
 
 }  // namespace boresight

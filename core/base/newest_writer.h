@@ -10,8 +10,8 @@
 #include <functional>
 #include <memory>
 
-// Writes files beside the thread on which it lives, and never makes that wait: one worker writes, and of the jobs that
-// come in meanwhile the newest wins.
+// Writes files in a worker, so that its own thread never waits. While the worker is busy, only the newest of the
+// waiting jobs is kept.
 namespace boresight {
 
 class NewestWriter final : public QObject
@@ -19,17 +19,17 @@ class NewestWriter final : public QObject
     Q_OBJECT
 
 public:
-    using Job = std::function<Result<>()>;  // touches nothing but its own copies
+    using Job = std::function<Result<>()>;  // must use only its own copies
 
     explicit NewestWriter(QObject* parent = nullptr);
     ~NewestWriter() override;  // flushes
 
     void write(Job job);
-    // Waits until the newest job is done, and returns how that went. Needs no event loop.
+    // Waits until the newest job is done and returns its result. Needs no event loop.
     Result<> flush();
 
 Q_SIGNALS:
-    // How each job that was begun has ended, from the event loop.
+    // The result of each job that was begun. Emitted from the event loop.
     void written();
     void failed(const QString& reason);
     void jobDone();  // from the worker, to this object
@@ -38,10 +38,11 @@ private:
     void start(Job job);
     void finish();
 
-    std::shared_ptr<Result<>> m_outcome = std::make_shared<Result<>>();  // of the last job; the worker's until it ends
-    Job m_next;                                                          // came in meanwhile; null: none
-    bool m_writing = false;                                              // finish() is still to come
-    QThreadPool m_worker;                                                // one thread; last, so that it ends first
+    // The result of the last job. The worker uses it until the job ends.
+    std::shared_ptr<Result<>> m_outcome = std::make_shared<Result<>>();
+    Job m_next;              // the waiting job; null: none
+    bool m_writing = false;  // finish() is still to be called
+    QThreadPool m_worker;    // one thread; last, so that it ends first
 };
 
 }  // namespace boresight

@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
-// Text to number and back, independent of the locale. The whole text must be the number; an unreadable number is
-// never 0.
+// Converts text to numbers and back, independent of the locale. The whole text must be the number. An unreadable number
+// is an error, never 0.
 namespace boresight {
 
 [[nodiscard]] std::optional<double> parseFinite(std::string_view text);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// One lambda per alternative for std::visit: std::visit(Overloaded{[](const A&) {…}, [](const B&) {…}}, variant).
+// Combines one lambda per alternative for std::visit: std::visit(Overloaded{[](const A&) {…}, [](const B&) {…}},
+// variant).
 namespace boresight {
 
 template <class... Handlers>

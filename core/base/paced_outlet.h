@@ -10,7 +10,7 @@
 
 // Decides when a thread may send its next report to another thread. Two reports are at least kPeriod apart, and the
 // next one waits until the receiver has taken the last one. So a flood at the sender never becomes a queue at the
-// receiver. The first report after a pause goes out at once. Lives on the sender's thread.
+// receiver. The first report after a pause is sent at once. Lives on the sender's thread.
 namespace boresight {
 
 class PacedOutlet
@@ -18,7 +18,8 @@ class PacedOutlet
 public:
     static constexpr std::chrono::milliseconds kPeriod{20};
 
-    // `send` is called once for each report, from ask(), taken() or the event loop. The outlet is a member of `owner`.
+    // `send` is called once for each report, from ask(), taken() or the event loop. The outlet must be a member of
+    // `owner`.
     PacedOutlet(QObject* owner, std::function<void()> send) : m_send(std::move(send)), m_pause(owner)
     {
         m_pause.setSingleShot(true);
@@ -29,13 +30,13 @@ public:
     PacedOutlet(const PacedOutlet&) = delete;
     PacedOutlet& operator=(const PacedOutlet&) = delete;
 
-    // There is something to report.
+    // Call it when there is something to report.
     void ask()
     {
         m_asked = true;
         sendIfDue();
     }
-    // The receiver has taken the last report.
+    // Call it when the receiver has taken the last report.
     void taken()
     {
         m_untaken = false;

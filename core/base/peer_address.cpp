@@ -39,7 +39,7 @@ bool sameHost(const std::string& one, const std::string& other)
 AllowList::AllowList(const std::vector<std::string>& entries)
 {
     for (const std::string& entry : entries) {
-        // Without a slash parseSubnet() guesses a network from an incomplete address.
+        // An entry without a slash is a single address. parseSubnet() would read an incomplete address as a network.
         m_networks.push_back(entry.find('/') == std::string::npos
                                  ? std::pair(plain(entry), -1)
                                  : QHostAddress::parseSubnet(QString::fromStdString(entry)));

@@ -8,17 +8,17 @@
 #include <utility>
 #include <vector>
 
-// Whose connection it is: the host of a peer, and whether the profile lets it in. Addresses are numbers, nothing is
-// looked up, and an IPv4 address that came over IPv6 is the IPv4 address. Pure.
+// The host of a connection's peer, and whether the profile admits it. Addresses are numeric: no name is looked up. An
+// IPv4 address that arrives over IPv6 counts as the IPv4 address. Pure.
 namespace boresight {
 
-// "127.0.0.1" of "127.0.0.1:51234", "::1" of "[::1]:51234". A path is a place of this computer: "127.0.0.1".
+// "127.0.0.1" for "127.0.0.1:51234", "::1" for "[::1]:51234". A path is on this computer: "127.0.0.1".
 [[nodiscard]] std::string hostOf(std::string_view address);
-// However they are written: "::1" and "0:0:0:0:0:0:0:1".
+// Compares addresses, not texts: "::1" equals "0:0:0:0:0:0:0:1".
 [[nodiscard]] bool sameHost(const std::string& one, const std::string& other);
 
-// Addresses and networks ("192.168.1.7", "10.0.0.0/8", "fd00::/8"); an empty list admits everybody, an entry that is
-// neither admits nobody.
+// Addresses and networks ("192.168.1.7", "10.0.0.0/8", "fd00::/8"). An empty list admits every host. An invalid entry
+// admits no host.
 class AllowList
 {
 public:
@@ -28,7 +28,7 @@ public:
     [[nodiscard]] bool admits(const std::string& host) const;
 
 private:
-    std::vector<std::pair<QHostAddress, int>> m_networks;  // with the number of leading bits, or -1
+    std::vector<std::pair<QHostAddress, int>> m_networks;  // with the number of leading bits; -1: a single address
 };
 
 }  // namespace boresight

@@ -5,12 +5,12 @@
 
 #include <string>
 
-// Another program, in the words of a refusal.
+// Names another program for the text of a refusal.
 namespace boresight {
 
-// "tview (process 1234)"
+// For example "tview (process 1234)".
 [[nodiscard]] QString processText(const QString& name, const QString& number);
-// By its number, as /proc shows it; "another program" if that is empty.
+// The name of the process with this number, from /proc. "another program" if `number` is empty.
 [[nodiscard]] QString nameOfProcess(const std::string& number);
 
 }  // namespace boresight

@@ -25,8 +25,8 @@
 namespace boresight {
 namespace {
 
-// A line of /proc/locks: "1: FLOCK  ADVISORY  WRITE 1234 00:05:321 0 EOF". A file system that shows another device
-// there than fstat() leaves the holder without a name.
+// Reads lines of /proc/locks, for example "1: FLOCK  ADVISORY  WRITE 1234 00:05:321 0 EOF". On file systems whose
+// device number there differs from that of fstat() the holder stays unknown.
 QString lockHolder(int descriptor)
 {
     struct stat info = {};
@@ -51,7 +51,7 @@ QByteArray ownName()
     return QCoreApplication::applicationName().toUtf8() + ' ' + QByteArray::number(QCoreApplication::applicationPid());
 }
 
-// As the other program wrote it: its user may differ, and then the kernel tells less.
+// The name that the other program wrote into the file. The kernel may hide the name if the user differs.
 QString writtenName(int descriptor)
 {
     std::array<char, 128> text{};
@@ -80,7 +80,8 @@ Result<ProgramLock> ProgramLock::take(const QString& path)
     const QByteArray name8 = QFile::encodeName(path);
     FileDescriptor file(::open(name8.constData(), O_RDWR | O_CREAT | kFlags, kReadableByAll));
     if (!file.isOpen() && errno == EACCES) {
-        file = FileDescriptor(::open(name8.constData(), O_RDONLY | kFlags));  // another user's can be locked so, too
+        // Another user's file can be locked although it is read-only.
+        file = FileDescriptor(::open(name8.constData(), O_RDONLY | kFlags));
     }
     if (!file.isOpen()) {
         return failure(errno == EACCES ? ErrorCode::Denied : ErrorCode::Io, toQString(std::strerror(errno)));

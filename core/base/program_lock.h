@@ -6,8 +6,8 @@
 
 #include <QString>
 
-// Keeps what a program uses from other programs of any user. The kernel holds the lock and ends it with the program,
-// however the program ends. Any thread.
+// Locks something against use by other programs of any user. The kernel holds the lock and releases it when the program
+// ends in any way. Any thread.
 namespace boresight {
 
 class ProgramLock
@@ -15,9 +15,9 @@ class ProgramLock
 public:
     ProgramLock() = default;
 
-    // Makes the file if it is not there and leaves it there afterwards: it holds nothing but the name of the program.
-    // Busy: another program has the lock, and the text is its name, as "boresightd (process 1234)". Denied: this user
-    // may not. Io: there can be no lock in this place.
+    // Creates the file if it is missing and leaves it afterwards. The file contains only the name of the program. Busy:
+    // another program has the lock, and the text is its name, for example "boresightd (process 1234)". Denied: this
+    // user lacks the permission. Io: no lock is possible in this place.
     [[nodiscard]] static Result<ProgramLock> take(const QString& path);
 
 private:
@@ -26,7 +26,7 @@ private:
     FileDescriptor m_file;
 };
 
-// Locks an open file or device until it is closed. Busy: another one has locked it; the text is its name.
+// Locks an open file or device until it is closed. Busy: another program has locked it, and the text is its name.
 [[nodiscard]] Result<> lockDescriptor(int descriptor);
 
 }  // namespace boresight

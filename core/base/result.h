@@ -6,21 +6,21 @@
 #include <tl/expected.hpp>
 #include <utility>
 
-// How our own functions say that something did not work: a code for the program, a sentence for the operator.
-// tl::expected stands in for std::expected until the compiler floor is g++ 13; only this file changes then.
+// The result of a function that may fail: a code for the program and a sentence for the operator. tl::expected is used
+// until the oldest compiler is g++ 13. Then only this file changes to std::expected.
 namespace boresight {
 
 enum class ErrorCode
 {
-    InvalidInput,  // the text or number makes no sense: not a number, unknown key, wrong type
+    InvalidInput,  // the text or number is invalid: not a number, unknown key, wrong type
     OutOfRange,    // well formed, but outside what is permitted
     Refused,       // the station does not do this now: stop latched, operator holds authority, fault
     NotAvailable,  // this mount or program does not have it
     NoDevice,      // the device, interface or file is absent
-    NoAnswer,      // the device is there but stays silent; data too old
+    NoAnswer,      // the device exists but does not reply; data too old
     Denied,        // permission missing
-    Busy,          // somebody else holds it
-    Protocol,      // the other side says something we cannot read
+    Busy,          // somebody else uses it
+    Protocol,      // the other side sends something unreadable
     Io,            // reading or writing failed
 };
 

@@ -18,7 +18,8 @@ std::optional<QString> saveWhole(QSaveFile& file)
     if (!file.flush()) {
         return canceled(file.errorString());
     }
-    // Some file systems find out only now that there is no room. One that cannot sync has nothing to tell.
+    // Some file systems report a full disk only here. EINVAL means that the file system cannot sync, which is not an
+    // error.
     if (::fsync(file.handle()) != 0 && errno != EINVAL) {
         return canceled(qt_error_string());
     }

@@ -9,9 +9,9 @@ class QSaveFile;
 
 namespace boresight {
 
-// Gives the file its name if all of it is on the disk, else the file that was there stays. QSaveFile::commit alone does
-// not know of a last write that failed (Qt 6.4): on a full disk a profile became an empty file, and was reported as
-// stored. Empty: done. Else why not.
+// Gives the file its final name only if all of it is on the disk. Otherwise the old file stays. QSaveFile::commit alone
+// ignores a failed last write (Qt 6.4): on a full disk it stored an empty profile and reported success. Empty: stored.
+// Otherwise the reason.
 [[nodiscard]] std::optional<QString> saveWhole(QSaveFile& file);
 
 }  // namespace boresight

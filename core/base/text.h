@@ -7,9 +7,9 @@
 #include <string>
 #include <string_view>
 
-// What a person reads is translated where it is made: into the language of the translator that the program installed
-// before. boresightd and boresightctl install none, and so do the tests: there it is the English of the source. Texts
-// that programs read - keys, causes of alarms, what is sent to clients and drives - are not made by this. Any thread.
+// Texts for people are translated where they are made, by the translator that the program installed before. boresightd,
+// boresightctl and the tests install none, so their texts are the English of the source. Texts that programs read
+// (keys, causes of alarms, messages to clients and drives) are not made with this class. Any thread.
 namespace boresight {
 
 class Text
@@ -17,7 +17,8 @@ class Text
     Q_DECLARE_TR_FUNCTIONS(Text)
 
 public:
-    // Of a text that was marked elsewhere: QT_TRANSLATE_NOOP("Text", "…"). Unmarked ones stay as they are.
+    // Translates a text that was marked elsewhere with QT_TRANSLATE_NOOP("Text", "…"). An unmarked text stays
+    // unchanged.
     [[nodiscard]] static QString of(std::string_view marked) { return tr(std::string(marked).c_str()); }
 };
 

@@ -6,7 +6,7 @@
 #include <QDateTime>
 #include <QString>
 
-// A time in a sentence that is read later: "17:06:10Z" stays true, "in 27 s" does not. Any thread.
+// Times for sentences that are read later: "17:06:10Z" stays true, "in 27 s" does not. Any thread.
 namespace boresight {
 
 [[nodiscard]] inline QString timeOfDayText(UtcTime utc)
@@ -15,7 +15,7 @@ namespace boresight {
     return QDateTime::fromSecsSinceEpoch(time.count(), Qt::UTC).toString(QStringLiteral("HH:mm:ss'Z'"));
 }
 
-// Of days ago: "2026-11-26 14:02Z".
+// For times that may be days ago: "2026-11-26 14:02Z".
 [[nodiscard]] inline QString dayAndTimeText(UtcTime utc)
 {
     const auto time = std::chrono::floor<std::chrono::seconds>(utc).time_since_epoch();

@@ -5,7 +5,7 @@
 
 namespace boresight {
 
-// Of the program, as CMakeLists.txt has it.
+// The version of the program, from CMakeLists.txt.
 inline constexpr std::string_view kVersion = BORESIGHT_VERSION;
 
 }  // namespace boresight

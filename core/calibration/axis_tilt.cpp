@@ -12,9 +12,9 @@
 namespace boresight::calibration {
 namespace {
 
-constexpr double kNoiseFloor = Angle::fromDegrees(0.06).radians();  // the sensor's step: 0.01 m/s² of gravity
+constexpr double kNoiseFloor = Angle::fromDegrees(0.06).radians();  // the sensor's resolution: 0.01 m/s² of gravity
 constexpr double kLeastArc = 120.0;                                 // degrees of azimuth
-constexpr std::size_t kFew = 6;                                     // three unknowns and their noise
+constexpr std::size_t kFew = 6;  // three unknowns, and enough readings to estimate their noise
 
 Angle arcOf(std::span<const LevelSample> samples)
 {
@@ -56,10 +56,10 @@ RobustProblem problemOf(std::span<const LevelSample> samples, Angle north)
     return problem;
 }
 
-// With z the sensor's axis, at the elevation e from the vertical in the plane of the boom, cos(reading) = cos(e) -
-// (tilt along the boom) sin(e) + r × (tilt across it) for a box that is rolled about the boom by r. So it reads r ×
-// (tilt across) / sin(e) too little, to first order: the tilt is turned by that part of itself. An error of north turns
-// it, too.
+// Let the sensor's axis be at the elevation e in the plane of the boom. For a box that is rolled about the boom by r,
+// cos(reading) = cos(e) - (tilt along the boom) sin(e) + r × (tilt across it). To first order, the reading is too small
+// by r × (tilt across) / sin(e). So the roll turns the measured tilt by a part of its size. An error of north turns it,
+// too.
 Angle turned(std::span<const LevelSample> samples, const Estimate& north, const LevelLimits& limits, Angle across)
 {
     Angle sum;

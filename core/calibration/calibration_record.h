@@ -15,27 +15,28 @@
 #include <utility>
 #include <vector>
 
-// What was applied, when, where and on which drives, with what it replaced and what it was found from; and the list of
-// these, in which one can go back and forth. Pure values; record_text.h makes files of them.
+// A record of an applied calibration: what was applied, when, where and on which drives, what it replaced and what it
+// was found from. The history is a list of records with Undo and Redo. Pure values; record_text.h writes and reads the
+// files.
 namespace boresight::calibration {
 
 using RecordSite = Site;
 
-// Of what a calibration holds for: elsewhere, or with another drive, it may be wrong.
+// The mount for which a calibration is valid. At another site or with another drive the calibration may be wrong.
 struct RecordMount
 {
-    std::string azimuthDrive;  // UUID; empty if it was not known
+    std::string azimuthDrive;  // UUID; empty if it was unknown
     std::string elevationDrive;
     std::optional<RecordSite> site;
 
     bool operator==(const RecordMount&) const = default;
 };
 
-// How the sensor is mounted, and what its compass suffers from.
+// How the sensor is mounted, and the deviation of its compass.
 struct SensorMounting
 {
     AzimuthSense sense = AzimuthSense::Clockwise;
-    Angle azimuthOffset;  // true azimuth of the beam where the sensor looks north
+    Angle azimuthOffset;  // true azimuth of the beam when the sensor points north
     Angle elevationOffset;
     std::optional<DeviationCurve> curve;
 
@@ -53,12 +54,12 @@ struct Change
 
 struct CalibrationRecord
 {
-    UtcTime when;   // of the Apply, to the millisecond
+    UtcTime when;   // time of the Apply, to the millisecond
     QString title;  // "North from the compass swing"
     RecordMount mount;
     Change<pointing::PointingTerms> terms;
-    std::array<std::optional<Angle>, kTerms> sigmas;  // of the terms that were found out
-    std::optional<Change<SensorMounting>> sensor;     // if that was changed, too
+    std::array<std::optional<Angle>, kTerms> sigmas;  // of the terms that were found
+    std::optional<Change<SensorMounting>> sensor;     // only if it was changed
     std::vector<CalibrationPoint> points;
 
     bool operator==(const CalibrationRecord&) const = default;
@@ -67,20 +68,21 @@ struct CalibrationRecord
 enum class MountDifference
 {
     None,
-    OtherSite,  // more than a kilometre away, where a compass and the Sun say something else
-    OtherDrive  // the zero of an axis may be another
+    OtherSite,  // more than a kilometre away, where the Sun and the declination differ
+    OtherDrive  // the zero of an axis may differ
 };
 
-// What of the mount of today speaks against a calibration of then; what is not known on either side does not.
+// Whether the calibration of `then` may be wrong on the mount of `today`. A value that is unknown on one side is not
+// compared.
 [[nodiscard]] MountDifference difference(const RecordMount& then, const RecordMount& today);
 
-// The first `inForce` entries are in force, the others were undone. A new one takes the place of those; they, and the
-// points in them, are kept apart to be read: nothing leads back to them.
+// The first `inForce` entries are in force, the others were undone. A new entry replaces the undone entries. The
+// replaced entries and their points are kept apart for reading only.
 class CalibrationHistory
 {
 public:
     CalibrationHistory() = default;
-    // inForce is at most the number of entries.
+    // inForce must not exceed the number of entries.
     CalibrationHistory(std::vector<CalibrationRecord> entries, std::size_t inForce,
                        std::vector<CalibrationRecord> superseded = {});
 
@@ -91,8 +93,8 @@ public:
     [[nodiscard]] bool canRedo() const { return m_inForce < m_entries.size(); }
 
     void add(CalibrationRecord record);
-    // The entry that is to be taken back (its `before` comes into force), or to be applied again (its `after`). Call
-    // only where it can.
+    // undo() returns the entry to take back (its `before` comes into force), redo() the entry to apply again (its
+    // `after`). Call them only if canUndo() or canRedo().
     const CalibrationRecord& undo();
     const CalibrationRecord& redo();
 
@@ -101,7 +103,7 @@ public:
 private:
     std::vector<CalibrationRecord> m_entries;  // oldest first
     std::size_t m_inForce = 0;
-    std::vector<CalibrationRecord> m_superseded;  // in the order in which they were
+    std::vector<CalibrationRecord> m_superseded;  // in the order in which they were superseded
 };
 
 }  // namespace boresight::calibration

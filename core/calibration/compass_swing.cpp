@@ -69,7 +69,8 @@ private:
         return {};
     }
 
-    // Offset, a1, b1, a2, b2 about the azimuth of the axis; then half the hysteresis, if it turned both ways.
+    // Coefficients of offset, a1, b1, a2, b2 for the azimuth of the axis, then half the hysteresis if the mount turned
+    // both ways.
     [[nodiscard]] std::vector<double> row(const SwingSample& sample) const
     {
         const double azimuth = sample.axisAzimuth.radians();
@@ -102,7 +103,7 @@ private:
         return problem;
     }
 
-    // The harmonics were fitted about the azimuth of the axis; the curve is about the true heading.
+    // The fit uses the azimuth of the axis, the curve uses the true heading. So the harmonics are turned.
     void takeSolution(const RobustFit& fit)
     {
         const auto angle = [&](std::size_t unknown) { return Angle::fromRadians(fit.solution[unknown]); };
@@ -140,7 +141,7 @@ private:
         m_swing.curve.unreliable = unreliableSectors(m_swing.samples, m_limits.unreliable);
     }
 
-    // What the readings cannot tell (METHOD.md, "What a swing cannot see").
+    // The error that the readings cannot show (METHOD.md, "What a swing cannot see").
     [[nodiscard]] Angle systematic() const
     {
         const Angle softIron = m_swing.curve.secondAmplitude() / std::numbers::sqrt2;
@@ -154,7 +155,7 @@ private:
         return sigma;
     }
 
-    // Nothing unless all samples tell.
+    // Empty unless every sample has an elevation.
     [[nodiscard]] std::optional<Angle> meanElevation() const
     {
         Angle sum;
@@ -193,7 +194,7 @@ private:
     std::span<const SwingSample> m_given;
     const SwingLimits& m_limits;
     std::vector<SwingSample> m_usable;
-    std::vector<std::size_t> m_places;  // of the usable ones among the given
+    std::vector<std::size_t> m_places;  // indices of the usable samples among the given
     Angle m_middle;
     CompassSwing m_swing;
 };

@@ -19,13 +19,13 @@ namespace {
 
 constexpr std::size_t kFewest = 7;
 constexpr double kHalfPower = 4.0 * std::numbers::ln2;  // exp(-this × (offset / width)²): one half at half a width
-constexpr double kCrossScanNoiseFloor = 0.02;           // of the power: 0.04 dB, finer than receivers tell
-constexpr double kBeamError = 0.2;      // of the peak: further down a beam is no Gaussian, in proportion
-constexpr double kNearZenith = 0.02;    // cosine of elevation: azimuth says nothing there
-constexpr double kWorstSigma = 0.25;    // of the width: a peak less certain is none
-constexpr double kLeastRise = 0.2;      // dB, that the power has to change along the line
-constexpr double kLeastEvidence = 5.0;  // noise alone comes to that on a few lines of a hundred
-constexpr double kNarrowest = 1.4;      // steps: a peak of one reading is none
+constexpr double kCrossScanNoiseFloor = 0.02;           // of the power: 0.04 dB, finer than receivers report
+constexpr double kBeamError = 0.2;      // of the peak: the sides of a beam differ from a Gaussian in proportion to it
+constexpr double kNearZenith = 0.02;    // cosine of elevation: nearer to the zenith azimuth is meaningless
+constexpr double kWorstSigma = 0.25;    // of the width: a less certain peak is rejected
+constexpr double kLeastRise = 0.2;      // dB, by which the power must change along the line
+constexpr double kLeastEvidence = 5.0;  // noise alone reaches this on a few of a hundred lines
+constexpr double kNarrowest = 1.4;      // steps: a peak of a single reading is rejected
 constexpr double kWidest = 3.0;         // of the line
 constexpr int kRounds = 30;
 constexpr double kStill = 1e-7;  // of the width
@@ -45,8 +45,8 @@ bool byOffset(const ScanReading& a, const ScanReading& b)
     return a.offset < b.offset;
 }
 
-// Along the line, each the middle one of itself and its neighbours: one spike or gap is neither peak nor end of it. At
-// the ends the lower of the two.
+// The readings along the line, each replaced by the median of itself and its two neighbours, so that one spike or gap
+// is not taken for the peak or its end. At the ends of the line: the lower of two.
 std::vector<double> smoothed(const std::vector<ScanReading>& ordered)
 {
     std::vector<double> result;
@@ -75,8 +75,8 @@ Result<> check(std::span<const ScanReading> readings)
     return {};
 }
 
-// The readings of a line in the order of their offsets, which are in units of half the line here, from its middle; the
-// powers in units of the best one.
+// The readings of a line, sorted by offset. Here offsets are in units of half the line, from its middle. Powers are in
+// units of the highest power.
 struct Line
 {
     std::vector<ScanReading> readings;
@@ -88,7 +88,7 @@ struct Line
     std::vector<double> smoothed;  // without spikes
 
     [[nodiscard]] double step() const { return 2.0 / static_cast<double>(places.size() - 1); }
-    // The noise of a reading is in proportion to its power.
+    // The noise of a reading is proportional to its power.
     [[nodiscard]] double weight(std::size_t i) const { return std::pow(smoothed[i] + kBeamError, -2.0); }
 };
 
@@ -127,7 +127,7 @@ struct Beam
     [[nodiscard]] double power(double at) const { return background + rise * shape(at); }
 };
 
-// Background and rise that fit best for this place and width; the sum of the squares that are left.
+// Fits background and rise for this position and width. Returns the sum of the squared residuals.
 double fitPowers(Beam& beam, const Line& line)
 {
     double g = 0.0;
@@ -156,7 +156,7 @@ double fitPowers(Beam& beam, const Line& line)
     return square;
 }
 
-// Every place and width is tried, so that no reading has to be believed to be next to the peak.
+// Tries every position and width, so that the start does not depend on a single reading near the peak.
 Beam startingBeam(const Line& line)
 {
     Beam best;
@@ -179,10 +179,10 @@ Beam startingBeam(const Line& line)
 struct BeamFit
 {
     Beam beam;
-    RobustFit fit;  // of rise, place (in widths), logarithm of the width, and background unless none is seen
+    RobustFit fit;  // of rise, position (in widths), logarithm of the width, and background if there is one
 };
 
-// What is left of the readings, as far as rise, place, width and background could explain it.
+// The residuals, as a linear problem in rise, position, width and background.
 RobustProblem linearised(const Beam& beam, const Line& line)
 {
     const bool hasBackground = beam.background > 0.0;
@@ -198,7 +198,7 @@ RobustProblem linearised(const Beam& beam, const Line& line)
     return problem;
 }
 
-// Gauss and Newton, in steps that a start nearby needs.
+// Gauss-Newton steps. They need a start near the solution.
 std::optional<BeamFit> refined(Beam beam, const Line& line)
 {
     for (int round = 0; round < kRounds; ++round) {
@@ -221,23 +221,24 @@ std::optional<BeamFit> refined(Beam beam, const Line& line)
     return std::nullopt;
 }
 
-// The line in elevation runs at the azimuth of the middle. Where it comes nearest to a source that is so far beside it,
-// it is higher than the source: tan(elevation) = tan(nearest) × cos(beside). Over the top the same holds.
+// The line in elevation runs at the azimuth of the middle, so it may pass beside the source. At the point of the line
+// that is nearest to the source, the line is higher than the source: tan(elevation) = tan(nearest) × cos(beside). The
+// same formula applies over the top.
 Angle seenFromBeside(Angle nearest, Angle beside)
 {
     return Angle::fromRadians(
         std::atan2(std::sin(nearest.radians()) * std::cos(beside.radians()), std::cos(nearest.radians())));
 }
 
-// Of the readings that are used, about the curve, in dB of their power.
+// The scatter of the used readings about the curve, in dB of their power.
 double scatterOf(const RobustFit& fit)
 {
     const auto used = static_cast<double>(fit.usedRows());
     return inDecibels(1.0 + fit.rms * std::sqrt(used / (used - static_cast<double>(fit.solution.size()))));
 }
 
-// What the beam explains of the readings for each of its unknowns, over what each of them scatters about it: the F test
-// of a peak against an even power. Of the readings that are used.
+// The F test of a peak against a constant power: what the beam explains for each of its unknowns, divided by the
+// scatter of a reading. Counts only the readings that are used.
 double evidence(const RobustFit& fit, const Line& line)
 {
     double weights = 0.0;
@@ -263,7 +264,7 @@ Result<> checkPeak(const BeamFit& fitted, const Line& line)
         return failure(ErrorCode::Refused, Text::tr("The power has no peak along this line."));
     }
     if (std::abs(beam.place) >= 1.0) {
-        // How far beyond its end is a guess of a line that has no peak: so scan again from there.
+        // The position outside the line is only a guess, because the line has no peak. So scan again from its end.
         const Angle end = line.middle + line.half * (beam.place > 0.0 ? 1.0 : -1.0);
         return failure(
             ErrorCode::Refused,

@@ -10,15 +10,15 @@
 #include <span>
 #include <vector>
 
-// The peak of a source from received power along two lines across it. Powers are told in dB and fitted as powers: a
-// background, the receiver's own noise and the sky, and on top of it a Gaussian beam. The Sun in a small dish adds a
-// decibel or three to that background. Pure.
+// The peak of a source from received power along two lines across it. Powers are given in dB and fitted as powers: a
+// Gaussian beam above a background of the receiver's noise and the sky. The Sun in a small dish is 1 to 3 dB above that
+// background. Pure.
 namespace boresight::calibration {
 
 struct ScanReading
 {
-    // From the middle of the scan, on the sky; across: azimuth × cos(elevation). Of a source that moves, the middle has
-    // to move with it: the Sun goes a degree in four minutes.
+    // From the middle of the scan, on the sky. Across means azimuth × cos(elevation). For a moving source the middle
+    // must move with the source: the Sun moves a degree in four minutes.
     Angle offset;
     double decibels = 0.0;
 };
@@ -27,17 +27,17 @@ struct ScanPeak
 {
     Estimate offset;
     double decibels = 0.0;             // at the peak
-    std::optional<double> background;  // dB, beside the source; empty: the line did not get down to it
+    std::optional<double> background;  // dB, beside the source; empty: the line did not reach the background
     Angle halfPowerWidth;              // of beam and source together
     double scatter = 0.0;              // dB rms about the curve
     std::size_t used = 0;
-    std::vector<ScanReading> readings;  // all, in the order of their offsets
+    std::vector<ScanReading> readings;  // all, sorted by offset
 };
 
-// One line. Refused with the reason where there is no peak, or none inside.
+// Fits one line. Refused with the reason if the line has no peak, or its peak is outside.
 [[nodiscard]] Result<ScanPeak> fitScan(std::span<const ScanReading> readings);
 
-// Of the curve that was fitted.
+// The power of the fitted curve.
 [[nodiscard]] double decibelsAt(const ScanPeak& peak, Angle offset);
 
 struct CrossScan
@@ -48,8 +48,8 @@ struct CrossScan
     Angle sigma;        // on the sky, the larger of the two
 };
 
-// `middle`: where the axes stood at offset 0 of both lines; of a moving source, where they would for offset 0 at the
-// time that the peak is to be told for. `elevationAt`: where on the line across the one in elevation was run.
+// `middle`: the position of the axes at offset 0 of both lines. For a moving source: their position for offset 0 at the
+// time for which the peak is wanted. `elevationAt`: where the line in elevation crosses the line across.
 [[nodiscard]] Result<CrossScan> fitCrossScan(const AxisPosition& middle, std::span<const ScanReading> across,
                                              std::span<const ScanReading> elevation, Angle elevationAt = {});
 

@@ -10,10 +10,10 @@
 namespace boresight::calibration {
 namespace {
 
-constexpr int kDeviationCurveRounds = 60;  // bisection alone would halve an error of a radian to 1e-18
+constexpr int kDeviationCurveRounds = 60;  // bisection alone would reduce an error of a radian to 1e-18
 constexpr double kExact = 1e-14;           // rad
-constexpr double kSteepest = 0.9;          // of the slope -1 at which two headings give one reading
-constexpr int kSlopes = 360;               // looked at: between two of them a slope differs by less than 0.001
+constexpr double kSteepest = 0.9;          // of the slope -1 at which two headings give the same reading
+constexpr int kSlopes = 360;  // number of tested slopes: between two of them the slope changes by less than 0.001
 constexpr Angle kUnseenIron = Angle::fromDegrees(2.0);  // a first harmonic may be small by chance
 constexpr Angle kSlack = Angle::fromDegrees(1e-6);
 
@@ -22,7 +22,7 @@ Angle amplitude(Angle sine, Angle cosine)
     return Angle::fromRadians(std::hypot(sine.radians(), cosine.radians()));
 }
 
-// By how much the reading of a sensor that counts clockwise grows with the heading.
+// How fast the reading of a clockwise sensor grows with the heading.
 double slopeAt(const DeviationCurve& curve, double psi)
 {
     return 1.0 + curve.a1.radians() * std::cos(psi) - curve.b1.radians() * std::sin(psi) +
@@ -49,7 +49,7 @@ orientation::SensorHeading DeviationCurve::reading(Angle heading) const
     return orientation::SensorHeading::folded(sense == AzimuthSense::Clockwise ? clockwise : -clockwise);
 }
 
-// Newton's steps, kept within a bracket that every step narrows.
+// Newton's method. Every step stays inside a bracket and narrows it.
 Angle DeviationCurve::corrected(orientation::SensorHeading reading) const
 {
     const Angle target = (sense == AzimuthSense::Clockwise ? reading.angle() : -reading.angle()) - constant;
@@ -95,9 +95,9 @@ bool DeviationCurve::isInvertible() const
     return true;
 }
 
-// Hard iron is a vector that goes up and down with the box. The swing sees what of it lies across the needle at its own
-// elevation; each of its three parts is as likely to be large as the others, so what another elevation brings in has
-// the part of the first harmonic that one direction has, by the way that the box has turned.
+// Hard iron is a vector that turns up and down with the box. The swing sees only the part across the needle at its own
+// elevation. The three parts of the vector are equally likely to be large. So another elevation adds the size of one
+// part (from the first harmonic) times the way that the box has turned.
 Angle DeviationCurve::sigmaAt(Angle otherElevation) const
 {
     if (!elevation) {

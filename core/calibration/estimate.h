@@ -3,7 +3,7 @@
 
 #include "core/units/quantity.h"
 
-// What a fit says: the value, and one sigma of what it may be off. Pure.
+// The result of a fit: the value and its error of one sigma. Pure.
 namespace boresight::calibration {
 
 struct Estimate

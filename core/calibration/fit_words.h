@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-// Small things that the fits share. Pure.
+// Small functions that the fits share. Pure.
 namespace boresight::calibration {
 
 [[nodiscard]] inline QString inWords(Angle angle, int decimals = 1)
@@ -15,7 +15,7 @@ namespace boresight::calibration {
     return QString::number(angle.degrees(), 'f', decimals) + QStringLiteral("°");
 }
 
-// Of errors that have nothing to do with each other.
+// The combined size of two independent errors.
 [[nodiscard]] inline Angle hypot(Angle a, Angle b)
 {
     return Angle::fromRadians(std::hypot(a.radians(), b.radians()));

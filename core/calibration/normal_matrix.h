@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-// The matrix of normal equations: symmetric, a row for each unknown. Pure value. Its source alone knows Eigen, whose
-// templates cost the compiler many seconds in each file that uses them.
+// The matrix of the normal equations: symmetric, with a row for each unknown. Pure value. Only its source includes
+// Eigen, whose templates cost the compiler many seconds in each file.
 namespace boresight::calibration {
 
 class NormalMatrix
@@ -16,15 +16,16 @@ public:
 
     // One more equation with these coefficients.
     void add(std::span<const double> coefficients, double weight = 1.0);
-    // What is known of an unknown by itself.
+    // Adds what is known about one unknown by itself.
     void addKnown(std::size_t unknown, double weight) { m_cells[unknown * m_unknowns + unknown] += weight; }
 
     [[nodiscard]] std::size_t unknowns() const { return m_unknowns; }
     [[nodiscard]] double diagonal(std::size_t unknown) const { return m_cells[unknown * m_unknowns + unknown]; }
-    // With ones on its diagonal: units and weights do not count, only what resembles what.
+    // The same matrix with ones on its diagonal. It shows only how the unknowns resemble each other, independent of
+    // units and weights.
     [[nodiscard]] NormalMatrix scaled() const;
 
-    // Positive, and its condition (by the sum of columns) is better than this.
+    // Positive definite, with a condition number (by column sums) below this limit.
     [[nodiscard]] bool isDetermined(double worstCondition) const;
 
     [[nodiscard]] std::vector<double> solve(std::span<const double> right) const;

@@ -14,10 +14,10 @@ namespace {
 using pointing::PointingModel;
 using pointing::PointingTerms;
 
-constexpr double kDataRule = 0.5;              // of the sigma known before: below, it is the points that tell
-constexpr double kUnlikely = 3e-4;             // of a good point to be so far from where the others see it: four sigmas
-constexpr double kTooNoisy = 2.0;              // times the stated sigmas
-constexpr double kLeastLever = 0.2;            // of cos(elevation)
+constexpr double kDataRule = 0.5;    // of the sigma known before: below this limit the points determine the term
+constexpr double kUnlikely = 3e-4;   // probability that a good point is as far off as this one: four sigmas
+constexpr double kTooNoisy = 2.0;    // times the stated sigmas
+constexpr double kLeastLever = 0.2;  // of cos(elevation)
 constexpr double kPointingFitLeastArc = 90.0;  // degrees of azimuth
 
 Angle rms(const std::vector<SkyOffset>& offsets)
@@ -165,10 +165,11 @@ private:
         }
     }
 
-    // How much azimuth is on the sky; over the top the collimation turns the other way.
+    // The size of a step of azimuth on the sky. Negative over the top, where the collimation acts in the other
+    // direction.
     static double lever(const CalibrationPoint& point) { return std::cos(point.axes.elevation.radians()); }
 
-    // Between the ends of the shortest arc that holds all points.
+    // The length of the shortest arc that contains all points.
     [[nodiscard]] Angle arc() const
     {
         std::vector<Angle> azimuths;

@@ -12,34 +12,34 @@
 #include <span>
 #include <vector>
 
-// The pointing model that points of known direction (Sun, Moon, a peak of power) speak for: a proposal, with all that
-// is needed to believe it or not. Pure.
+// Fits the pointing model to points of known direction (Sun, Moon, a peak of power). The result is a proposal with
+// everything that is needed to judge it. Pure.
 //
-// One point gives the offset of azimuth, two that of elevation too. From three on every other term may move, but only
-// within what was known of it before, and only if the points ask for it: the set of terms is taken that points and
+// One point gives the offset of azimuth, two also that of elevation. From three points on, every other term may move,
+// but only within its known error and only if the points require it. The fit takes the set of terms that points and
 // knowledge together make most probable (Bayes factors, by Laplace's approximation, exact for a model as linear as
-// this). METHOD.md tells more, and what can be expected of points that all lie on the arc of the Sun.
+// this). METHOD.md explains more, and what to expect of points that all lie on the arc of the Sun.
 namespace boresight::calibration {
 
 enum class TermState
 {
-    Off,    // stays as it is in force, or as it was measured: the points do not ask for another value, or are too few
-    Held,   // moves, but what was known counts as much as the points, which are few
+    Off,    // keeps its value in force or its measured value: the points do not require another one, or are too few
+    Held,   // moves, but the earlier knowledge counts as much as the points, which are few
     Fitted  // the points determine it
 };
 
 struct FittedTerm
 {
-    Estimate estimate;  // its sigma reckons with all the other terms as uncertain as they are, also those that are off
+    Estimate estimate;  // the sigma includes the uncertainty of all other terms, also of those that are off
     TermState state = TermState::Off;
-    QString why;  // of what is not fitted: a clause for the operator
+    QString why;  // why it is not fitted: a clause for the operator
 };
 
 struct FittedPoint
 {
     SkyOffset before;  // by the model that was in force
     SkyOffset after;
-    std::optional<SkyOffset> leftOut;  // by a fit without this point, to first order; nothing if too few are left
+    std::optional<SkyOffset> leftOut;  // by a fit without this point, to first order; empty if too few are left
 };
 
 struct PointingFit
@@ -47,29 +47,29 @@ struct PointingFit
     pointing::PointingTerms terms;
     std::array<FittedTerm, kTerms> fitted;
     double chiSquare = 0.0;
-    double degreesOfFreedom = 0.0;  // what knowledge determines does not count against the points
-    double noiseScale = 1.0;        // by which the points scatter more than their sigmas say; the sigmas reckon with it
+    double degreesOfFreedom = 0.0;  // an unknown that earlier knowledge determines does not reduce it
+    double noiseScale = 1.0;        // scatter of the points divided by their given sigmas; the results include it
     Angle rmsBefore;                // on the sky
     Angle rmsAfter;
     std::optional<Angle> rmsLeftOut;
-    std::vector<FittedPoint> points;  // of all that were given, the ones left out by the operator too
+    std::vector<FittedPoint> points;  // of all given points, including those left out by the operator
     std::vector<QString> hints;
 
     [[nodiscard]] const FittedTerm& of(Term term) const { return fitted[indexOf(term)]; }
     [[nodiscard]] int count(TermState state) const;
 };
 
-// `before`: the model in force; what the points do not ask for stays as it is there, unless `known` says more of it
-// than the usual. With one or two points all else of it stays. `known` is what is believed without the points; to take
-// it about the model in force again and again would count the same points twice. Refused with the reason.
+// `before`: the model in force. A term that the points do not require keeps its value there, unless `known` has a
+// better one than usual. One or two points leave all other terms unchanged. `known`: what is known without the points.
+// It must not come from a fit of the same points, which would then count twice. Refused with the reason.
 [[nodiscard]] Result<PointingFit> fitPointing(std::span<const CalibrationPoint> points,
                                               const pointing::PointingTerms& before,
                                               const TermKnowledge& known = TermKnowledge::usual());
 
-// Whether points that leave a term this uncertain have told it: else what was known before counts as much as they do.
+// True: the points determine a term with this sigma. False: the earlier knowledge counts as much as the points.
 [[nodiscard]] bool toldByPoints(Angle sigma, const std::optional<Estimate>& before);
 
-// From how many points on a term counts as fitted.
+// The number of points from which a term counts as fitted.
 [[nodiscard]] std::size_t fewestPoints(Term term);
 
 }  // namespace boresight::calibration

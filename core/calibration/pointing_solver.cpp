@@ -16,11 +16,11 @@ using pointing::PointingModel;
 using pointing::PointingTerms;
 
 constexpr int kPointingSolverRounds = 30;
-constexpr int kFreshDerivatives = 2;  // rounds; then they are right, for the model is nearly linear
+constexpr int kFreshDerivatives = 2;  // rounds; later the derivatives hardly change
 constexpr double kConverged = 1e-11;  // rad
-constexpr double kStep = 1e-5;        // rad, of the derivatives: their error is its square
+constexpr double kStep = 1e-5;        // rad, of the numeric derivatives: their error is the square of it
 constexpr double kWorstCondition = 1e10;
-constexpr double kAllLeverage = 1e-6;  // of a point that alone determines what it is held against
+constexpr double kAllLeverage = 1e-6;  // of a point that alone determines a term
 
 struct Vector
 {
@@ -73,9 +73,9 @@ public:
     }
 
 private:
-    using Row = std::vector<double>;  // a derivative for each unknown
+    using Row = std::vector<double>;  // one derivative for each unknown
 
-    // In units of each point's sigma: across and elevation, one after the other.
+    // Across and elevation of each point in turn, in units of the point's sigma.
     [[nodiscard]] std::vector<double> residuals(const PointingTerms& terms) const
     {
         const PointingModel model(terms);
@@ -88,7 +88,7 @@ private:
         return result;
     }
 
-    // A row for each residual.
+    // One row for each residual.
     [[nodiscard]] std::vector<Row> derivatives() const
     {
         std::vector<Row> result(2 * m_points.size());
@@ -161,8 +161,8 @@ private:
         return result;
     }
 
-    // A fit follows each point by its leverage H = J C Jᵀ, so without it the point is off by (1 - H)⁻¹ times as much.
-    // Of the same size is its covariance.
+    // A fit follows each point by its leverage H = J C Jᵀ. Without the point, its residual and its covariance are
+    // larger by (1 - H)⁻¹.
     void takeLeftOut(TermSolution& result, std::size_t point, const std::vector<double>& off,
                      const std::vector<double>& covariance) const
     {
@@ -225,7 +225,7 @@ SkyOffset offsetOf(const CalibrationPoint& point, const PointingModel& model)
     const double right = seen.dot(east);
     const double above = seen.dot(up);
     const double away = std::hypot(right, above);
-    // As long as the arc between the two, also where that is not small.
+    // Makes the length equal to the arc between the two directions, also for a large arc.
     const double stretch = away > 0.0 ? std::atan2(away, seen.dot(vectorOf(truth))) / away : 1.0;
     return {.across = Angle::fromRadians(right * stretch), .elevation = Angle::fromRadians(above * stretch)};
 }

@@ -12,23 +12,23 @@
 #include <span>
 #include <vector>
 
-// Weighted least squares of the exact pointing model, with what is known before as further equations: the terms that
+// Weighted least squares of the exact pointing model. Earlier knowledge adds equations. The result is the terms that
 // make points and knowledge most likely together. Pure.
 namespace boresight::calibration {
 
 struct CalibrationPoint
 {
     AxisPosition axes;
-    SkyPointing truth;                       // of the source, as the beam sees it (refraction dealt with)
-    Angle sigma = Angle::fromDegrees(0.03);  // of how well the source was centred, on the sky, each way
+    SkyPointing truth;                       // of the source, as the beam sees it (with refraction)
+    Angle sigma = Angle::fromDegrees(0.03);  // how well the source was centred, on the sky, in each direction
     UtcTime when;
     QString label;       // "Sun"
-    bool isUsed = true;  // the operator may leave one out
+    bool isUsed = true;  // false: the operator left it out
 
     bool operator==(const CalibrationPoint&) const = default;
 };
 
-// On the sky: across is positive clockwise and is the error of azimuth × cos(elevation) while small.
+// On the sky. Across is positive clockwise; a small offset across is the error of azimuth × cos(elevation).
 struct SkyOffset
 {
     Angle across;
@@ -38,26 +38,26 @@ struct SkyOffset
     bool operator==(const SkyOffset&) const = default;
 };
 
-// Where the beam is by the model, seen from where it is in truth.
+// The direction of the beam by the model, relative to its true direction.
 [[nodiscard]] SkyOffset offsetOf(const CalibrationPoint& point, const pointing::PointingModel& model);
 
 struct TermSolution
 {
     pointing::PointingTerms terms;
-    std::array<Angle, kTerms> sigmas;  // of the terms solved for, at the points' own sigmas
+    std::array<Angle, kTerms> sigmas;  // of the solved terms, with the sigmas of the points as given
     double chiSquare = 0.0;            // of the points
-    double knowledge = 0.0;            // the same of what was known before
-    double logVolume = 0.0;            // of what is left uncertain: ½ log det of the covariance
-    // Where a fit without this point would see it, to first order; nothing if the others do not determine the terms.
+    double knowledge = 0.0;            // chi square of the earlier knowledge
+    double logVolume = 0.0;            // of the remaining uncertainty: ½ log det of the covariance
+    // Offset of each point from a fit without it, to first order. Empty if the other points do not determine the terms.
     std::vector<std::optional<SkyOffset>> leftOut;
-    // The square of that in sigmas, of the point and of what the others foresee together; 0 where there is nothing.
+    // The square of `leftOut` in sigmas of the point and of the prediction together. 0 if `leftOut` is empty.
     std::vector<double> strangeness;
 };
 
 using TermSet = std::array<bool, kTerms>;
 
-// Solves for the terms of the set; the others stay as they are in `start`. Refused if points and knowledge together do
-// not determine them, or if it does not converge.
+// Solves for the terms of the set. All other terms stay as they are in `start`. Refused if points and knowledge
+// together do not determine the terms, or if the iteration does not converge.
 [[nodiscard]] Result<TermSolution> solveTerms(std::span<const CalibrationPoint> points,
                                               const pointing::PointingTerms& start, const TermSet& set,
                                               const TermKnowledge& known);

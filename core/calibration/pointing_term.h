@@ -9,7 +9,7 @@
 #include <optional>
 #include <string_view>
 
-// The terms of the pointing model, to be counted through, and what is known of each before any point was taken. Pure.
+// The terms of the pointing model as a list, and what is known of each before any point was taken. Pure.
 namespace boresight::calibration {
 
 enum class Term
@@ -36,11 +36,11 @@ inline constexpr std::array<Term, kTerms> kAllTerms = {
 [[nodiscard]] Angle& valueOf(pointing::PointingTerms& terms, Term term);
 [[nodiscard]] Angle valueOf(const pointing::PointingTerms& terms, Term term);
 
-// As in a profile and in exchanged files: "azimuth_offset".
+// The name in a profile and in exchanged files: "azimuth_offset".
 [[nodiscard]] std::string_view nameOf(Term term);
 [[nodiscard]] std::optional<Term> termOfName(std::string_view name);
 
-// Before a point was taken. Of the azimuth's offset nothing need be known.
+// What is known before a point was taken. The azimuth offset may be unknown.
 struct TermKnowledge
 {
     std::array<std::optional<Estimate>, kTerms> terms;
@@ -48,9 +48,8 @@ struct TermKnowledge
     [[nodiscard]] const std::optional<Estimate>& of(Term term) const { return terms[indexOf(term)]; }
     [[nodiscard]] std::optional<Estimate>& of(Term term) { return terms[indexOf(term)]; }
 
-    // What is usual on a mount that was set up with a spirit level and a tape: a zero of elevation within 3°, a tilt
-    // within 1°, a beam 0.3° off its axis, a boom that hangs by 0.1°, axes that cross squarely to 0.1°; one sigma
-    // each.
+    // Usual errors (one sigma) of a mount that was set up with a spirit level and a tape measure: zero of elevation 3°,
+    // tilt 1°, beam 0.3° off its axis, boom flexure 0.1°, axes perpendicular to 0.1°.
     [[nodiscard]] static TermKnowledge usual();
 };
 

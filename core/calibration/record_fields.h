@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
-// Every key of the file of a history, described once (core/records/field_list.h). What is simple comes before the
-// tables, as TOML wants it. Angles are in degrees.
+// Every key of a history file, described once (core/records/field_list.h). Simple keys come before tables, as TOML
+// requires. Angles are in degrees.
 namespace boresight::calibration::record {
 
 using records::Range;
@@ -25,7 +25,7 @@ struct HistoryFile
     std::vector<CalibrationRecord> superseded;
 };
 
-// What a file must keep to; wide on purpose: it refuses what is broken, not what is unusual.
+// The permitted ranges. They are wide: they reject broken values, not unusual ones.
 inline constexpr Range kOfAxis{-36000.0, 36000.0};
 inline constexpr Range kOfTerm{-360.0, 360.0};
 inline constexpr Range kOfAzimuth{0.0, 360.0};

@@ -9,15 +9,15 @@
 #include <string>
 #include <string_view>
 
-// A history of calibrations as a TOML file, and back. One record to be exchanged is a history of one entry. Angles are
-// in degrees, to a billionth; METHOD.md describes the keys. Pure.
+// Writes a history of calibrations as a TOML file and reads it back. An exchanged record is a history with one entry.
+// Angles are in degrees with 9 decimals. METHOD.md describes the keys. Pure.
 namespace boresight::calibration {
 
-// Refuses what could not be read again: a number that is not finite or out of range.
+// Refuses a value that could not be read again: a number that is not finite or out of range.
 [[nodiscard]] Result<std::string> toText(const CalibrationHistory& history);
 
-// Strict: a key that is unknown, missing, of another type or out of range is an error, and all errors are told at once,
-// one "FILE:LINE: key: reason" per line.
+// Strict: a key that is unknown, missing, of another type or out of range is an error. All errors are reported
+// together, one "FILE:LINE: key: reason" per line.
 [[nodiscard]] Result<CalibrationHistory> parseHistory(std::string_view text, const QString& fileName);
 
 }  // namespace boresight::calibration

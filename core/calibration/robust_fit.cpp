@@ -19,7 +19,7 @@ constexpr int kHuberRounds = 15;
 constexpr int kTukeyRounds = 10;
 constexpr int kCutRounds = 10;
 constexpr double kWorstCorrelation = 0.95;
-constexpr double kFewestFree = 2.5;               // degrees of freedom; with two the variance has no end
+constexpr double kFewestFree = 2.5;               // degrees of freedom; with two or less the variance is infinite
 constexpr double kRobustFitWorstCondition = 1e8;  // of the normal matrix
 
 double median(std::vector<double> values)
@@ -71,7 +71,7 @@ private:
         }
     }
 
-    // From the middle of the residuals: half of them may be anything.
+    // From the median of the residuals, so that up to half of them may be outliers.
     [[nodiscard]] double scale() const
     {
         const auto rows = static_cast<double>(m_problem.rows());
@@ -111,8 +111,8 @@ private:
         }
     }
 
-    // Of neighbours that are both used. The estimate from n rows is too low by about 2 r / n (Kendall 1954), and by
-    // (1 + r) / n for each unknown, which takes away what is slow.
+    // The correlation of neighbouring residuals that are both used. The estimate from n rows is too low by about 2 r /
+    // n (Kendall 1954). Each unknown adds (1 + r) / n, because it removes slow changes.
     [[nodiscard]] double correlation(double n, double p) const
     {
         double product = 0.0;
@@ -144,7 +144,7 @@ private:
             square += m_used[i] ? m_away[i] * m_away[i] : 0.0;
         }
         fit.rms = std::sqrt(square / n);
-        const double worth = (free + p) / n;  // of a row
+        const double worth = (free + p) / n;  // of one row
         const double noise = std::max(square / std::max(n - p / worth, kFewestFree), m_floor * m_floor / 12.0);
         fit.solution = m_solution;
         fit.covariance = m_normal.inverse();

@@ -16,11 +16,11 @@ namespace {
 
 constexpr double kSensorOffsetNoiseFloor = Angle::fromDegrees(0.1).radians();
 constexpr double kFewestIndependent = 3.0;
-constexpr Angle kStandsStill = Angle::fromDegrees(0.3);  // how far the readings of a still mount may be apart
+constexpr Angle kStandsStill = Angle::fromDegrees(0.3);  // largest difference of the axis angles of a still mount
 
 using Calibration = std::optional<int> SensorReading::*;
 
-// Nothing where no reading tells.
+// Empty if no reading reports it.
 std::optional<int> worst(std::span<const SensorReading> readings, Calibration which)
 {
     std::optional<int> least;
@@ -53,7 +53,7 @@ Result<> isCalibrated(std::optional<int> magnetometer, std::optional<int> system
 
 namespace {
 
-// A chip that hangs sends one value for ever. Where it tells its calibration, that is 0 then.
+// A hanging chip sends the same value for ever. If it reports its calibration, the level is then 0.
 Result<> checkAlive(std::span<const SensorReading> readings)
 {
     const bool same = std::all_of(readings.begin(), readings.end(),
@@ -112,8 +112,8 @@ std::vector<Angle> offsetsOf(std::span<const SensorReading> readings, const Devi
     return offsets;
 }
 
-// A curve leaves what it was fitted with and what its constant is off, and says less of other elevations; alignment and
-// declination are in that constant already. An unreliable sector is as bad as no curve.
+// With a curve, the error is the curve's scatter, the sigma of its constant, and more at other elevations. The constant
+// already includes alignment and declination. In an unreliable sector the curve is of no use.
 Angle systematic(const SensorOffsetLimits& limits, const std::optional<DeviationCurve>& curve, Angle heading,
                  const std::optional<Angle>& elevation)
 {

@@ -14,8 +14,8 @@ namespace {
 constexpr int kCoverageSectors = 12;
 constexpr double kFullTurn = 360.0;
 
-// Three points determine a first harmonic with its mean, five a second one too; one sector more in each case tells
-// noise from curve.
+// Three sectors determine the mean and a first harmonic, five also a second one. Additional sectors distinguish noise
+// from curve.
 constexpr int kSectorsForFirst = 5;
 constexpr int kSectorsForSecond = 8;
 constexpr Angle kGapForFirst = Angle::fromDegrees(150.0);
@@ -47,7 +47,7 @@ Angle largestGap(std::span<const SwingSample> usable)
     return largest;
 }
 
-// About their mean direction, as the standard deviation of a wrapped Gaussian would be.
+// The spread about the mean direction: the standard deviation of a wrapped Gaussian.
 double spread(std::span<const SwingSample> usable, AzimuthSense sense)
 {
     std::vector<Angle> offsets;

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-// What a swing can be fitted with: which samples are fit for use, how much of the circle they saw, which way the sensor
+// Prepares the fit of a swing: which samples are usable, how much of the circle they cover, which way the sensor
 // counts. Steps of fitCompassSwing(); pure.
 namespace boresight::calibration {
 
@@ -15,16 +15,16 @@ namespace boresight::calibration {
 
 [[nodiscard]] SwingCoverage coverageOf(std::span<const SwingSample> usable);
 
-// As many as the circle was seen well enough for: a second harmonic needs what a first one does not.
+// As many harmonics as the coverage of the circle allows.
 [[nodiscard]] Harmonics harmonicsFor(const SwingCoverage& coverage);
 
-// The sense in which heading less azimuth stays the same; nothing if both are as likely.
+// The sense in which the difference of heading and azimuth stays constant. Empty if both are equally likely.
 [[nodiscard]] std::optional<AzimuthSense> senseOf(std::span<const SwingSample> usable);
 
-// Reading of a sensor that counts clockwise, less the azimuth of the axis.
+// The reading, converted to a clockwise sensor, minus the azimuth of the axis.
 [[nodiscard]] Angle headingOffset(const SwingSample& sample, AzimuthSense sense);
 
-// Arcs in which the middle residual is beyond the limit, in steps of 10°; outliers count, too.
+// Arcs in which the median residual exceeds the limit, in steps of 10°. Outliers count, too.
 [[nodiscard]] std::vector<UnreliableSector> unreliableSectors(std::span<const SwingResidual> samples, Angle limit);
 
 }  // namespace boresight::calibration

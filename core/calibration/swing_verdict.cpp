@@ -12,10 +12,10 @@ namespace boresight::calibration {
 namespace {
 
 constexpr double kFollowsCurrent = 0.6;                   // coefficient of correlation
-constexpr Angle kWorthTelling = Angle::fromDegrees(2.0);  // of hysteresis, of what the current does
+constexpr Angle kWorthTelling = Angle::fromDegrees(2.0);  // smallest reported hysteresis, and effect of the current
 constexpr Angle kFarAway = Angle::fromDegrees(45.0);      // of elevation
 
-// Of the readings: fewer may be left out without a word.
+// Part of the readings that may be left out without a remark.
 constexpr double kFewLeftOut = 0.1;
 
 Angle unreliableArc(const CompassSwing& swing)
@@ -30,10 +30,10 @@ Angle unreliableArc(const CompassSwing& swing)
 struct CurrentEffect
 {
     double correlation = 0.0;
-    Angle amplitude;  // of the residuals that go with the current, rms
+    Angle amplitude;  // rms of the part of the residuals that follows the current
 };
 
-// Between what the curve leaves and the motors' current.
+// The correlation between the residuals of the curve and the current of the motors.
 CurrentEffect effectOfCurrent(const CompassSwing& swing, std::span<const SwingSample> usable)
 {
     double n = 0.0, current = 0.0, residual = 0.0, currentSquare = 0.0, residualSquare = 0.0, product = 0.0;

@@ -7,10 +7,10 @@
 
 #include <span>
 
-// What a swing means, in sentences for the operator. Steps of fitCompassSwing(); pure.
+// Describes the result of a swing in sentences for the operator. Steps of fitCompassSwing(); pure.
 namespace boresight::calibration {
 
-// Fills in hints and reasons. `usable`: the samples the fit began with, in the order of those whose fate says so.
+// Fills in hints and reasons. `usable`: the samples with which the fit began, in the order of the residuals.
 void judge(CompassSwing& swing, std::span<const SwingSample> usable, const SwingLimits& limits);
 
 // Why not even a first harmonic could be fitted.

@@ -16,9 +16,9 @@ using pointing::PointingTerms;
 
 constexpr std::size_t kPointsForElevation = 2;
 constexpr std::size_t kPointsForMore = 3;
-constexpr double kLeastWeight = 1e-4;  // of cos² of elevation: at the zenith azimuth means nothing
+constexpr double kLeastWeight = 1e-4;  // of cos² of elevation: at the zenith azimuth is meaningless
 
-// Terms that come and go together: a tilt has a direction.
+// Terms that are turned on and off together: a tilt has two parts.
 constexpr std::array<TermSet, 4> kGroups = {{{false, false, true, true, false, false, false},
                                              {false, false, false, false, true, false, false},
                                              {false, false, false, false, false, true, false},
@@ -41,7 +41,7 @@ TermSet withGroups(TermSet set, unsigned groups)
 
 constexpr unsigned kAllGroups = (1U << kGroups.size()) - 1;
 
-// One or two points are no reason to give up what is in force.
+// One or two points are not enough to move a term away from its value in force.
 TermKnowledge aboutForce(std::size_t points, const PointingTerms& before, const TermKnowledge& known)
 {
     TermKnowledge result = known;
@@ -53,8 +53,8 @@ TermKnowledge aboutForce(std::size_t points, const PointingTerms& before, const 
     return result;
 }
 
-// What is off stays in force, typed or found earlier, unless more than the usual is known of it (a tilt, from a swing).
-// The offset of azimuth begins within reach of its solution.
+// A term that is off keeps its value in force, unless `known` has a better one than usual (a tilt from a swing). The
+// azimuth offset starts near its solution.
 Result<PointingTerms> startFrom(std::span<const CalibrationPoint> points, const PointingTerms& before,
                                 const TermKnowledge& known)
 {
@@ -85,7 +85,8 @@ Result<PointingTerms> startFrom(std::span<const CalibrationPoint> points, const 
     return start;
 }
 
-// Of the logarithm of what points and knowledge make of a set of terms, the part that differs between sets.
+// The logarithm of the probability of a set of terms, given points and knowledge. Only the part that differs between
+// sets.
 double evidence(const TermSolution& solution, const TermSet& set, const TermKnowledge& known)
 {
     double result = -0.5 * (solution.chiSquare + solution.knowledge) + solution.logVolume;
@@ -97,7 +98,7 @@ double evidence(const TermSolution& solution, const TermSet& set, const TermKnow
     return result;
 }
 
-// How many unknowns the points determine: a term of which as much is known as before counts nothing.
+// How many unknowns the points determine. A term whose sigma the points do not reduce counts 0.
 double unknownsTold(const TermSolution& solution, const TermSet& set, const TermKnowledge& known)
 {
     double told = 0.0;
@@ -125,8 +126,9 @@ std::vector<CalibrationPoint> withNoise(std::span<const CalibrationPoint> points
     return result;
 }
 
-// Of each point, against the scatter of the others and no less than the stated sigmas: the tail of the F distribution
-// with two degrees of freedom above. A point among few bends everything, itself included, so then none is accused.
+// The probability of each point: the tail of the F distribution with two degrees of freedom in the numerator, against
+// the scatter of the other points but at least their stated sigmas. If there are few points, each of them bends the
+// whole fit, so no point is named.
 std::vector<double> chancesOf(const TermSolution& solution, double free)
 {
     std::vector<double> chances;
@@ -168,8 +170,8 @@ Result<Candidate> mostProbable(std::span<const CalibrationPoint> points, const P
     return best;
 }
 
-// Of so few points the terms that stay are as uncertain as ever, and those that move are wrong with them: each by what
-// it changes when one that stays is moved by its sigma.
+// With few points, the terms that stay are as uncertain as before, and make the moving terms uncertain, too. Each
+// moving term gets the change that results when a staying term is shifted by its sigma.
 std::array<Angle, kTerms> sigmasAmidUnknown(std::span<const CalibrationPoint> points, const PointingTerms& start,
                                             const Candidate& best, const TermKnowledge& known)
 {
@@ -201,7 +203,7 @@ Result<TermChoice> chooseTerms(std::span<const CalibrationPoint> points, const P
     if (!start) {
         return tl::unexpected(start.error());
     }
-    // With all terms moving nothing but noise is left, so that shows what noise there is.
+    // With all terms free only noise is left. This fit gives the size of the noise.
     const TermSet all = withGroups(basicSet(kPointsForMore), kAllGroups);
     const auto whole = solveTerms(points, *start, all, known);
     if (!whole) {

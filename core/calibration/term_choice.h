@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-// Which terms of the pointing model the points ask for. A step of fitPointing(); pure.
+// Which terms of the pointing model the points require. A step of fitPointing(); pure.
 namespace boresight::calibration {
 
 struct TermChoice
@@ -17,14 +17,15 @@ struct TermChoice
     pointing::PointingTerms terms;
     std::array<Angle, kTerms> sigmas;               // with all terms uncertain
     std::vector<std::optional<SkyOffset>> leftOut;  // of each point, by a fit without it
-    // Of each point: how likely a good one is so far from where the others see it. 1 where they are too few to tell.
+    // Of each point: the probability that a good point is this far from where the others expect it. 1 if the points are
+    // too few.
     std::vector<double> chances;
     double chiSquare = 0.0;
     double degreesOfFreedom = 0.0;
     double noiseScale = 1.0;
 };
 
-// Refused with the reason: the points do not determine the offset of azimuth, or nothing fits them.
+// Refused with the reason if the points do not determine the azimuth offset, or if no model fits them.
 [[nodiscard]] Result<TermChoice> chooseTerms(std::span<const CalibrationPoint> points,
                                              const pointing::PointingTerms& before, const TermKnowledge& known);
 

@@ -3,8 +3,8 @@
 
 #include "core/calibration/terms_text.h"
 
-// Every key in the header of a sheet of terms, described once: `headerFields(visitor, sheet)` calls the visitor for
-// each, and it writes or reads. Below the header follow the terms, as kAllTerms lists them.
+// Every key in the header of a sheet of terms, described once. `headerFields(visitor, sheet)` calls the visitor for
+// each key, and the visitor writes or reads it. Below the header follow the terms, in the order of kAllTerms.
 namespace boresight::calibration {
 
 template <class Visitor>

@@ -44,7 +44,7 @@ QString quoted(std::string_view text)
     return QStringLiteral("\"%1\"").arg(toQString(printable(std::string(text.substr(0, kLongestQuote)))));
 }
 
-// What one of the unit is in degrees.
+// How many degrees one unit has.
 std::optional<double> degreesOf(std::string_view unit)
 {
     if (unit == "deg") {
@@ -81,7 +81,7 @@ public:
         return m_sheet;
     }
 
-    // Of a line of the header.
+    // Reads a value from a line of the header.
     void text(std::string_view key, std::string& value)
     {
         if (key == m_key) {
@@ -203,7 +203,7 @@ private:
         m_sheet.sigmas[indexOf(term)] = Angle::fromDegrees(*sigma * unit);
     }
 
-    // No more than somebody reads.
+    // Reports at most kMostProblems problems.
     void complain(const QString& reason)
     {
         if (++m_count > kMostProblems) {
@@ -214,9 +214,9 @@ private:
 
     QString m_fileName;
     TermSheet m_sheet;
-    std::string_view m_key;  // of the line of the header that is being read
+    std::string_view m_key;  // of the present line of the header
     std::string m_value;
-    std::array<std::size_t, kTerms> m_lines{};  // where each stands, from 1
+    std::array<std::size_t, kTerms> m_lines{};  // the line number of each term, from 1
     std::size_t m_line = 0;
     QStringList m_problems;
     std::size_t m_count = 0;

@@ -11,8 +11,8 @@
 #include <string>
 #include <string_view>
 
-// The terms of a pointing model as a small text for people and other programs: a header of comments that tells of what
-// mount they are, then one term per line: name, value, unit, sigma. Pure.
+// The terms of a pointing model as a short text for people and other programs: a header of comments that describes the
+// mount, then one term per line: name, value, unit, sigma. Pure.
 //
 //   # mount: Roof
 //   # date: 2026-11-22T01:30:00Z
@@ -25,7 +25,7 @@ namespace boresight::calibration {
 
 struct TermSheet
 {
-    std::string mountName;  // empty if it was not told, as everything else of the header
+    std::string mountName;  // empty if unknown, like every other value of the header
     std::optional<UtcTime> when;
     RecordMount mount;
     pointing::PointingTerms terms;
@@ -34,11 +34,11 @@ struct TermSheet
     bool operator==(const TermSheet&) const = default;
 };
 
-// Angles in degrees, to a billionth; the date to a second.
+// Angles in degrees with 9 decimals; the date in whole seconds.
 [[nodiscard]] std::string toText(const TermSheet& sheet);
 
-// Units are deg, arcmin and arcsec; the sigma may be missing or "-". Every term is expected once. What is wrong is told
-// all at once, one "FILE:LINE: reason" per line; of the comments only those of the header are read.
+// Units are deg, arcmin and arcsec. The sigma may be missing or "-". Every term must occur once. All errors are
+// reported together, one "FILE:LINE: reason" per line. Comments are ignored, except those of the header.
 [[nodiscard]] Result<TermSheet> parseTerms(std::string_view text, const QString& fileName);
 
 }  // namespace boresight::calibration

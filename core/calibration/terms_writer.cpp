@@ -23,7 +23,7 @@ std::string degrees(Angle angle)
     return formatFixed(angle.degrees(), kTermsWriterDecimals);
 }
 
-// One that rounds to 0 would say that nothing is uncertain.
+// A sigma that rounds to 0 is written as "-", because 0 would mean no uncertainty.
 std::string sigmaText(const std::optional<Angle>& sigma)
 {
     const std::string text = sigma ? degrees(*sigma) : "-";

@@ -24,7 +24,7 @@ void addText(std::vector<BundleFile>& files, const QString& name, const QString&
     files.push_back({.file = {.name = name, .bytes = text.toUtf8()}, .about = about});
 }
 
-// A file that is there and cannot be read is worth knowing of.
+// A file that exists but cannot be read is mentioned.
 void addFile(std::vector<BundleFile>& files, const QString& path, const QString& about)
 {
     QFile file(path);

@@ -4,15 +4,15 @@
 #include "core/diagnostics/tar_archive.h"
 #include "core/messages/station_status.h"
 
-// One archive for a bug report: what the program, the mount and its last minutes were like. It holds no passwords.
-// Blocking, and some 10 MB of logs at most: not on the gui thread, nor the station's.
+// One archive for a bug report: the state of the program and the mount, and their last minutes. It contains no
+// passwords. Blocking, with at most about 10 MB of logs: neither on the gui thread nor on the station thread.
 namespace boresight::diagnostics {
 
 struct Snapshot
 {
-    StationStatus status;      // with the profile in force
-    profile::Profile applied;  // the same, with what waits for a reconnect
-    QString stateDir;          // with the logs and the mount's memory
+    StationStatus status;      // includes the profile in force
+    profile::Profile applied;  // the profile in force with the changes that wait for a reconnect
+    QString stateDir;          // the folder with the logs and the position journal
     UtcTime when;
 };
 
@@ -22,10 +22,10 @@ struct BundleFile
     QString about;  // one sentence for the README
 };
 
-// What a snapshot leads to; files of the state folder that are not there are left out.
+// Makes the files from a snapshot. Missing files of the state folder are left out.
 [[nodiscard]] std::vector<BundleFile> collect(const Snapshot& snapshot);
 
-// Into one folder of the archive, with a README.txt that says what each file is.
+// Writes all files into one folder of the archive, with a README.txt that describes each file.
 [[nodiscard]] Result<> writeBundle(const QString& path, const std::vector<BundleFile>& files, UtcTime when);
 
 [[nodiscard]] QString proposedName(UtcTime when);  // boresight-20261121T181730Z.tar.gz

@@ -26,7 +26,7 @@ QString numberText(const std::optional<double>& value, const char* unit)
                  : QStringLiteral("unknown");
 }
 
-// Of a mount without such drives: unknown.
+// Unknown values for a mount without moteus drives.
 DrivesStatus drivesOf(const StationStatus& status)
 {
     return status.drives.value_or(DrivesStatus());

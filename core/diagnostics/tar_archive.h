@@ -9,18 +9,18 @@
 
 #include <vector>
 
-// Files put together into one .tar.gz. Blocking: not on the gui thread, nor the station's.
+// Packs files into one .tar.gz. Blocking: neither on the gui thread nor on the station thread.
 namespace boresight::diagnostics {
 
 struct ArchiveFile
 {
-    QString name;  // with the folder it is to have in the archive
+    QString name;  // path inside the archive, with its folder
     QByteArray bytes;
 
     bool operator==(const ArchiveFile&) const = default;
 };
 
-// All or nothing: a failure, whose reason names the path, leaves what was there. All files get the time `when`.
+// All or nothing: after a failure the old archive stays. The reason names the path. All files get the time `when`.
 [[nodiscard]] Result<> writeArchive(const QString& path, const std::vector<ArchiveFile>& files, UtcTime when);
 
 }  // namespace boresight::diagnostics

@@ -20,7 +20,7 @@ namespace boresight::orbit {
 namespace {
 
 constexpr qint64 kMostBytes = kMostElementMegabytes * (qint64(1) << 20);
-// A file without any good set is most likely no file of elements, with a problem in each line.
+// A file without any good set is probably not a file of elements and would report a problem for each line.
 constexpr std::size_t kMostProblemsWithoutASet = 20;
 
 struct FileSet
@@ -35,7 +35,7 @@ struct FileReading
     QStringList problems;
 };
 
-// A pipe or a device would keep the reader waiting, and with it the end of the program.
+// A pipe or a device would block the reader, and so the end of the program.
 bool isNoFile(const QString& path)
 {
     const QFileInfo there(path);
@@ -59,7 +59,7 @@ QStringList filesOf(const QString& path, QStringList& problems)
     const QStringList endings{QStringLiteral("*.tle"), QStringLiteral("*.3le"),  QStringLiteral("*.txt"),
                               QStringLiteral("*.omm"), QStringLiteral("*.json"), QStringLiteral("*.csv"),
                               QStringLiteral("*.xml"), QStringLiteral("*.kvn"),  QStringLiteral("*.sat")};
-    // The folder of Gpredict itself has its elements one below.
+    // If this is the folder of Gpredict itself, its elements are in the subfolder satdata.
     const QString satdata = path + QStringLiteral("/satdata");
     const QDir folder(QFileInfo(satdata).isDir() ? satdata : path);
     QStringList files;
@@ -108,8 +108,8 @@ void readFile(const QString& path, FileReading& all)
     }
 }
 
-// By how much two sets of one satellite place it differently at the epoch of the newer one, where that is more than
-// elements grow wrong: 1 to 3 km a day, and faster where the air is dense. 0 otherwise.
+// The distance in km between two sets of one satellite at the epoch of the newer set. 0 if the age of the older set can
+// explain the distance: elements become wrong by 1 to 3 km a day, and faster in dense air.
 double disagreement(const ElementSet& newer, const ElementSet& older)
 {
     constexpr double kPermitted = 100.0;  // km
@@ -120,7 +120,7 @@ double disagreement(const ElementSet& newer, const ElementSet& older)
     return apart > kPermitted * (1.0 + days) * (1.0 + days) ? apart : 0.0;
 }
 
-// The first of them if the epochs are the same. A satellite on which its sources disagree is reported once.
+// Among equal epochs the first set wins. A satellite whose sources disagree is reported once.
 std::vector<ElementSet> theNewest(std::vector<FileSet> found, QStringList& problems)
 {
     const auto isBefore = [](const FileSet& a, const FileSet& b) {

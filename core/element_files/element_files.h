@@ -8,18 +8,18 @@
 
 #include <vector>
 
-// Element sets of files and folders, those of Gpredict included, which stay where they are. Blocking.
+// Reads element sets from files and folders, including those of Gpredict, without copying them. Blocking.
 namespace boresight::orbit {
 
 struct ElementFiles
 {
-    std::vector<ElementSet> sets;  // one of each number: the newest epoch wins. In the order of the numbers
-    QStringList problems;          // "FILE:LINE: reason", or "FILE: reason"; also where two files disagree
+    std::vector<ElementSet> sets;  // one per number, with the newest epoch; sorted by number
+    QStringList problems;          // "FILE:LINE: reason" or "FILE: reason"; also if two files disagree
 };
 
-// A folder: its files whose names end as files of elements do, without the folders in it. The folder of Gpredict stands
-// for its satdata, and a NAME.mod for the satellites of that module. Another file that is named itself may have any
-// name, and may be a pipe.
+// A folder stands for its files with an extension of element files, without subfolders. The folder of Gpredict stands
+// for its satdata, and a NAME.mod for the satellites of that module. A file that is named directly may have any name
+// and may be a pipe.
 [[nodiscard]] ElementFiles readElementFiles(const QStringList& paths);
 
 }  // namespace boresight::orbit

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kMostProblems = 100;
 
-// Beside the folder of the modules, or beside the module itself as in the package of Gpredict.
+// satdata is beside the folder of the modules, or beside the module itself as in the package of Gpredict.
 QDir satdataOf(const QString& module)
 {
     const QDir own = QFileInfo(module).absoluteDir();

@@ -4,8 +4,8 @@
 #include <QString>
 #include <QStringList>
 
-// What a module of Gpredict shows: NAME.mod in its folder modules names the satellites by their numbers, and their
-// elements are in the folder satdata beside it. Blocking.
+// The satellites of a Gpredict module: NAME.mod in its folder modules lists their numbers, and their elements are in
+// the folder satdata beside it. Blocking.
 namespace boresight::orbit {
 
 struct GpredictModule

@@ -38,12 +38,12 @@ QJsonValue timeValue(const std::optional<UtcTime>& time)
 
 std::optional<UtcTime> timeOf(const QJsonValue& value)
 {
-    constexpr qint64 kLatest = 9'000'000'000;  // s since 1970: the year 2255. Our clock counts no farther than 2262
+    constexpr qint64 kLatest = 9'000'000'000;  // s since 1970: the year 2255. UtcTime ends in 2262
     const qint64 seconds = value.toInteger(0);
     return seconds > 0 && seconds < kLatest ? std::optional(UtcTime(std::chrono::seconds(seconds))) : std::nullopt;
 }
 
-// It goes into a header of the next request.
+// A text for a header of the next request: Latin-1 and not too long.
 QByteArray headerOf(const QJsonValue& value)
 {
     constexpr qsizetype kLongest = 500;
@@ -51,7 +51,7 @@ QByteArray headerOf(const QJsonValue& value)
     return text.size() > kLongest || hasControlCharacters(text.toStdString()) ? QByteArray() : text;
 }
 
-// It is shown.
+// A text for the screen: printable and not too long.
 QString problemOf(const QJsonValue& value)
 {
     constexpr qsizetype kLongest = 750;

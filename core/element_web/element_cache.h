@@ -10,19 +10,19 @@
 
 #include <optional>
 
-// The downloaded element sets of this user: of each address a file with the last good answer, and beside it what the
-// next question to the server needs. All programs share them. Blocking.
+// The downloaded element sets of this user: one file per address with the last good answer, and beside it the state
+// that the next request needs. All programs share the cache. Blocking.
 namespace boresight::orbit {
 
-// Of one address. Nothing in it is needed to read the elements.
+// The state of one address. Reading the elements does not need it.
 struct CacheState
 {
-    QByteArray etag;  // of the answer in the cache, as the server gave it
+    QByteArray etag;  // of the answer in the cache, as the server sent it
     QByteArray lastModified;
-    std::optional<UtcTime> lastTry;  // the server was asked, whatever came of it
-    std::optional<UtcTime> fetched;  // the server gave what the cache has, or said that it is still so
-    int failures = 0;                // of the last tries, one after another
-    QString problem;                 // of the last try; empty: none
+    std::optional<UtcTime> lastTry;  // time of the last request, whatever its result was
+    std::optional<UtcTime> fetched;  // when the server sent the content of the cache or confirmed it as unchanged
+    int failures = 0;                // number of failed requests in a row
+    QString problem;                 // of the last request; empty: none
 
     bool operator==(const CacheState&) const = default;
 };
@@ -36,10 +36,10 @@ public:
     [[nodiscard]] static QString userFolder();
 
     [[nodiscard]] QString fileOf(const ElementAddress& address) const;
-    // What is broken or absent is as if nobody had asked yet.
+    // A broken or missing state counts as if no request was ever made.
     [[nodiscard]] CacheState state(const ElementAddress& address) const;
     [[nodiscard]] Result<> keepState(const ElementAddress& address, const CacheState& state) const;
-    // All or nothing: what cannot be stored leaves the old answer as it is.
+    // All or nothing: if the content cannot be stored, the old answer stays.
     [[nodiscard]] Result<> keepContent(const ElementAddress& address, const QByteArray& content) const;
 
 private:

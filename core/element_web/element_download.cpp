@@ -27,7 +27,7 @@ int statusOf(const QNetworkReply& reply)
     return reply.attribute(QNetworkRequest::HttpStatusCodeAttribute).toInt();
 }
 
-// As servers explain a refusal. Pages for browsers say nothing in their first line.
+// The first line of a plain text, with which servers explain a refusal. Empty for HTML pages.
 QString sayingOf(const QNetworkReply& reply, const QByteArray& content)
 {
     const QByteArray line = content.left(content.indexOf('\n')).trimmed();
@@ -37,7 +37,7 @@ QString sayingOf(const QNetworkReply& reply, const QByteArray& content)
                : QString();
 }
 
-// "404 Not Found"
+// For example "404 Not Found".
 QString answerOf(const QNetworkReply& reply)
 {
     const QString phrase = reply.attribute(QNetworkRequest::HttpReasonPhraseAttribute).toString();
@@ -71,7 +71,8 @@ ElementDownload::ElementDownload(QNetworkAccessManager& manager, const QUrl& url
 
 ElementDownload::~ElementDownload() = default;
 
-// We follow to other addresses by ourselves: Qt asks a server that closes its connections several times.
+// Redirects are followed here and not by Qt, because Qt repeats a request several times if the server closes the
+// connection.
 void ElementDownload::ask(const QUrl& url)
 {
     QNetworkRequest request(url);
@@ -97,7 +98,7 @@ void ElementDownload::ask(const QUrl& url)
     m_silence.start();
 }
 
-// Whether the server leads to another address, which is asked then.
+// True if the server redirects to another address. The new address is then requested.
 bool ElementDownload::follow()
 {
     const QUrl target = m_reply->attribute(QNetworkRequest::RedirectionTargetAttribute).toUrl();
@@ -154,7 +155,7 @@ void ElementDownload::finish()
     m_silence.stop();
     m_whole.stop();
     const DownloadAnswer known = answer();
-    m_reply.reset();  // before the manager ends, whoever deletes this later
+    m_reply.reset();  // before the manager ends, because deleteLater() may come after that
     Q_EMIT finished(known);
 }
 

@@ -14,8 +14,8 @@
 
 class QNetworkAccessManager;
 
-// One question to a server for a text, of which nothing but what comes back is trusted: its size, its time and where it
-// leads are bounded. Lives on the thread of its manager.
+// One request to a server for a text. The server is not trusted: size, time and redirects are limited. Lives on the
+// thread of its network manager.
 namespace boresight::orbit {
 
 struct DownloadAnswer
@@ -23,14 +23,14 @@ struct DownloadAnswer
     enum class Kind
     {
         Content,
-        Unchanged,  // since the answer of which the question tells the headers
-        NoNetwork,  // no server was asked: its name is not known here
+        Unchanged,  // since the answer with the etag and date in the request
+        NoNetwork,  // no server was reached, because the name of the server could not be resolved
         Failed
     };
 
     Kind kind = Kind::Failed;
-    QString problem;  // of the last two, a sentence
-    QString saying;   // the first line of a plain text, a sentence; may be empty
+    QString problem;  // a sentence; only for the last two
+    QString saying;   // the first line of a plain text, as a sentence; may be empty
     QByteArray content;
     QByteArray etag;
     QByteArray lastModified;
@@ -45,14 +45,14 @@ public:
     static constexpr std::chrono::minutes kLongest{5};
     static constexpr int kMostRedirects = 3;
 
-    // Asks at once. `etag` and `lastModified` are those of the answer that is known already, or empty. The manager
-    // outlives this.
+    // Sends the request at once. `etag` and `lastModified` are from the last known answer, or empty. The manager must
+    // outlive this object.
     ElementDownload(QNetworkAccessManager& manager, const QUrl& url, const QByteArray& etag,
                     const QByteArray& lastModified, QObject* parent);
     ~ElementDownload() override;
 
 Q_SIGNALS:
-    // Once, from the event loop.
+    // Emitted once, from the event loop.
     void finished(const boresight::orbit::DownloadAnswer& answer);
 
 private:
@@ -74,7 +74,7 @@ private:
     QByteArray m_lastModified;
     std::unique_ptr<QNetworkReply, Delete> m_reply;
     QByteArray m_content;
-    QString m_problem;  // why we have given up
+    QString m_problem;  // why the download was aborted
     int m_redirects = 0;
     QTimer m_silence{this};
     QTimer m_whole{this};

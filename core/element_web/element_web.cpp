@@ -16,7 +16,7 @@ namespace boresight::orbit {
 
 namespace {
 
-constexpr qsizetype kQuotedBytes = 200;  // a message has fewer
+constexpr qsizetype kQuotedBytes = 200;  // enough for a quotation in a message
 
 ElementList elementsOf(const QByteArray& bytes)
 {
@@ -29,8 +29,8 @@ std::size_t setsIn(const QString& path)
     return file.open(QIODevice::ReadOnly) ? elementsOf(file.readAll()).sets.size() : 0;
 }
 
-// Whether an answer may replace the file at `path`: it has sets, and where something is wrong with it not fewer than
-// the file has.
+// Whether an answer may replace the file at `path`. It must have sets. If the answer also has errors, it must not have
+// fewer sets than the file.
 Result<> judgeContent(const QByteArray& content, const QString& path)
 {
     const QByteArray start = content.trimmed();
@@ -52,7 +52,7 @@ Result<> judgeContent(const QByteArray& content, const QString& path)
     return {};
 }
 
-// Twice as long after each further failure.
+// The pause doubles after each further failure.
 std::chrono::hours pauseAfter(int failures)
 {
     constexpr int kMostDoublings = 2;
@@ -66,7 +66,7 @@ ElementWeb::ElementWeb(const Clock& clock, const QString& folder, QObject* paren
     : ElementWeb(clock, folder, std::make_unique<QNetworkAccessManager>(), parent)
 {}
 
-// The network is a child, so that it moves to another thread together with this.
+// The network manager becomes a child, so that moveToThread() moves both objects.
 ElementWeb::ElementWeb(const Clock& clock, const QString& folder, std::unique_ptr<QNetworkAccessManager> network,
                        QObject* parent)
     : QObject(parent), m_clock(clock), m_cache(folder), m_network(std::move(network))
@@ -95,7 +95,7 @@ bool ElementWeb::isBusy() const
     return std::ranges::any_of(m_sources, [](const Source& source) { return source.download != nullptr; });
 }
 
-// What the cache says is read again each time: another program may have asked.
+// Reads the state of the cache again each time, because another program may have made a request.
 void ElementWeb::look()
 {
     for (Source& source : m_sources) {
@@ -113,7 +113,7 @@ void ElementWeb::look()
     }
 }
 
-// A clock that was set back does not make anybody wait for longer than from now on.
+// If the clock was set back, the waiting time starts again from the present time at the latest.
 bool ElementWeb::isDue(Source& source)
 {
     const UtcTime now = m_clock.utc();
@@ -127,7 +127,7 @@ bool ElementWeb::isDue(Source& source)
            (!source.notBefore || m_clock.now() >= *source.notBefore);
 }
 
-// That it is asked is in the cache before: whatever happens then, it is not asked again too early.
+// The cache records the time before the request is sent. So nothing that happens later can cause a request too early.
 void ElementWeb::ask(Source& source)
 {
     source.triedBefore = std::exchange(source.state.lastTry, m_clock.utc());

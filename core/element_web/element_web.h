@@ -15,8 +15,8 @@
 #include <optional>
 #include <vector>
 
-// Keeps the element sets of some addresses in the cache fresh. Reads and writes files and checks answers on the thread
-// on which it lives, so whoever must not wait gives it one of its own.
+// Keeps the element sets of some addresses in the cache up to date. It reads and writes files and checks answers on its
+// own thread, so give it a separate thread if the caller must not wait.
 namespace boresight::orbit {
 
 class ElementWeb final : public QObject
@@ -24,44 +24,44 @@ class ElementWeb final : public QObject
     Q_OBJECT
 
 public:
-    // No address is asked more often, whatever came of it and however often a program starts: CelesTrak has new
-    // elements every two hours, and shuts out who asks more often or goes on after refusals.
+    // No address is requested more often, whatever the result and however often a program starts. CelesTrak publishes
+    // new elements every two hours. It blocks clients that ask more often or that continue after a refusal.
     static constexpr std::chrono::hours kPeriod{2};
     static constexpr std::chrono::hours kLongestPeriod{8};  // after failures
     static constexpr std::chrono::minutes kLook{1};
-    // Where no name of a server is known, no server was asked.
+    // If the name of a server cannot be resolved, no server was reached.
     static constexpr std::chrono::minutes kAfterNoNetwork{5};
 
-    // The clock outlives this.
+    // The clock must outlive this object.
     ElementWeb(const Clock& clock, const QString& folder, QObject* parent = nullptr);
-    // Asks by this network.
+    // Uses this network manager.
     ElementWeb(const Clock& clock, const QString& folder, std::unique_ptr<QNetworkAccessManager> network,
                QObject* parent = nullptr);
     ~ElementWeb() override;
 
-    // Asks those that are due, now and later. What is not among them any more is not asked further.
+    // Requests the addresses that are due, now and later. Addresses that are not in the list are no longer requested.
     void setAddresses(const std::vector<ElementAddress>& addresses);
 
-    // A server is being asked.
+    // A request is running.
     [[nodiscard]] bool isBusy() const;
-    // Of each address with a problem a line, with what the cache has in its place.
+    // One line for each address with a problem. The line names what the cache has instead.
     [[nodiscard]] const QStringList& problems() const { return m_problems; }
 
 Q_SIGNALS:
     void stored();  // new sets are in the cache
     void problemsChanged(const QStringList& problems);
-    void idle();  // what was due has been asked
+    void idle();  // all due requests are finished
 
 private:
     struct Source
     {
         ElementAddress address;
         CacheState state;
-        std::unique_ptr<ElementDownload> download;  // null: is not asked now
+        std::unique_ptr<ElementDownload> download;  // null: no request is running
         std::optional<UtcTime> triedBefore;
         std::optional<SteadyTime> notBefore;
         QString cacheProblem;
-        QString told;  // of problems(); stays while it is asked
+        QString told;  // the line in problems(); stays during a request
     };
 
     void look();

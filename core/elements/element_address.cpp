@@ -43,7 +43,7 @@ QString fileNameOf(const QString& start, const QUrl& url)
 }
 
 // The queries of CelesTrak: celestrak.org/NORAD/documentation/gp-data-formats.php. Boresight asks for JSON, because a
-// truncated answer is recognised there.
+// truncated JSON answer can be recognised.
 Result<ElementAddress> celestrakGroup(std::string_view group)
 {
     const bool isName = !group.empty() && group.size() <= kLongestGroup &&

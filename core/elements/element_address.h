@@ -15,24 +15,24 @@ namespace boresight::orbit {
 
 struct ElementAddress
 {
-    QString
-        name;  // in messages, without what may be a secret: "CelesTrak group stations", "https://example.org/a.json"
+    // For messages, without parts that may be secret: "CelesTrak group stations", "https://example.org/a.json".
+    QString name;
     QUrl url;
     QString file;  // the name of its file in the cache
 
     bool operator==(const ElementAddress&) const = default;
 };
 
-// An entry of a list of element files that is no path: "celestrak:stations", "https://example.org/a.json".
+// True for an entry of a list of element files that is not a path: "celestrak:stations", "https://example.org/a.json".
 [[nodiscard]] bool isElementAddress(std::string_view entry);
 
-// https, and for mirrors on this computer http as well.
+// Accepts https, and http only for mirrors on this computer.
 [[nodiscard]] Result<ElementAddress> parseElementAddress(std::string_view entry);
 
-// Of those entries that are good addresses, each once.
+// The valid addresses among the entries, each once.
 [[nodiscard]] std::vector<ElementAddress> elementAddresses(const std::vector<std::string>& entries);
 
-// Whether a download may go there: an address may lead to another one.
+// Whether a download may go to this address. Needed because a server may redirect.
 [[nodiscard]] bool isPermittedAddress(const QUrl& url);
 
 }  // namespace boresight::orbit

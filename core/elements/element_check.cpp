@@ -49,7 +49,7 @@ QString quoted(std::string_view text, std::size_t longest)
 
 std::string nameOf(std::string_view text)
 {
-    constexpr std::size_t kLongest = 60;  // TLE has 24 columns for it
+    constexpr std::size_t kLongest = 60;  // a TLE has 24 columns for the name
     return printableStart(text, kLongest).toStdString();
 }
 

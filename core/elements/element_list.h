@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-// What the readers of element sets return: the good sets in the order of the text, and why the others are left out.
+// The result of the readers of element sets: the good sets in the order of the text, and why the others are left out.
 // Pure value.
 namespace boresight::orbit {
 
@@ -23,16 +23,16 @@ struct ElementProblem
 
 struct ElementList
 {
-    // A file of another kind has a problem in each line: no more than these are kept, the rest is counted.
+    // A file of another kind has a problem in each line. At most this many are kept, the others are only counted.
     static constexpr std::size_t kMostProblems = 1000;
-    // So many are no element sets any more, however large the file is.
+    // A file with this many further problems contains no element sets.
     static constexpr std::size_t kMostFurtherProblems = 100'000;
 
     std::vector<ElementSet> sets;
     std::vector<ElementProblem> problems;
     std::size_t furtherProblems = 0;
 
-    // The readers stop here.
+    // The readers stop when this is true.
     [[nodiscard]] bool isHopeless() const { return furtherProblems >= kMostFurtherProblems; }
 
     void addProblem(int line, QString reason)

@@ -13,7 +13,7 @@ namespace boresight::orbit {
 
 namespace {
 
-// The first line that has something, and is no comment of KVN.
+// The first line that is neither empty nor a comment of KVN.
 std::string_view firstLine(std::string_view text)
 {
     TextLines lines(text);
@@ -26,7 +26,7 @@ std::string_view firstLine(std::string_view text)
     return {};
 }
 
-// "[Satellite]" or "[25544]", where JSON has values in its brackets.
+// For example "[Satellite]" or "[25544]". JSON would have values in its brackets.
 bool isGroup(std::string_view line)
 {
     return line.size() > 2 && line.front() == '[' && line.back() == ']' &&

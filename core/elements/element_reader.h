@@ -5,11 +5,11 @@
 
 #include <string_view>
 
-// Element sets in any of the forms that we read: TLE, OMM as JSON, CSV, XML or KVN, or what Gpredict keeps. The text
-// itself shows which one it is, since names of files and types of servers do not. Pure.
+// Reads element sets in any supported format: TLE, OMM as JSON, CSV, XML or KVN, or the files of Gpredict. The text
+// itself shows its format, because file names and content types of servers do not. Pure.
 namespace boresight::orbit {
 
-// Larger files and answers are not read. 30,000 satellites as JSON: 15 MB.
+// Larger files and answers are not read. For comparison: 30,000 satellites as JSON take 15 MB.
 inline constexpr int kMostElementMegabytes = 64;
 
 enum class ElementForm

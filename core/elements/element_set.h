@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <string>
 
-// The mean elements of one satellite, as TLE and OMM files carry them: made for SGP4, and of use with it only. The
-// frame is TEME (true equator, mean equinox). Pure value.
+// The mean elements of one satellite from a TLE or OMM file. They are valid only with SGP4. The frame is TEME (true
+// equator, mean equinox). Pure value.
 namespace boresight::orbit {
 
 struct ElementSet
@@ -22,11 +22,11 @@ struct ElementSet
     double eccentricity = 0.0;       // [0, 1)
     Angle inclination;               // 0…180°
     Angle ascendingNode;
-    Angle perigee;  // its argument
+    Angle perigee;  // argument of the perigee
     Angle meanAnomaly;
     double bstar = 0.0;                // drag term, per Earth radius
     double meanMotionDot = 0.0;        // half the first derivative, rev/day²; SGP4 does not use it
-    double meanMotionDoubleDot = 0.0;  // a sixth of the second, rev/day³; not used either
+    double meanMotionDoubleDot = 0.0;  // a sixth of the second derivative, rev/day³; SGP4 does not use it
     std::int64_t setNumber = 0;
     std::int64_t revolution = 0;  // at the epoch
 

@@ -10,7 +10,7 @@ namespace boresight::orbit {
 
 namespace {
 
-// Digits only, of a fixed length.
+// A number of exactly `length` digits.
 std::optional<int> digitsAt(std::string_view text, std::size_t from, std::size_t length)
 {
     if (text.size() < from + length) {
@@ -43,7 +43,7 @@ std::optional<int> dayOfYear(std::string_view date, std::chrono::year year)
                       : std::nullopt;
 }
 
-// Of "08:48:19.938816". A leap second is the 60th.
+// Parses for example "08:48:19.938816". A leap second is second 60.
 std::optional<double> partOfDay(std::string_view time)
 {
     constexpr std::size_t kSeconds = 6;

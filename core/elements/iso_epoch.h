@@ -6,8 +6,8 @@
 #include <optional>
 #include <string_view>
 
-// UTC as CCSDS files write it: "2024-05-09T08:48:19.938816" or by the day of the year, "2024-130T08:48:19.9". A blank
-// in place of the T and a Z at the end do no harm. Years 1957 to 2199. (CCSDS 502.0-B-3, 7.5.10.) Pure.
+// UTC in the form of CCSDS files: "2024-05-09T08:48:19.938816", or with the day of the year, "2024-130T08:48:19.9". A
+// blank may replace the T, and a Z may follow. Years 1957 to 2199. (CCSDS 502.0-B-3, 7.5.10.) Pure.
 namespace boresight::orbit {
 
 [[nodiscard]] std::optional<JulianDate> parseIsoEpoch(std::string_view text);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kUnixEpochDay = 2440587.5;  // Julian date of 1970-01-01 0h
 constexpr double kMicrosecondsPerDay = 86400e6;
-constexpr double kDaysOfUtcTime = 106751.0;  // either side of 1970, 64 bits of nanoseconds
+constexpr double kDaysOfUtcTime = 106751.0;  // on each side of 1970: the range of 64 bits of nanoseconds
 
 }  // namespace
 

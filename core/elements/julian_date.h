@@ -3,7 +3,7 @@
 
 #include "core/base/clock.h"
 
-// A UTC time as a Julian date in two parts: one double alone resolves only 40 µs. Pure value, any thread.
+// A UTC time as a Julian date in two parts, because one double alone resolves only 40 µs. Pure value, any thread.
 namespace boresight::orbit {
 
 struct JulianDate
@@ -17,12 +17,12 @@ struct JulianDate
 inline constexpr double kMinutesPerDay = 1440.0;
 
 [[nodiscard]] JulianDate julianDate(UtcTime utc);
-// To the microsecond. Dates that UtcTime cannot hold (before 1678, after 2262) become its first or its last day.
+// Rounded to the microsecond. Dates outside the range of UtcTime (1678 to 2262) become its first or last day.
 [[nodiscard]] UtcTime utcTime(const JulianDate& date);
-// `days` after the first midnight of a year of the Gregorian calendar. Negative and greater than a year is permitted.
+// `days` after the first midnight of a year of the Gregorian calendar. May be negative or longer than the year.
 [[nodiscard]] JulianDate julianDate(int year, double days);
 
-// Leap seconds inside the span do not count, which is the convention of element sets.
+// Leap seconds inside the span are not counted. This is the convention of element sets.
 [[nodiscard]] inline double minutesBetween(const JulianDate& from, const JulianDate& to)
 {
     return (to.day - from.day) * kMinutesPerDay + (to.fraction - from.fraction) * kMinutesPerDay;

@@ -16,7 +16,8 @@ namespace {
 
 using CsvFields = std::vector<std::string>;
 
-// One value in quotes from its first quote on; a doubled quote is one. False: the quotes do not end.
+// Reads one value in quotes, from its first quote on. A doubled quote stands for one quote. False: the quotes do not
+// end.
 bool takeQuoted(std::string_view& rest, std::string& value)
 {
     rest.remove_prefix(1);
@@ -34,7 +35,8 @@ bool takeQuoted(std::string_view& rest, std::string& value)
     return false;
 }
 
-// Empty: quotes do not end. What follows the first thousand is ignored: a line of commas must not fill the memory.
+// Empty if quotes do not end. Fields after the first thousand are ignored, so that a line of commas cannot fill the
+// memory.
 std::optional<CsvFields> csvFields(std::string_view line)
 {
     constexpr std::size_t kMostFields = 1000;

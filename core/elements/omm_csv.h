@@ -5,8 +5,8 @@
 
 #include <string_view>
 
-// Orbit mean-elements messages as CSV (omm_record.h has their fields). A header line names the columns. A value may
-// stand in double quotes. Pure.
+// Orbit mean-elements messages as CSV (omm_record.h has their fields). A header line names the columns. Values may be
+// in double quotes. Pure.
 namespace boresight::orbit {
 
 [[nodiscard]] ElementList readOmmCsv(std::string_view text);

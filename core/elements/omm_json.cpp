@@ -22,7 +22,7 @@ struct JsonSlice
     int line = 0;
 };
 
-// Cuts the outer objects out of a text, so that each is read by itself and its line is known.
+// Cuts the outermost objects out of a text, so that each is parsed separately and its line number is known.
 class JsonObjects
 {
 public:
@@ -45,13 +45,13 @@ public:
         return std::nullopt;
     }
 
-    // What lies outside of the objects first and is no JSON. Line 0: nothing.
+    // The first text outside of objects that is not JSON. Line 0: there is none.
     [[nodiscard]] const JsonSlice& stray() const { return m_stray; }
 
 private:
     void countLine(char character) { m_line += character == '\n' ? 1 : 0; }
 
-    // One that does not end reaches to the end of the text.
+    // An object without an end reaches to the end of the text.
     JsonSlice object()
     {
         const std::size_t begin = m_at;
@@ -63,7 +63,7 @@ private:
             countLine(m_at == begin ? ' ' : character);
             if (isText) {
                 m_at += character == '\\' ? 1 : 0;
-                isText = character != '"' && character != '\n';  // a text has no line end
+                isText = character != '"' && character != '\n';  // a JSON string contains no line end
             } else if (character == '"') {
                 isText = true;
             } else {

@@ -5,8 +5,8 @@
 
 #include <string_view>
 
-// Orbit mean-elements messages as JSON (omm_record.h has their fields). An array of objects, or one object. Numbers may
-// be texts. A broken object does not cost the others. Pure.
+// Orbit mean-elements messages as JSON (omm_record.h has their fields): an array of objects, or one object. Numbers may
+// be strings. A broken object does not affect the others. Pure.
 namespace boresight::orbit {
 
 [[nodiscard]] ElementList readOmmJson(std::string_view text);

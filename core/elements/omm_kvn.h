@@ -5,8 +5,8 @@
 
 #include <string_view>
 
-// Orbit mean-elements messages as KVN (omm_record.h has their fields). Lines KEY = value, with a unit in brackets at
-// most. A record begins with CCSDS_OMM_VERS, or where a key comes again. Pure.
+// Orbit mean-elements messages as KVN (omm_record.h has their fields): lines KEY = value, optionally with a unit in
+// brackets. A record begins with CCSDS_OMM_VERS, or where a key occurs again. Pure.
 namespace boresight::orbit {
 
 [[nodiscard]] ElementList readOmmKvn(std::string_view text);

@@ -14,7 +14,7 @@ namespace boresight::orbit {
 
 namespace {
 
-// The list of fields, for all forms.
+// All fields, for every format.
 constexpr std::array<std::string_view, 21> kOmmKeys{
     "OBJECT_NAME",  "OBJECT_ID",       "CENTER_NAME",         "REF_FRAME",    "TIME_SYSTEM",    "MEAN_ELEMENT_THEORY",
     "EPOCH",        "MEAN_MOTION",     "ECCENTRICITY",        "INCLINATION",  "RA_OF_ASC_NODE", "ARG_OF_PERICENTER",
@@ -61,7 +61,7 @@ public:
 
     JulianDate epoch(std::string_view key) { return read(key, Presence::Required, parseIsoEpoch(text(key))); }
 
-    // Absent, or one of those that SGP4 can use.
+    // The field must be absent or have one of the values that SGP4 can use.
     void require(std::string_view key, std::initializer_list<std::string_view> permitted)
     {
         const std::string_view found = text(key);

@@ -9,22 +9,22 @@
 #include <string_view>
 #include <tl/expected.hpp>
 
-// One orbit mean-elements message (CCSDS 502.0-B-3), whatever form it came in: the readers of JSON, CSV, XML and KVN
-// set the texts of its fields by their keys, and it says what they mean. Numbers have no limit of digits but their own:
-// catalogue numbers have up to 9. Pure.
+// One orbit mean-elements message (CCSDS 502.0-B-3) in any format. The readers of JSON, CSV, XML and KVN store the
+// texts of its fields by their keys. This class interprets them. The number of digits is not limited; catalogue numbers
+// have up to 9. Pure.
 namespace boresight::orbit {
 
 class OmmRecord
 {
 public:
-    // Keys that no element set needs are ignored.
+    // Keys that element sets do not need are ignored.
     void set(std::string_view key, std::string_view value, int line);
     [[nodiscard]] bool has(std::string_view key) const;
     [[nodiscard]] bool isEmpty() const { return m_line == 0; }
 
     // A problem names the line of its field, or the first line of the record.
     [[nodiscard]] tl::expected<ElementSet, ElementProblem> elements() const;
-    // Into the list, whichever it is.
+    // Adds the element set or the problem to the list.
     void addTo(ElementList& list) const;
 
 private:

@@ -14,7 +14,7 @@ namespace boresight::orbit {
 
 namespace {
 
-constexpr int kDeepest = 32;  // of a valid message 7
+constexpr int kDeepest = 32;  // a valid message has 7 levels
 
 class OmmXmlReader
 {
@@ -41,7 +41,7 @@ private:
 
     void take(QXmlStreamReader::TokenType token)
     {
-        // The reader keeps each open element, so a file of nothing else is not read on.
+        // The reader keeps every open element in memory, so a file of nothing but opening tags is rejected.
         m_depth += token == QXmlStreamReader::StartElement ? 1 : token == QXmlStreamReader::EndElement ? -1 : 0;
         if (m_depth > kDeepest) {
             m_xml.raiseError(Text::tr("More than %1 elements stand inside one another.").arg(kDeepest));

@@ -5,8 +5,8 @@
 
 #include <string_view>
 
-// Orbit mean-elements messages as XML (omm_record.h has their fields). Each <omm> below any root. A broken end of the
-// text does not cost the records before it. Pure.
+// Orbit mean-elements messages as XML (omm_record.h has their fields): every <omm> below any root. A broken end of the
+// text does not affect the records before it. Pure.
 namespace boresight::orbit {
 
 [[nodiscard]] ElementList readOmmXml(std::string_view text);

@@ -77,7 +77,7 @@ private:
     }
 
     ElementList m_list;
-    int m_group = 0;  // its line, 0 before the first
+    int m_group = 0;  // line of its header, 0 before the first group
     std::string_view m_name;
     std::optional<SatdataValue> m_first;
     std::optional<SatdataValue> m_second;

@@ -5,9 +5,9 @@
 
 #include <string_view>
 
-// Element sets as Gpredict keeps them: a key file with a group for each satellite, with NAME, TLE1 and TLE2. There is
-// one [Satellite] in NUMBER.sat of its folder satdata, and a [NUMBER] for each in the satellites.dat that it comes
-// with. Pure.
+// Element sets in the files of Gpredict: a key file with one group for each satellite, with NAME, TLE1 and TLE2. A file
+// NUMBER.sat in its folder satdata has one group [Satellite]. The satellites.dat that comes with Gpredict has a group
+// [NUMBER] for each satellite. Pure.
 namespace boresight::orbit {
 
 [[nodiscard]] ElementList readSatdata(std::string_view text);

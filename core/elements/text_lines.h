@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-// The lines of a text, numbered from 1, without their ends (LF, CR LF), trailing blanks and a byte order mark. Pure.
+// The lines of a text, numbered from 1, without line ends (LF, CR LF), trailing blanks and byte order mark. Pure.
 namespace boresight::orbit {
 
 class TextLines
@@ -11,7 +11,7 @@ class TextLines
 public:
     explicit TextLines(std::string_view text);
 
-    // False at the end of the text. Before the first call there is no line.
+    // Goes to the next line. False at the end of the text. Call it before the first line() too.
     [[nodiscard]] bool next();
     [[nodiscard]] std::string_view line() const { return m_line; }
     [[nodiscard]] int number() const { return m_number; }
@@ -22,7 +22,7 @@ private:
     int m_number = 0;
 };
 
-// Without blanks and tabs at both ends.
+// The text without blanks and tabs at both ends.
 [[nodiscard]] std::string_view trimmed(std::string_view text);
 
 }  // namespace boresight::orbit

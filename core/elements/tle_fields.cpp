@@ -17,7 +17,7 @@ namespace boresight::orbit {
 
 namespace {
 
-constexpr int kFirstYearOfTheCentury = 57;   // Sputnik's
+constexpr int kFirstYearOfTheCentury = 57;   // year of Sputnik: 57 to 99 are 19xx
 constexpr std::int64_t kExtendedTheory = 4;  // ephemeris type of SGP4-XP
 
 bool isDigit(char character)
@@ -30,13 +30,13 @@ bool areDigits(std::string_view text)
     return !text.empty() && std::ranges::all_of(text, isDigit);
 }
 
-// A decimal fraction, as columns have it: no exponent, no blanks inside.
+// A decimal fraction in the form of TLE columns: no exponent, no blanks inside.
 std::optional<double> plainNumber(std::string_view text)
 {
     return text.find_first_not_of("+-.0123456789") == std::string_view::npos ? parseFinite(text) : std::nullopt;
 }
 
-// " 12345-3" is 0.12345e-3: point and "e" are implied. Both may be written, and the exponent may be absent.
+// " 12345-3" means 0.12345e-3. The point and the "e" are implied but may be written, and the exponent may be absent.
 std::optional<double> impliedNumber(std::string_view text)
 {
     const bool isNegative = text.starts_with('-');
@@ -59,7 +59,7 @@ std::optional<double> impliedNumber(std::string_view text)
     return (isNegative ? -1.0 : 1.0) * *fraction * std::pow(10.0, static_cast<double>(*power));
 }
 
-// Columns are numbered from 1, as in the description of the format. The first problem is kept.
+// Reads the columns of a line, numbered from 1 as in the description of the format. Keeps the first problem.
 class TleLine
 {
 public:
@@ -106,7 +106,7 @@ public:
         return taken(areDigits(text) ? parseInteger(text) : std::nullopt, first, last, name);
     }
 
-    // Blank is 0.
+    // Blank columns mean 0.
     std::int64_t count(std::size_t first, std::size_t last, const QString& name)
     {
         return columns(first, last).empty() ? 0 : digits(first, last, name);
@@ -114,7 +114,7 @@ public:
 
     std::int64_t satellite() { return taken(tleNumber(columns(3, 7)), 3, 7, Text::tr("the catalogue number")); }
 
-    // "0." is implied before the first column, so a blank at the end is not nothing.
+    // The text continues an implied "0.". Leading blanks are zeros. A blank inside or at the end is an error.
     double fraction(std::size_t first, std::size_t last, const QString& name)
     {
         std::string text(untrimmed(first, last));
@@ -162,7 +162,7 @@ private:
     QString m_problem;
 };
 
-// "98067A" is "1998-067A". Another text is kept as it is.
+// "98067A" becomes "1998-067A". Any other text stays unchanged.
 std::string designatorOf(std::string_view columns)
 {
     if (columns.size() < 5 || !areDigits(columns.substr(0, 5))) {

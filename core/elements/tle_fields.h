@@ -13,13 +13,13 @@ namespace boresight::orbit {
 
 inline constexpr std::size_t kTleColumns = 69;
 
-// Both lines without trailing blanks. The `line` of the problem is 1 or 2.
+// Both lines without trailing blanks. `line` of a problem is 1 or 2.
 [[nodiscard]] tl::expected<ElementSet, ElementProblem> parseTle(std::string_view first, std::string_view second);
 
-// The sum of the digits of columns 1 to 68, where a minus counts 1, modulo 10.
+// The sum of the digits in columns 1 to 68, where a minus counts 1, modulo 10.
 [[nodiscard]] int tleChecksum(std::string_view line);
 
-// Five columns, in Alpha-5 where the first is a letter: A is 10, Z is 33, without I and O. "T1234" is 271234.
+// Reads five columns. In Alpha-5 the first is a letter: A is 10, Z is 33, without I and O. "T1234" is 271234.
 [[nodiscard]] std::optional<std::int64_t> tleNumber(std::string_view columns);
 
 }  // namespace boresight::orbit

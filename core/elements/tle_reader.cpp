@@ -20,7 +20,7 @@ struct TleTextLine
     std::string_view text;
 };
 
-// A name has at most 24 columns, so a longer text is not one that begins with "1 " by chance.
+// A name has at most 24 columns. So a longer text that begins with "1 " is an element line, not a name.
 bool isElementLine(std::string_view text, char digit)
 {
     constexpr std::size_t kColumnsOfName = 24;
@@ -38,7 +38,8 @@ public:
         if (isElementLine(line.text, '1')) {
             dropFirst();
             m_first = line;
-        } else if (isElementLine(line.text, '2') || (m_first && line.text.starts_with("2 "))) {  // also one cut short
+            // A truncated second line counts, too.
+        } else if (isElementLine(line.text, '2') || (m_first && line.text.starts_with("2 "))) {
             takeSecond(line);
         } else {
             dropFirst();

@@ -5,8 +5,8 @@
 
 #include <string_view>
 
-// A text of two-line and three-line element sets, mixed as they come. The name before a set may begin with "0 ". Empty
-// lines and lines that begin with "#" do not count. Pure.
+// A text of two-line and three-line element sets in any mixture. The name before a set may begin with "0 ". Empty lines
+// and lines that begin with "#" are ignored. Pure.
 namespace boresight::orbit {
 
 [[nodiscard]] ElementList readTle(std::string_view text);

@@ -12,7 +12,7 @@ namespace boresight::orbit {
 
 namespace {
 
-// A plain number below is not meant as Unix seconds: that would be the year of 1973.
+// A smaller plain number is not read as Unix seconds: they would be before 1973.
 constexpr double kFirstUnixSeconds = 1e8;
 constexpr double kLastUnixSeconds = 7.2e9;  // 2198
 
@@ -25,7 +25,7 @@ std::optional<JulianDate> unixTime(std::string_view text)
     return julianDate(UtcTime(std::chrono::round<std::chrono::microseconds>(Seconds(*seconds))));
 }
 
-// What parseIsoEpoch() wants is whole: the time of a day alone, and seconds, are added.
+// Completes the text for parseIsoEpoch(): adds the time to a date alone, and missing seconds.
 std::string completed(std::string_view text)
 {
     constexpr std::size_t kHoursAndMinutes = 5;

@@ -16,7 +16,7 @@ using Vector = std::array<double, 3>;
 
 constexpr double kKilometresPerUnit = ERFA_DAU / 1000.0;
 constexpr double kMoonLightTime = 1.28 / ERFA_DAYSEC;
-// Nominal radii of the IAU: resolution B3 of 2015; working group on cartographic coordinates, 2015.
+// Nominal radii in km: IAU resolution B3 of 2015, and the IAU working group on cartographic coordinates, 2015.
 constexpr double kSunRadius = 695700.0;
 constexpr double kMoonRadius = 1737.4;
 constexpr std::array kPlanetRadii{2440.5, 6051.8, 3396.2, 71492.0, 60268.0, 25559.0, 24764.0};  // at the equator
@@ -31,11 +31,11 @@ Vector scaled(const double (&vector)[3], double factor)
     return {factor * vector[0], factor * vector[1], factor * vector[2]};
 }
 
-constexpr double kKilometresPerSecond = kKilometresPerUnit / ERFA_DAYSEC;  // of an astronomical unit per day
+constexpr double kKilometresPerSecond = kKilometresPerUnit / ERFA_DAYSEC;  // in one astronomical unit per day
 
 struct Earth
 {
-    double fromSun[2][3];         // place and velocity in astronomical units and days
+    double fromSun[2][3];         // position and velocity in astronomical units and days
     double fromBarycentre[2][3];  // of the planets and the Sun
 };
 
@@ -46,8 +46,8 @@ Earth earthAt(const TwoPartDate& terrestrial)
     return earth;
 }
 
-// Where a unit vector points for who moves with that part of the speed of light, so many astronomical units from the
-// Sun.
+// The direction of the unit vector `towards` as a moving observer sees it. `velocity` is in units of the speed of
+// light. `fromSun` is the distance of the observer from the Sun in astronomical units.
 Vector aberrated(const double (&towards)[3], const Vector& velocity, double fromSun)
 {
     double given[3] = {towards[0], towards[1], towards[2]};
@@ -57,7 +57,7 @@ Vector aberrated(const double (&towards)[3], const Vector& velocity, double from
     return {seen[0], seen[1], seen[2]};
 }
 
-// The Sun hardly moves while its light travels, so aberration by the Earth's own motion is all there is.
+// The Sun hardly moves while its light travels. So only the aberration by the motion of the Earth is applied.
 BodyMotion sun(const TwoPartDate& terrestrial)
 {
     Earth earth = earthAt(terrestrial);
@@ -72,20 +72,20 @@ BodyMotion sun(const TwoPartDate& terrestrial)
             scaled(earth.fromSun[1], -kKilometresPerSecond)};
 }
 
-// As ERFA counts them: 3 is the Earth and the Moon.
+// ERFA's number of the planet. 3 is the Earth with the Moon.
 int numberOf(Planet planet)
 {
     const int index = static_cast<int>(planet);
     return index < 2 ? index + 1 : index + 2;
 }
 
-// Where it was when its light left, then the aberration by the Earth's own motion.
+// The position at the time when the light left the planet, with the aberration by the motion of the Earth.
 BodyMotion planetMotion(Planet planet, const TwoPartDate& terrestrial)
 {
     Earth earth = earthAt(terrestrial);
     double fromEarth[2][3];
     double lightDays = 0.0;
-    for (int round = 0; round < 3; ++round) {  // the third changes the place of Mercury by less than 0.0001″
+    for (int round = 0; round < 3; ++round) {  // the third round changes the position of Mercury by less than 0.0001″
         double fromSun[2][3];
         (void)eraPlan94(terrestrial.day, terrestrial.fraction - lightDays, numberOf(planet), fromSun);
         eraPvmpv(fromSun, earth.fromSun, fromEarth);
@@ -100,7 +100,7 @@ BodyMotion planetMotion(Planet planet, const TwoPartDate& terrestrial)
             scaled(fromEarth[1], kKilometresPerSecond)};
 }
 
-// Its aberration is its light time: both move around the Sun together.
+// The light time is all of the Moon's aberration, because the Moon moves around the Sun together with the Earth.
 BodyMotion moon(const TwoPartDate& terrestrial)
 {
     double state[2][3];
@@ -131,7 +131,7 @@ Almanac::Almanac(const Site& site)
                  {cosLatitude * cosLongitude, cosLatitude * sinLongitude, sinLatitude}}};
 }
 
-// What bends the way of a body in half a minute is less than 0.001″.
+// Within half a minute, the curvature of a body's path causes an error below 0.001″.
 Almanac::Minute& Almanac::minuteOf(UtcTime utc)
 {
     const std::int64_t number = std::chrono::floor<std::chrono::minutes>(utc).time_since_epoch().count();

@@ -10,10 +10,10 @@
 #include <cstdint>
 #include <optional>
 
-// Where the Sun, the Moon, the planets and the stars stand, seen from one site: the true direction of the centre of the
-// disc, airless (refraction.h bends it), for any UTC of the years 1900 to 2100. The sums are those of the IAU standards
-// in the ERFA library. An object remembers for a minute how the Earth's axis stands and how the bodies go, so it
-// belongs to one thread. How exact it is: README.md.
+// The directions of Sun, Moon, planets and stars at one site: the true direction of the centre of the disc, without
+// refraction (refraction.h adds it), for any UTC of the years 1900 to 2100. The algorithms are those of the IAU
+// standards in the ERFA library. An object keeps the motion of the bodies for a minute and the orientation of the
+// Earth's axis for ten minutes, so it belongs to one thread. README.md has the accuracy.
 namespace boresight::ephemeris {
 
 enum class Body
@@ -33,7 +33,7 @@ enum class Planet
     Neptune
 };
 
-// Among the stars: right ascension and declination of J2000. It stands still there.
+// A fixed position among the stars: right ascension and declination of J2000.
 struct StarPlace
 {
     Angle rightAscension;
@@ -46,12 +46,12 @@ struct BodyPlace
 {
     SkyPointing direction;  // azimuth [0°, 360°) from true north
     double kilometres = 0.0;
-    Angle radius;  // of the disc as it is seen
+    Angle radius;  // apparent radius of the disc
 
     bool operator==(const BodyPlace&) const = default;
 };
 
-// From the Earth's centre in the celestial frame, at the middle of a minute.
+// From the centre of the Earth in the celestial frame, at the middle of a minute.
 struct BodyMotion
 {
     using Vector = std::array<double, 3>;
@@ -75,15 +75,16 @@ private:
         std::int64_t number = 0;
         std::array<std::optional<BodyMotion>, 2> bodies;
         std::array<std::optional<BodyMotion>, 7> planets;
-        std::optional<BodyMotion::Vector> earthVelocity;  // around the centre of mass of all, of the speed of light
+        // Around the barycentre of the Solar System, in units of the speed of light.
+        std::optional<BodyMotion::Vector> earthVelocity;
     };
     [[nodiscard]] Minute& minuteOf(UtcTime utc);
-    // What the site sees, of the frame of the Earth.
+    // Converts a vector in the Earth-fixed frame to the direction at the site.
     [[nodiscard]] SkyPointing directionOf(const Vector& fromSite) const;
     [[nodiscard]] BodyPlace placeOf(const BodyMotion& motion, double radius, UtcTime utc);
 
-    Vector m_site;                   // kilometres, fixed to the Earth
-    std::array<Vector, 3> m_ground;  // east, north and up there
+    Vector m_site;                   // km, Earth-fixed
+    std::array<Vector, 3> m_ground;  // east, north and up at the site
     EarthAxis m_axis;
     std::optional<Minute> m_minute;
 };

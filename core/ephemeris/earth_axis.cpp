@@ -11,7 +11,7 @@
 
 namespace boresight::ephemeris {
 
-// The axis turns by less than 0.001″ in five minutes.
+// In five minutes the axis turns by less than 0.001″.
 EarthAxis::Stand& EarthAxis::standAt(UtcTime utc)
 {
     using Period = std::chrono::duration<std::int64_t, std::ratio<600>>;

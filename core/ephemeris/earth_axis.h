@@ -7,9 +7,9 @@
 #include <cstdint>
 #include <optional>
 
-// How the Earth stands in space: turns what is at rest among the stars into the frame that is fixed to the Earth. UT1
-// is taken as UTC, which is never wrong by more than 0.9 s; the pole as standing still. An object remembers for
-// ten minutes how the axis stands, so it belongs to one thread.
+// The orientation of the Earth in space: converts vectors that are fixed among the stars to the Earth-fixed frame. UTC
+// is used for UT1, which is wrong by at most 0.9 s, and polar motion is left out. An object keeps the orientation of
+// the axis for ten minutes, so it belongs to one thread.
 namespace boresight::ephemeris {
 
 class EarthAxis
@@ -17,17 +17,18 @@ class EarthAxis
 public:
     using Vector = std::array<double, 3>;
 
-    // From the celestial frame: GCRF. ICRF and EME2000 have the same axes to 0.02″.
+    // From the celestial frame GCRF. The axes of ICRF and EME2000 are the same to 0.02″.
     [[nodiscard]] Vector ofTheEarth(const Vector& celestial, UtcTime utc);
-    // From the true equator and equinox of this time: TOD.
+    // From the true equator and equinox of date: TOD.
     [[nodiscard]] Vector ofTheEarthFromDate(const Vector& ofDate, UtcTime utc);
 
 private:
     struct Stand
     {
-        std::int64_t number = 0;   // of the ten minutes
-        double toDate[3][3] = {};  // from the celestial frame to the true equator and equinox of their middle
-        double origins = 0.0;      // radians from the equinox to where the Earth's turning is counted from
+        std::int64_t number = 0;  // number of the ten-minute period
+        // From the celestial frame to the true equator and equinox at the middle of the period.
+        double toDate[3][3] = {};
+        double origins = 0.0;  // rad: equation of the origins
     };
     [[nodiscard]] Stand& standAt(UtcTime utc);
 

@@ -12,13 +12,13 @@ constexpr Angle kFades = Angle::fromDegrees(-1.0);
 constexpr Angle kGone = Angle::fromDegrees(-2.0);
 constexpr double kFreezing = 273.15;  // K
 
-// Pressure of the water in saturated air, hPa (Buck 1996, as in ITU-R P.453).
+// Pressure of saturated water vapour, hPa (Buck 1996, as in ITU-R P.453).
 double saturation(double celsius)
 {
     return 6.1121 * std::exp((18.678 - celsius / 234.5) * celsius / (257.14 + celsius));
 }
 
-// How much more the air at the ground bends radio waves than light of 0.55 µm.
+// Ratio of the refraction of radio waves to that of light with 0.55 µm, for the air at the ground.
 double radioToLight(const Air& air)
 {
     const double kelvin = kFreezing + air.temperatureCelsius;
@@ -69,7 +69,7 @@ SkyPointing apparent(const SkyPointing& airless, Refraction kind, const Air& air
     return {.azimuth = airless.azimuth, .elevation = airless.elevation + refraction(airless.elevation, kind, air)};
 }
 
-// What appears higher is higher, so halving finds the place.
+// The apparent elevation grows with the true one, so bisection finds the true elevation.
 SkyPointing airless(const SkyPointing& apparent, Refraction kind, const Air& air)
 {
     Angle low = apparent.elevation - 3_deg;

@@ -3,12 +3,12 @@
 
 #include "core/units/sky.h"
 
-// How the air bends what comes from the sky: everything appears a little higher than it is, by 0.5° at the horizon. The
-// mount points to where a body appears, the almanac says where it is. Pure.
+// Refraction by the air: everything appears a little higher than it is, by 0.5° at the horizon. The mount points to the
+// apparent direction of a body, the almanac computes the true one. Pure.
 //
 // Light: the formula of Sæmundsson (Sky & Telescope 72, 1986, p. 70; Meeus, Astronomical Algorithms, 16.4), good to
-// 0.1′ in an ordinary atmosphere. Radio waves are bent more where the air is moist: by the ratio of both refractivities
-// at the ground, that of radio waves from recommendation ITU-R P.453, that of light as in ERFA's eraRefco.
+// 0.1′ in an ordinary atmosphere. Moist air bends radio waves more, by the ratio of both refractivities at the ground.
+// The one for radio waves is from recommendation ITU-R P.453, the one for light from ERFA's eraRefco.
 namespace boresight::ephemeris {
 
 enum class Refraction
@@ -18,19 +18,19 @@ enum class Refraction
     Radio
 };
 
-// Of a station: by what its targets are bent.
+// The station's setting: which refraction is applied to its targets.
 enum class RefractionRule
 {
-    ByKind,  // each by what is received of it
+    ByKind,  // for each target by what is received from it
     None,
     Light,
     Radio
 };
 
-// For a target of a kind that `ofKind` is meant for.
+// `ofKind`: the refraction for a target of this kind under ByKind.
 [[nodiscard]] Refraction refractionBy(RefractionRule rule, Refraction ofKind);
 
-// At the site, not reduced to sea level.
+// The air at the site, not reduced to sea level.
 struct Air
 {
     double pressureHectopascal = 1010.0;
@@ -40,10 +40,10 @@ struct Air
     bool operator==(const Air&) const = default;
 };
 
-// By how much a direction of this true elevation appears higher. Below -1° it fades, and below -2° there is none.
+// How much higher than its true elevation a direction appears. Decreases below -1° and is zero below -2°.
 [[nodiscard]] Angle refraction(Angle trueElevation, Refraction kind, const Air& air = {});
 
-// From the true direction to where it appears, and exactly back. Elevation -90…90°.
+// From the true to the apparent direction, and the exact inverse. Elevation -90…90°.
 [[nodiscard]] SkyPointing apparent(const SkyPointing& airless, Refraction kind, const Air& air = {});
 [[nodiscard]] SkyPointing airless(const SkyPointing& apparent, Refraction kind, const Air& air = {});
 

@@ -8,11 +8,11 @@ namespace boresight::ephemeris {
 namespace {
 
 constexpr std::chrono::seconds kExact{1};
-// The sky turns by 15.04° in an hour; the Moon's own way and its parallax add less than a degree to that.
+// The sky turns by 15.04° in an hour. The Moon's own motion and its parallax add less than a degree.
 constexpr Angle kMostInAnHour = Angle::fromDegrees(16.0);
 
-// The height above the elevation, from a time when it does not hold to one when it does. It cannot pass the elevation
-// sooner than at the greatest rate, so most of the time is stepped over.
+// The first time at which the height above the wanted elevation becomes positive. The height cannot change faster than
+// kMostInAnHour, so most of the time is skipped.
 template <class Height>
 std::optional<UtcTime> firstTime(UtcTime from, Height height)
 {

@@ -6,15 +6,16 @@
 #include <chrono>
 #include <optional>
 
-// When the Sun, the Moon, a planet or a star comes up next and goes down next, for the operator who waits for it. Pure.
+// The next rise and set of the Sun, the Moon, a planet or a star. Pure.
 namespace boresight::ephemeris {
 
-// Longer than from one rise of the Moon to the next wherever it rises each day.
+// Longer than the time between two rises of the Moon, where it rises every day.
 inline constexpr std::chrono::hours kRiseSearch{26};
-// What is up, or down, for less than this may be passed over: so near to the horizon no search looks closer.
+// A body that is up or down for a shorter time may be missed, because the search takes no shorter steps near the
+// horizon.
 inline constexpr std::chrono::minutes kShortestUp{10};
 
-// The next time, to the second, that the centre of the disc passes a true elevation upwards, or downwards. Empty if it
+// The next time, to the second, at which the centre of the disc rises above or sets below a true elevation. Empty if it
 // does not within kRiseSearch.
 [[nodiscard]] std::optional<UtcTime> nextRise(Almanac& almanac, const SkyObject& object, UtcTime from, Angle elevation);
 [[nodiscard]] std::optional<UtcTime> nextSet(Almanac& almanac, const SkyObject& object, UtcTime from, Angle elevation);

@@ -18,8 +18,8 @@ StarPlace star(double hours, double minutes, double seconds, Angle declination)
             .declination = declination};
 }
 
-// Places of J2000. Cas A: the centre of its expansion (Thorstensen et al., Astronomical Journal 122, 2001). Cyg A,
-// Vir A and Sgr A*: the compact sources in the International Celestial Reference Frame. Tau A: the pulsar in it.
+// Positions of J2000. Cas A: the centre of its expansion (Thorstensen et al., Astronomical Journal 122, 2001). Cyg A,
+// Vir A and Sgr A*: the compact sources in the International Celestial Reference Frame. Tau A: its pulsar.
 const std::array kObjects{
     NamedObject{"sun", QT_TRANSLATE_NOOP("Text", "Sun"), Body::Sun},
     NamedObject{"moon", QT_TRANSLATE_NOOP("Text", "Moon"), Body::Moon},

@@ -9,8 +9,8 @@
 #include <string_view>
 #include <variant>
 
-// What stands in the sky by itself, with the name by which people ask for it: Sun and Moon, the planets, the strongest
-// radio sources, or any place among the stars. Pure.
+// A natural object in the sky, with the name that operators use: Sun and Moon, the planets, the strongest radio
+// sources, or any position among the stars. Pure.
 namespace boresight::ephemeris {
 
 using SkyObject = std::variant<Body, Planet, StarPlace>;
@@ -22,20 +22,20 @@ struct NamedObject
     SkyObject object;
 };
 
-// Those that have a name: Sun and Moon, the planets, the radio sources.
+// The objects with a name: Sun and Moon, the planets, the radio sources.
 [[nodiscard]] std::span<const NamedObject> namedObjects();
 
-// By its key in small letters: sun, moon, mercury … neptune, cas-a, cyg-a, tau-a, vir-a, sgr-a. Empty for all else.
+// By a key in small letters: sun, moon, mercury … neptune, cas-a, cyg-a, tau-a, vir-a, sgr-a. Empty for any other text.
 [[nodiscard]] std::optional<SkyObject> skyObject(std::string_view key);
 
 // All keys, for a message: "sun, moon, mercury, …".
 [[nodiscard]] std::string skyObjectKeys();
 
-// True direction, airless.
+// True direction, without refraction.
 struct SeenObject
 {
     SkyPointing direction;
-    std::optional<double> kilometres;  // none for what stands among the stars
+    std::optional<double> kilometres;  // empty for a position among the stars
 };
 
 [[nodiscard]] SeenObject see(Almanac& almanac, const SkyObject& object, UtcTime utc);

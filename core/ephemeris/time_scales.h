@@ -5,11 +5,11 @@
 
 #include <chrono>
 
-// UTC and the times without leap seconds, by the table of ERFA: the last one is that of 2016-12-31. Its doubt about
-// dates far ahead is ours as well. Pure, any thread.
+// UTC and the time scales without leap seconds, by the table of ERFA, which ends with 2016-12-31. Like ERFA, it is
+// uncertain for dates far in the future. Pure, any thread.
 namespace boresight::ephemeris {
 
-// A Julian date in two parts: one double alone would resolve only 40 µs.
+// A Julian date in two parts, because one double alone resolves only 40 µs.
 struct TwoPartDate
 {
     double day = 0.0;
@@ -19,7 +19,7 @@ struct TwoPartDate
 [[nodiscard]] TwoPartDate universalDate(UtcTime utc);
 [[nodiscard]] TwoPartDate terrestrialTime(UtcTime utc);
 
-// By how much atomic time (TAI) is ahead of UTC at the beginning of a day. Before 1960 there was no UTC, and it is 0.
+// How far atomic time (TAI) is ahead of UTC at the beginning of a day. 0 before 1960, when there was no UTC.
 [[nodiscard]] Seconds leapSeconds(std::chrono::sys_days day);
 
 }  // namespace boresight::ephemeris

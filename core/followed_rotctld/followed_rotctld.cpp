@@ -25,7 +25,7 @@ FollowedRotctld::~FollowedRotctld()
     m_line->disconnect(this);
 }
 
-// A host that refuses is not tried again before the first position.
+// Before the first position a refused connection is not tried again.
 void FollowedRotctld::showLine()
 {
     m_poll.restart();
@@ -60,7 +60,7 @@ void FollowedRotctld::talk(SteadyTime now)
     }
     if (m_poll.hangs(now)) {
         m_trouble = Text::tr("%1 does not answer").arg(name());
-        m_line->close();  // and tick() opens it
+        m_line->close();  // tick() opens it again
     } else if (const std::string question = m_poll.ask(now); !question.empty()) {
         m_line->write(QByteArray::fromStdString(question));
     }

@@ -11,7 +11,7 @@
 #include <memory>
 #include <optional>
 
-// Another rotator, asked by its rotctld where it points, from the first tick until it is destroyed or given up.
+// Asks the rotctld of another rotator for its position, from the first tick until the object is destroyed or gives up.
 // Station thread only; nothing blocks.
 namespace boresight::rotctl {
 
@@ -20,7 +20,7 @@ class FollowedRotctld : public QObject
     Q_OBJECT
 
 public:
-    // Without a position for so long it is given up.
+    // Gives up after this time without a position.
     static constexpr std::chrono::seconds kLongestSilence{5};
 
     FollowedRotctld(const BusName& rotctld, SteadyTime now, QObject* parent = nullptr);
@@ -30,7 +30,7 @@ public:
     void tick(SteadyTime now);
 
 Q_SIGNALS:
-    // From the event loop or from tick(). After an error there is no more.
+    // Emitted from the event loop or by tick(). An error is the last report.
     void read(const boresight::RotatorReport& report);
 
 private:
@@ -41,9 +41,9 @@ private:
 
     std::unique_ptr<BoxLine> m_line;
     PositionPoll m_poll;
-    QString m_trouble;                  // the last one
-    SteadyTime m_heard;                 // of the last position; before it, the start
-    std::optional<SteadyTime> m_tried;  // to connect
+    QString m_trouble;                  // the last problem
+    SteadyTime m_heard;                 // time of the last position; before the first one, time of the start
+    std::optional<SteadyTime> m_tried;  // time of the last attempt to connect
     bool m_found = false;
     bool m_over = false;
 };

@@ -36,7 +36,7 @@ void PositionPoll::take(std::string_view bytes)
     m_splitter.add(bytes, [this](std::string_view line) { takeLine(line); });
 }
 
-// A line that nobody asked for is no answer: some imitations end each answer with one.
+// A line without a question is ignored: some imitations end each answer with an additional line.
 void PositionPoll::takeLine(std::string_view line)
 {
     if (!m_reader) {

@@ -10,23 +10,25 @@
 #include <string>
 #include <string_view>
 
-// Asks a rotctld where its rotator is, again and again, and nothing else. In the plain form, which all imitations know.
-// One question at a time: an answer that is late is never taken for the answer to a later question. Pure.
+// Asks a rotctld for the position of its rotator, again and again, and nothing else. Uses the plain form, which all
+// imitations know. Only one question at a time, so a late answer is never taken for the answer to a later question.
+// Pure.
 namespace boresight::rotctl {
 
 class PositionPoll
 {
 public:
     static constexpr std::chrono::milliseconds kPeriod{250};
-    // Then the connection has to be made anew.
+    // After this time without an answer the caller must connect again.
     static constexpr std::chrono::seconds kPatience{3};
 
-    // The connection is a new one.
+    // Call it for a new connection.
     void restart();
-    // What is to be written now; often nothing.
+    // The bytes to write now; often empty.
     [[nodiscard]] std::string ask(SteadyTime now);
     void take(std::string_view bytes);
-    // The newest answer, once. NoAnswer: the rotctld reports an error. Refused: it is no rotctld.
+    // The newest answer, once. Error NoAnswer: the rotctld reports an error. Error Refused: the server is not a
+    // rotctld.
     [[nodiscard]] std::optional<Result<AxisPosition>> takeAnswer();
     [[nodiscard]] bool hangs(SteadyTime now) const { return m_reader && now - m_asked > kPatience; }
 
@@ -34,10 +36,10 @@ private:
     void takeLine(std::string_view line);
 
     LineSplitter m_splitter;
-    std::optional<ReplyReader> m_reader;  // of the question that waits
+    std::optional<ReplyReader> m_reader;  // reads the answer to the open question
     std::optional<Result<AxisPosition>> m_answer;
     SteadyTime m_asked{};
-    bool m_started = false;  // a question was asked on this connection
+    bool m_started = false;  // a question was sent on this connection
 };
 
 }  // namespace boresight::rotctl

@@ -5,8 +5,8 @@
 
 #include <QString>
 
-// Reads the coefficients that the operator points to. Blocking file access: at start, or off the gui thread, nor on the
-// station's. Errors begin with the file's name.
+// Reads the file of coefficients that the operator chose. Blocking file access: at the start, or neither on the gui
+// thread nor on the station thread. Errors begin with the file's name.
 namespace boresight::geomagnetism {
 
 [[nodiscard]] Result<Coefficients> readCoefficients(const QString& path);

@@ -35,7 +35,7 @@ bool isEndLine(const Words& words)
            words.front().find_first_not_of('9') == std::string_view::npos;
 }
 
-// Takes the file line by line.
+// Parses the file line by line.
 class CoefficientReader
 {
 public:
@@ -109,7 +109,7 @@ private:
     Coefficients m_read;
     bool m_headed = false;
     bool m_ended = false;
-    int m_n = 1;  // of the term that comes next
+    int m_n = 1;  // of the next term
     int m_m = 0;
 };
 

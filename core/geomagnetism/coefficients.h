@@ -8,8 +8,8 @@
 #include <string>
 #include <string_view>
 
-// The coefficients of the World Magnetic Model, as its published file (WMM.COF) has them: of each term of the spherical
-// harmonics up to degree 12 the value at the epoch and its change per year. Pure values.
+// The coefficients of the World Magnetic Model in the form of its published file (WMM.COF): for each term of the
+// spherical harmonics up to degree 12 the value at the epoch and its change per year. Pure values.
 namespace boresight::geomagnetism {
 
 inline constexpr int kDegree = 12;
@@ -22,7 +22,7 @@ struct Term
     bool operator==(const Term&) const = default;
 };
 
-// The terms n = 0…12, m = 0…n; there is none of n = 0, so it stays empty.
+// The terms n = 0…12, m = 0…n. The model has no term n = 0, so that one stays empty.
 using Terms = std::array<Term, (kDegree + 1) * (kDegree + 2) / 2>;
 
 [[nodiscard]] constexpr std::size_t termIndex(int n, int m)
@@ -40,8 +40,8 @@ struct Coefficients
     bool operator==(const Coefficients&) const = default;
 };
 
-// A header "EPOCH NAME DATE", a line "n m g h g' h'" for each term, m running fastest, then lines of nines. What is not
-// exactly this is refused with the number of the line.
+// A header "EPOCH NAME DATE", a line "n m g h g' h'" for each term with m running fastest, then lines of nines. Any
+// other text is refused with the number of the line.
 [[nodiscard]] Result<Coefficients> parseCoefficients(std::string_view text);
 
 }  // namespace boresight::geomagnetism

@@ -8,7 +8,7 @@ namespace boresight::geomagnetism {
 
 namespace {
 
-// Less is lost in a compass that is exact to a few degrees.
+// A compass is only exact to a few degrees, so a smaller difference does not matter.
 constexpr Angle kMatters = Angle::fromDegrees(0.5);
 
 QString signedDegrees(Angle angle)

@@ -8,19 +8,19 @@
 
 #include <optional>
 
-// A compass shows magnetic north; declination is what must be added to its heading to count from true north. The
-// orientation sensor may have added one already, compiled into its firmware: here it is decided who applies it, once
-// and never twice, and said in words with the numbers. Pure.
+// A compass shows magnetic north. The declination must be added to its heading to count from true north. The
+// orientation sensor may have added one already, which is compiled into its firmware. This code decides who adds the
+// declination, so that it is added exactly once, and describes the decision with the numbers. Pure.
 namespace boresight::geomagnetism {
 
-// What the published firmware of the sensor adds to its heading: the declination of Berlin.
+// The published firmware of the sensor adds this declination, which is that of Berlin.
 inline constexpr Angle kDeclinationInFirmware = Angle::fromDegrees(5.07);
 
 enum class DeclinationBy
 {
-    Sensor,     // its heading is taken as one from true north
-    Boresight,  // what the sensor has added is taken away, and the declination of the place is added
-    None        // the heading stays as it comes; whatever is left is part of the azimuth offset
+    Sensor,     // the sensor's heading is taken as relative to true north
+    Boresight,  // the declination in the sensor is subtracted, and that of the place is added
+    None        // the heading stays as sent; the rest is part of the azimuth offset
 };
 
 enum class DeclinationOrigin
@@ -32,19 +32,19 @@ enum class DeclinationOrigin
 struct Declination
 {
     DeclinationBy by = DeclinationBy::Sensor;
-    Angle inSensor = kDeclinationInFirmware;  // 0 for a firmware without
-    std::optional<Angle> here;                // of the place, as far as it is known
+    Angle inSensor = kDeclinationInFirmware;  // 0 for a firmware that adds none
+    std::optional<Angle> here;                // of the place; empty: unknown
     DeclinationOrigin origin = DeclinationOrigin::Typed;
 
     bool operator==(const Declination&) const = default;
 };
 
-// What to add to north in place of what the sensor has added: east is positive, whichever way the sensor counts
-// (orientation::Correction does that). Refused where Boresight shall apply a value that is not known.
+// The declination to add to the heading in place of the sensor's. East is positive, whatever the sense of the sensor
+// (orientation::Correction handles that). Refused if Boresight must add a value that is unknown.
 [[nodiscard]] Result<Angle> declinationCorrection(const Declination& declination);
 
-// What is done, with the numbers; and what is doubtful about it, or empty: a declination that was not compiled in for
-// this place, or one that nobody applies.
+// describe(): what is done, with the numbers. doubt(): why it may be wrong, for example a declination that is not for
+// this place, or that nobody adds. Empty: no doubt.
 [[nodiscard]] QString describe(const Declination& declination);
 [[nodiscard]] QString doubt(const Declination& declination);
 

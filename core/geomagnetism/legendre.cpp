@@ -14,7 +14,7 @@ double root(int n, int m)
 
 }  // namespace
 
-// From the diagonal of each m upwards; dividing by sin θ changes only where the diagonals begin.
+// Starts from the diagonal of each m. Division by sin θ changes only the values at the diagonals.
 Legendre::Legendre(double cosine, double sine) : m_cosine(cosine), m_sine(sine)
 {
     for (int m = 0; m <= kDegree; ++m) {

@@ -3,9 +3,8 @@
 
 #include "core/geomagnetism/coefficients.h"
 
-// Schmidt's half-normalised associated Legendre functions P(n, m) of the cosine of the colatitude θ, and what the sums
-// of a magnetic field need besides. Kept divided by sin θ where m > 0: so nothing is divided by zero at the poles.
-// Pure.
+// Schmidt's half-normalised associated Legendre functions P(n, m) of the cosine of the colatitude θ, with their slopes.
+// For m > 0 they are stored divided by sin θ. So nothing is divided by zero at the poles. Pure.
 namespace boresight::geomagnetism {
 
 class Legendre

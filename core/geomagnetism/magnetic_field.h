@@ -3,8 +3,8 @@
 
 #include "core/units/quantity.h"
 
-// The Earth's magnetic field at one place and time, in the parts by which it is known: nanotesla, and angles against
-// true north and the horizon. Plain values.
+// The Earth's magnetic field at one place and time, in its usual parts: nanotesla, and angles from true north and the
+// horizon. Plain values.
 namespace boresight::geomagnetism {
 
 struct FieldParts
@@ -28,12 +28,13 @@ struct MagneticField
     bool operator==(const MagneticField&) const = default;
 };
 
-// How far a compass can be trusted there, by the horizontal part that turns it: the zones of the World Magnetic Model.
+// How far a compass can be trusted at a place, by the horizontal field, which turns it: the zones of the World Magnetic
+// Model.
 enum class CompassZone
 {
     Good,
     Caution,  // below 6000 nT
-    Blackout  // below 2000 nT, around the magnetic poles: a compass is no evidence
+    Blackout  // below 2000 nT, around the magnetic poles: a compass is of no use
 };
 
 [[nodiscard]] constexpr CompassZone compassZone(const FieldParts& field)

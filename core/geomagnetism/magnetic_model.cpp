@@ -23,13 +23,13 @@ struct Vector
     double down = 0.0;
 };
 
-// A geodetic place as it is seen from the Earth's centre, and how far its horizon is turned against the geocentric one.
+// A geodetic place in geocentric coordinates, and the angle between its geodetic and its geocentric horizon.
 struct Geocentric
 {
     double radius = 0.0;  // km
     double cosColatitude = 0.0;
     double sinColatitude = 0.0;
-    double turn = 0.0;  // geocentric less geodetic latitude, radians
+    double turn = 0.0;  // geocentric minus geodetic latitude, radians
 };
 
 Geocentric geocentric(const Site& site)
@@ -47,7 +47,7 @@ Geocentric geocentric(const Site& site)
             .turn = std::atan2(fromEquator, fromAxis) - latitude};
 }
 
-// The field of these terms, north, east and down at the site.
+// The field of these terms at the site: north, east and down.
 Vector fieldOf(const Terms& terms, const Geocentric& place, Angle longitude)
 {
     const Legendre legendre(place.cosColatitude, place.sinColatitude);
@@ -90,7 +90,7 @@ FieldParts partsOf(const Vector& field)
             .inclination = Angle::fromRadians(std::atan2(field.down, horizontal))};
 }
 
-// Where nothing is horizontal the needle has no direction, and no change of it.
+// Without a horizontal field the needle has no direction, so its change is 0.
 FieldParts changeOf(const FieldParts& now, const Vector& change)
 {
     const double horizontal = ratio(now.north * change.north + now.east * change.east, now.horizontal);

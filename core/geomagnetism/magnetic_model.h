@@ -9,8 +9,8 @@
 
 #include <string>
 
-// The World Magnetic Model: the Earth's main field and its steady change for five years from an epoch. The coefficients
-// are those of the published file, whichever the operator has: none are built in, so that none grow old unseen. Pure
+// The World Magnetic Model: the Earth's main field and its linear change for five years from an epoch. The coefficients
+// come from the published file of the operator. None are built in, because they would become outdated unnoticed. Pure
 // values, any thread. Formulas: README.md.
 namespace boresight::geomagnetism {
 
@@ -18,7 +18,7 @@ class MagneticModel
 {
 public:
     static constexpr double kYearsValid = 5.0;
-    // What the change is off adds up slowly; a mount shall not lose its north on a New Year's Day.
+    // The error grows slowly, and a mount must not lose its north on New Year's Day.
     static constexpr double kYearsBeyond = 1.0;
 
     explicit MagneticModel(Coefficients coefficients) : m_coefficients(std::move(coefficients)) {}
@@ -27,10 +27,11 @@ public:
     [[nodiscard]] double validFrom() const { return m_coefficients.epoch; }
     [[nodiscard]] double validTo() const { return m_coefficients.epoch + kYearsValid; }
 
-    // At a place, in a decimal year (decimal_year.h); refused outside of the model's five years and the one after.
+    // The field at a place in a decimal year (decimal_year.h). Refused outside the five years of the model and one
+    // more.
     [[nodiscard]] Result<MagneticField> at(const Site& site, double year) const;
 
-    // From its last half year on: that it ends or has ended, and what to do. Else empty.
+    // A text from the last half year on: that the model ends or has ended, and what to do. Empty before.
     [[nodiscard]] QString expiry(double year) const;
 
 private:

@@ -12,15 +12,15 @@
 #include <optional>
 #include <vector>
 
-// What Gpredict, on the same computer, knows already: where the station is, and its satellites. Gpredict keeps one
+// What Gpredict on this computer already knows: the location of the station, and its satellites. Gpredict keeps one
 // NAME.qth per station (a key file: [QTH] with LAT and LON in degrees, north and east positive, ALT in metres,
-// LOCATION) and names the one it uses in gpredict.cfg ([GLOBAL] DEFAULT_QTH, sample.qth if nobody has chosen). Blocking
-// file access: not on the gui thread, nor the station's.
+// LOCATION). gpredict.cfg names the one in use ([GLOBAL] DEFAULT_QTH; sample.qth if none was chosen). Blocking file
+// access: neither on the gui thread nor on the station thread.
 namespace boresight::profile {
 
 struct GpredictStation
 {
-    QString name;      // the file's: "home" of home.qth
+    QString name;      // from the name of the file: "home" for home.qth
     QString location;  // "Copenhagen, Denmark"; may be empty
     SiteSettings site;
     bool isDefault = false;
@@ -28,19 +28,19 @@ struct GpredictStation
     bool operator==(const GpredictStation&) const = default;
 };
 
-// Where Gpredict keeps its files: as the profile says, else where it does for this user. It need not exist.
+// The folder of Gpredict: the one in the profile, or else Gpredict's usual folder for this user. It may be missing.
 [[nodiscard]] QString gpredictFolder(const GpredictSettings& settings);
 
 struct GpredictFiles
 {
     QString folder;
-    std::vector<GpredictStation> stations;  // the default first, then by name
+    std::vector<GpredictStation> stations;  // the default station first, the others sorted by name
     GpredictSatellites satellites;
-    QStringList problems;  // of files that were passed over: "FILE: reason"
+    QStringList problems;  // of files that were left out: "FILE: reason"
 };
 [[nodiscard]] GpredictFiles findGpredict(const QString& folder);
 
-// The text of one .qth file. A place that is incomplete is refused; Gpredict would take it for 0°, 0°.
+// Parses one .qth file. An incomplete position is refused, while Gpredict would use 0°, 0°.
 [[nodiscard]] Result<GpredictStation> parseQth(const QByteArray& text, const QString& name);
 
 }  // namespace boresight::profile

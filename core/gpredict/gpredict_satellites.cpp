@@ -15,7 +15,7 @@ namespace boresight::profile {
 
 namespace {
 
-constexpr int kFirstYearOfTheCentury = 57;  // Sputnik's
+constexpr int kFirstYearOfTheCentury = 57;  // year of Sputnik: 57 to 99 are 19xx
 constexpr std::size_t kYearColumn = 18;     // from 0
 constexpr std::size_t kDayColumn = 20;
 constexpr std::size_t kDayColumns = 12;
@@ -54,7 +54,7 @@ GpredictSatellites findGpredictSatellites(const QString& folder)
         const auto line =
             text ? keyFileValue(*text, QStringLiteral("Satellite"), QStringLiteral("TLE1")) : std::nullopt;
         const auto epoch = line ? elementEpoch(line->toStdString()) : std::nullopt;
-        found.newest = std::max(found.newest, epoch);  // none is before all
+        found.newest = std::max(found.newest, epoch);  // an empty optional is less than any time
     }
     return found;
 }

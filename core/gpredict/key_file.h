@@ -6,10 +6,10 @@
 
 #include <optional>
 
-// GLib's key files, as Gpredict writes them: [GROUP] and below it KEY=VALUE. Pure.
+// Key files of GLib in the form that Gpredict writes: [GROUP] followed by KEY=VALUE. Pure.
 namespace boresight::profile {
 
-// The last one counts, as there.
+// The value of the key. If the key occurs several times, the last one counts, as in GLib.
 [[nodiscard]] std::optional<QString> keyFileValue(const QByteArray& text, const QString& group, const QString& key);
 
 }  // namespace boresight::profile

@@ -61,7 +61,7 @@ std::optional<KnownAntenna> antennaOf(const QByteArray& line)
                         .isInUse = fields[0] == "1"};
 }
 
-// `read` gives the value of a line, or nothing.
+// `read` returns the value of one line. Empty: the line has another form.
 template <class Value, class Read>
 Result<std::vector<Value>> parseLines(const QByteArray& lines, Read read, const QString& problem)
 {
@@ -178,7 +178,7 @@ QString socketToAsk(const QString& userFolder, const QString& serviceFolder, std
     if (!own.isEmpty() && QFileInfo::exists(own)) {
         return own;
     }
-    // Whether its socket is there only root can see.
+    // Only root can see the socket itself, so the folder is checked.
     const QString service = socketPath(serviceFolder, port);
     return QFileInfo::exists(QFileInfo(service).path()) ? service : own;
 }

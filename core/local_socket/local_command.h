@@ -11,9 +11,9 @@
 #include <cstdint>
 #include <vector>
 
-// What a program of the same user may ask of a running station by its local socket: one line to the station, and back
-// "ok" with the lines of the answer, or "error: REASON". Both ends use this. Of the commands only `track`,
-// `schedule-arm`, and `antenna` while something is tracked, lead to motions. Pure, any thread.
+// The commands that a program of the same user may send to a running station through its local socket: one line to the
+// station, and back "ok" with the lines of the answer, or "error: REASON". Both ends use this file. Only `track` and
+// `schedule-arm` lead to motions, and `antenna` while a target is tracked. Pure, any thread.
 namespace boresight::local {
 
 enum class LocalCommand
@@ -31,40 +31,40 @@ enum class LocalCommand
     ScheduleArm,
     ScheduleDisarm,
     ScheduleReport,     // of the passes so far, as JSON
-    ScheduleRehearse,   // begin
-    ScheduleRehearsal,  // how far it is, or what came of it, as JSON
-    Status,             // what the station does, as JSON
+    ScheduleRehearse,   // begins the rehearsal
+    ScheduleRehearsal,  // its progress or its result, as JSON
+    Status,             // what the station is doing, as JSON
     Transmit            // whether the transmitter may transmit, as JSON
 };
 
 struct LocalRequest
 {
     LocalCommand command = LocalCommand::Stop;
-    QByteArray target = {};  // of Track and the name of UseAntenna, as typed: UTF-8 without LF
+    QByteArray target = {};  // the target of Track or the name of UseAntenna, as typed: UTF-8 without LF
 
     bool operator==(const LocalRequest&) const = default;
 };
 
-// The lines that follow "ok", each with its LF: the name of the target that is tracked, the satellites, the antennas,
-// or what is told of the station, the schedule or the transmit output. Else empty.
+// The lines after "ok", each with its LF: the name of the tracked target, the satellites, the antennas, or the report
+// about the station, the schedule or the transmit output. Empty for other commands.
 using LocalAnswer = Result<QByteArray>;
 
-// Of a command, without its LF: a path has up to 4096 bytes.
+// The longest line of a command, without its LF. A path has up to 4096 bytes.
 inline constexpr qsizetype kLongestLine = 4352;
 
-// "reset-stop"
+// For example "reset-stop".
 [[nodiscard]] QByteArray wordOf(LocalCommand command);
-// What is sent, with its LF.
+// The bytes to send, with the LF.
 [[nodiscard]] QByteArray requestLine(const LocalRequest& request);
-// `line` is without its LF.
+// `line` has no LF.
 [[nodiscard]] Result<LocalRequest> parseRequest(const QByteArray& line);
 
-// All that is sent back.
+// The whole text of the answer.
 [[nodiscard]] QByteArray answerText(const LocalAnswer& answer);
-// Refused, with the reason of the station, or Protocol.
+// Errors: Refused with the reason of the station, or Protocol if the answer is unreadable.
 [[nodiscard]] LocalAnswer parseAnswer(const QByteArray& text);
 
-// A satellite that the station knows, as a line of the answer: number, epoch and name with a tab between.
+// A satellite that the station knows. Its line in the answer has number, epoch and name, separated by tabs.
 struct KnownSatellite
 {
     std::int64_t number = 0;
@@ -74,11 +74,11 @@ struct KnownSatellite
     bool operator==(const KnownSatellite&) const = default;
 };
 [[nodiscard]] QByteArray satelliteLine(const KnownSatellite& satellite);
-// Protocol, if a line is no such line.
+// Error: Protocol, if a line has another form.
 [[nodiscard]] Result<std::vector<KnownSatellite>> parseSatellites(const QByteArray& lines);
 
-// An antenna of the mount, as a line of the answer: "1" if it is in use else "0", beam width, offsets across and up in
-// degrees, and the name, with a tab between.
+// An antenna of the mount. Its line in the answer has "1" if the antenna is in use or else "0", the beam width and the
+// offsets across and up in degrees, and the name, separated by tabs.
 struct KnownAntenna
 {
     pointing::Antenna antenna;
@@ -87,17 +87,17 @@ struct KnownAntenna
     bool operator==(const KnownAntenna&) const = default;
 };
 [[nodiscard]] QByteArray antennaLine(const KnownAntenna& antenna);
-// Protocol, if a line is no such line.
+// Error: Protocol, if a line has another form.
 [[nodiscard]] Result<std::vector<KnownAntenna>> parseAntennas(const QByteArray& lines);
 
-// $XDG_RUNTIME_DIR; empty where the system has none for this user.
+// $XDG_RUNTIME_DIR. Empty if the system has none for this user.
 [[nodiscard]] QString runtimeFolder();
-// The socket of the system service (packaging/systemd). Root may use it.
+// The folder above that of the system service (packaging/systemd). Only root may use its socket.
 inline const QString kServiceRuntimeFolder = QStringLiteral("/run");
-// "/run/user/1000/boresight/4533.sock" of "/run/user/1000" and the port of the station's rotctld server.
+// For example "/run/user/1000/boresight/4533.sock" for "/run/user/1000" and the port of the station's rotctld server.
 [[nodiscard]] QString socketPath(const QString& runtimeFolder, std::uint16_t port);
-// Where to ask: at the socket of a station of this user, else at that of the service where one runs, else at the socket
-// that a station of this user would have. Empty: there is no folder for any.
+// The socket to use: that of a station of this user if it exists. Otherwise that of the service if it runs. Otherwise
+// the one that a station of this user would have. Empty: there is no runtime folder.
 [[nodiscard]] QString socketToAsk(const QString& userFolder, const QString& serviceFolder, std::uint16_t port);
 
 }  // namespace boresight::local

@@ -27,7 +27,7 @@ LocalConversation::LocalConversation(QLocalSocket* socket, Obey obey, QObject* p
 void LocalConversation::read()
 {
     if (m_over || m_asked) {
-        m_socket.readAll();  // one command a connection
+        m_socket.readAll();  // only one command per connection
         return;
     }
     const QByteArray received = m_socket.peek(kLongestLine + 1);
@@ -40,7 +40,7 @@ void LocalConversation::read()
     }
 }
 
-// The station may read a file before it answers.
+// The answer may come later, because the station may first read a file.
 void LocalConversation::obey(const LocalRequest& request)
 {
     m_asked = true;
@@ -68,11 +68,11 @@ void LocalConversation::end(const LocalAnswer& answer)
     closeOurEnd();
 }
 
-// Once the answer is sent. A list of satellites is more than a socket takes at once: a client that still reads has
-// time.
+// Closes our end after the answer is sent. A long answer does not fit into the socket at once, so a client that is
+// still reading gets more time.
 void LocalConversation::closeOurEnd()
 {
-    if (m_socket.bytesToWrite() == 0 && m_socket.isValid()) {  // the client is still there
+    if (m_socket.bytesToWrite() == 0 && m_socket.isValid()) {  // the client is still connected
         ::shutdown(static_cast<int>(m_socket.socketDescriptor()), SHUT_WR);
         m_socket.readAll();
     }

@@ -10,15 +10,15 @@
 #include <chrono>
 #include <functional>
 
-// One client of the local socket: its line, our answer, the end. A client that sends no line in time is answered, too.
-// After the answer the client closes the connection, or we do when it has neither done so nor read for kPatience: what
-// it is still sending must not cost it our answer, and an answer of many lines takes it a while. Deletes itself when
-// the connection has ended. Lives in its owner's event loop.
+// One client of the local socket: its line, our answer, the end. A client that sends no line in time gets an answer,
+// too. After the answer the client should close the connection. We close it if the client has not read anything for
+// kPatience. Until then a client that is still sending can receive the answer, and a client that reads a long answer
+// gets the time for it. Deletes itself when the connection has ended. Lives in its owner's event loop.
 namespace boresight::local {
 
-// May be called later, or never if the station ends first. Does nothing once the client is gone.
+// May be called later, or never if the station ends first. Does nothing after the client is gone.
 using Reply = std::function<void(const LocalAnswer&)>;
-// What the station does with a command.
+// Called with each command. The station carries it out.
 using Obey = std::function<void(const LocalRequest&, const Reply&)>;
 
 class LocalConversation : public QObject
@@ -28,10 +28,10 @@ class LocalConversation : public QObject
 public:
     static constexpr std::chrono::seconds kPatience{2};
 
-    // Takes the socket over.
+    // Takes over the socket.
     LocalConversation(QLocalSocket* socket, Obey obey, QObject* parent);
 
-    // Answers, unless this has happened before, and sends nothing more.
+    // Sends the answer. Does nothing if an answer was sent before.
     void end(const LocalAnswer& answer);
     [[nodiscard]] bool isOver() const { return m_over; }
 
@@ -44,9 +44,9 @@ private:
     QLocalSocket& m_socket;
     Obey m_obey;
     QTimer m_patience;
-    bool m_asked = false;  // the answer is still to come
+    bool m_asked = false;  // the command was passed on, and its answer is still to come
     bool m_over = false;
-    bool m_reads = false;  // our answer, since patience began
+    bool m_reads = false;  // the client has read a part of our answer since the patience began
 };
 
 }  // namespace boresight::local

@@ -18,7 +18,7 @@ namespace {
 
 constexpr mode_t kOwnerOnly = S_IRWXU;
 
-// A folder of this name may be there already, and then it must be one that no other user has prepared.
+// The folder may exist already. Then it must not have been created by another user.
 Result<> makePrivateFolder(const QString& folder)
 {
     const QByteArray path = QFile::encodeName(folder);
@@ -34,7 +34,8 @@ Result<> makePrivateFolder(const QString& folder)
     return {};
 }
 
-// Nobody listens on the socket of a program that was killed. Qt replaces the file without this question.
+// A killed program leaves its socket, on which nobody listens. The check is needed because Qt would also replace a
+// socket in use.
 Result<> removeStale(const QString& path)
 {
     if (!QFileInfo::exists(path)) {
@@ -81,7 +82,7 @@ Result<> LocalServer::listen(const QString& runtimeFolder, std::uint16_t port)
         });
 }
 
-// A command may be what ends the station: its conversation outlives this call.
+// A command may end the station, so its conversation must survive this call.
 void LocalServer::close()
 {
     m_server.close();

@@ -8,7 +8,7 @@
 
 #include <cstdint>
 
-// The local socket of a station: a file that only its user can open, in a folder of that user alone. Each connection
+// The local socket of a station: a file that only its user can open, in a private folder of that user. Each connection
 // brings one command. Lives in its owner's event loop.
 namespace boresight::local {
 
@@ -22,13 +22,13 @@ public:
     explicit LocalServer(Obey obey, QObject* parent = nullptr);
     ~LocalServer() override;
 
-    // Opens socketPath(runtimeFolder, port). The socket of a program that was killed is removed. Busy: another program
+    // Opens socketPath(runtimeFolder, port). Removes the socket of a killed program. Error Busy: another program
     // listens there.
     [[nodiscard]] Result<> listen(const QString& runtimeFolder, std::uint16_t port);
-    // Removes the file, too.
+    // Also removes the file.
     void close();
 
-    // Empty while it does not listen.
+    // Empty while the server does not listen.
     [[nodiscard]] QString path() const { return m_server.fullServerName(); }
 
 private:

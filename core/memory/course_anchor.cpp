@@ -9,7 +9,7 @@
 namespace boresight::memory {
 namespace {
 
-// Deviation of the compass at both ends, twice ±11°, and what the axis ran while the last value was on its way.
+// The errors of the compass at both ends, twice ±11°, plus what the axis turns during the latency of the last value.
 constexpr Angle kWorth = Angle::fromDegrees(30.0);
 
 bool isWithin(Angle place, Angle bySensor)

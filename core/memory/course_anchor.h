@@ -6,25 +6,25 @@
 
 #include <optional>
 
-// What a sensor on the antenna that has run through saw of the azimuth's turning: how far the axis has turned since its
-// turn was known, whole turns included. It is as good as a compass, some degrees, and so tells one turn from another,
-// but no places that are near each other. It speaks in the question of the turn and against a wrong proposal; it never
-// answers. Pure.
+// How far the azimuth has turned since its wrap was last known, whole turns included, measured by a sensor on the
+// antenna that ran without interruption. The accuracy is that of a compass, some degrees. That is enough to distinguish
+// wraps, but not places that are close together. The result adds evidence to the question about the wrap and may reject
+// a proposal, but it never answers the question. Pure.
 namespace boresight::memory {
 
-// The last moment at which the turn of the axis was known.
+// The last moment at which the wrap of the axis was known.
 struct CourseAnchor
 {
     Angle axis;
     SensorCourse course;
 };
 
-// Where the axis is by the sensor; nothing if it could not be followed since.
+// The axis angle by the sensor. Empty if the sensor was interrupted since the anchor.
 [[nodiscard]] std::optional<Angle> placeBySensor(const std::optional<CourseAnchor>& anchor,
                                                  const std::optional<SensorCourse>& now);
 
-// Adds a sentence to the evidence, before the sensor's own last one, and takes a proposal back that the sensor speaks
-// against.
+// Adds a sentence to the evidence, before the last sentence of the sensor. Withdraws a proposal that contradicts the
+// sensor.
 void addSensorTurning(TurnQuestion& question, Angle bySensor);
 
 }  // namespace boresight::memory

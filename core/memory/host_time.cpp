@@ -8,8 +8,8 @@
 namespace boresight::memory {
 namespace {
 
-// The kernel's own bound of its error. A time server asked every 34 minutes, the rarest a Linux client asks, lets the
-// bound grow to 1.0 s in between (500 ppm).
+// The limit of the clock error that the kernel reports. A Linux client asks its time server at least every 34 minutes.
+// Between two queries the bound grows to 1.0 s (500 ppm).
 constexpr long kLargestErrorMicroseconds = 2'000'000;
 
 QString readBootId()
@@ -20,7 +20,7 @@ QString readBootId()
 
 bool utcIsExact()
 {
-    timex state{};  // modes 0: only asks
+    timex state{};  // modes 0: the call only reads
     const int result = ::adjtimex(&state);
     return result != -1 && result != TIME_ERROR && state.maxerror < kLargestErrorMicroseconds;
 }

@@ -5,16 +5,16 @@
 
 #include <QString>
 
-// What this computer's clocks are worth as a witness. UTC alone proves nothing: it may be stepped, and a computer
-// without a battery clock starts at the same wrong time after every power cut. Plain value; hostTime() asks the kernel
-// and may be called from any thread.
+// How far the clocks of this computer can be trusted. UTC alone proves nothing: it may be set, and a computer without a
+// battery clock starts with the same wrong time after every power cut. Plain value; hostTime() reads the kernel and may
+// be called from any thread.
 namespace boresight::memory {
 
 struct HostTime
 {
-    QString boot;             // the kernel's id of this run of the computer; empty: unknown
-    Seconds sinceBoot{0.0};   // steady: no step of the clock touches it
-    bool utcIsExact = false;  // the kernel keeps UTC by a time server, known to about a second
+    QString boot;             // the kernel's id of the present boot; empty: unknown
+    Seconds sinceBoot{0.0};   // steady: setting the clock does not change it
+    bool utcIsExact = false;  // a time server keeps the UTC of the kernel correct to about a second
 
     bool operator==(const HostTime&) const = default;
 };

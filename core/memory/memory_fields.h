@@ -8,14 +8,14 @@
 #include <numbers>
 #include <string_view>
 
-// Every key of a mount's memory, described once (core/records/field_list.h). JOURNAL.md shows the file.
+// Every key of a mount's journal file, described once (core/records/field_list.h). JOURNAL.md shows the file.
 namespace boresight::memory::record {
 
 using records::Range;
 
-// Wide on purpose: they refuse what is broken, not what is unusual.
+// The permitted ranges are wide: they reject broken values, not unusual ones.
 inline constexpr double kRadiansPerTurn = 2.0 * std::numbers::pi;
-inline constexpr double kCountEnd = 32768.0;  // turns; a moteus starts again there
+inline constexpr double kCountEnd = 32768.0;  // turns; the count of a moteus wraps there
 inline constexpr Range kOfAngle{-1000.0 * kRadiansPerTurn, 1000.0 * kRadiansPerTurn};
 inline constexpr Range kOfRate{-100.0 * kRadiansPerTurn, 100.0 * kRadiansPerTurn};  // per second
 inline constexpr Range kOfCount{-kCountEnd, kCountEnd};
@@ -46,7 +46,7 @@ void turnFields(Visitor& visitor, TurnRecord& record)
     inSeconds(visitor, "host_since_boot_s", record.host.sinceBoot, kOfSinceBoot);
     visitor.flag("host_utc_is_exact", record.host.utcIsExact);
     visitor.flag("moving", record.moving);
-    // Absent together: the drive did not report them.
+    // Both keys are absent if the drive did not report them.
     if (isThere(visitor, {kOriginBeginning, kOriginOffset}, record.origin)) {
         asWhole(visitor, kOriginBeginning, record.origin->beginning, kOfBeginning);
         inTurns(visitor, kOriginOffset, record.origin->offset, kOfOffset);
@@ -63,7 +63,7 @@ void crashStopFields(Visitor& visitor, CrashStop& stop)
     visitor.time("when", stop.when);
 }
 
-// Absent is a good answer: the axis was never journalled, or its stop was never proved.
+// A missing axis or stop is valid: the axis was never recorded, or its stop was never tested.
 template <class Visitor>
 void memoryFields(Visitor& visitor, MountMemory& memory)
 {

@@ -29,7 +29,7 @@ Error ioError(const QString& path, const QString& reason)
     return {ErrorCode::Io, QStringLiteral("%1: %2").arg(path, reason)};
 }
 
-// Replaces `to` at once, unlike QFile::rename, which refuses to.
+// Replaces `to` in one step. QFile::rename would refuse to replace a file.
 Result<> replaceByRenaming(const QString& from, const QString& to)
 {
     if (std::rename(QFile::encodeName(from).constData(), QFile::encodeName(to).constData()) != 0) {
@@ -38,8 +38,8 @@ Result<> replaceByRenaming(const QString& from, const QString& to)
     return {};
 }
 
-// After a power cut the new names count, not only the bytes behind them. A file system that cannot sync a folder needs
-// no sync or has none.
+// Makes the new names survive a power cut. A file system that cannot sync a folder reports EINVAL, which is not an
+// error.
 Result<> syncFolder(const QString& folder)
 {
     const FileDescriptor descriptor(::open(QFile::encodeName(folder).constData(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
@@ -49,8 +49,8 @@ Result<> syncFolder(const QString& folder)
     return {};
 }
 
-// Beside the file, and onto the disk before anything is renamed: QSaveFile would not tell if that failed. Between the
-// two renamings only the previous generation has its name: load() takes it then.
+// Writes the text to a file beside `path` and syncs it before anything is renamed, because QSaveFile would not report a
+// failed sync. Between the two renamings only the previous generation exists; load() then takes that.
 Result<> write(const QString& path, const MountMemory& memory)
 {
     const Result<QByteArray> text = toText(memory);
@@ -75,10 +75,10 @@ Result<> write(const QString& path, const MountMemory& memory)
     return syncFolder(QFileInfo(path).absolutePath());
 }
 
-// Never waits, and never reads for ever: a pipe without a writer and /dev/zero are refused at once.
+// Never waits or reads for ever: a pipe without a writer and /dev/zero are refused at once.
 Result<MountMemory> read(const QString& path)
 {
-    constexpr qint64 kLargest = 1 << 20;  // a memory has 2 kB
+    constexpr qint64 kLargest = 1 << 20;  // a journal file has 2 kB
     const FileDescriptor descriptor(
         ::open(QFile::encodeName(path).constData(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
     struct stat info = {};
@@ -106,7 +106,8 @@ bool isThere(const QString& path)
     return ::lstat(QFile::encodeName(path).constData(), &info) == 0;
 }
 
-// Under the name that it returns, if that could be done. Never deleted: it may be all that is left of the truth.
+// Renames the file and returns the new name. Empty if that failed. The file is never deleted, because it may contain
+// the only true record.
 std::optional<QString> keepAside(const QString& path)
 {
     QString aside;
@@ -123,7 +124,7 @@ QString whatIsWrong(const QString& path, const Error& error)
     if (error.code == ErrorCode::NoDevice) {
         return Text::tr("The journal file %1 is missing").arg(path);
     }
-    // Also what cannot be read just now: left in its place, the next two saves would overwrite it.
+    // Also for a file that cannot be read at the moment. Left in its place, the next two saves would overwrite it.
     if (const auto aside = keepAside(path)) {
         return Text::tr("The journal file %1 cannot be used: %2. Boresight keeps it as %3")
             .arg(path, error.text, *aside);
@@ -173,7 +174,7 @@ LoadedMemory MemoryFile::load()
     if (found) {
         for (auto& turn : found->turns) {
             if (turn) {
-                turn->proveNothing();  // the lost one may have been written because a doubt arose
+                turn->proveNothing();  // the lost file may have contained a doubt
             }
         }
         problems.push_back(Text::tr("Boresight uses the version before it: %1").arg(previous));

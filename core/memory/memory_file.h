@@ -9,15 +9,15 @@
 #include <QObject>
 #include <QString>
 
-// The file that keeps a mount's memory: STATE_DIR/NAME.memory.json, and the generation before it in ….previous. At
-// every moment one of the two is whole: each is replaced by renaming a file that is complete and on the disk. Lives on
-// the station thread. Saving never blocks it.
+// The journal file of a mount, STATE_DIR/NAME.memory.json, and the generation before it in ….previous. One of the two
+// is complete at every moment: a file is replaced only by renaming a complete file that is on the disk. Lives on the
+// station thread. Saving never blocks it.
 namespace boresight::memory {
 
 struct LoadedMemory
 {
     MountMemory memory;
-    QString problem;  // a sentence for the operator; empty when the newest file was read
+    QString problem;  // a sentence for the operator; empty if the newest file was read
 };
 
 class MemoryFile final : public QObject
@@ -29,18 +29,19 @@ public:
 
     [[nodiscard]] const QString& path() const { return m_path; }
 
-    // Keeps other programs from this journal until the end of this object. Before load(). Busy: another program uses
-    // it. Denied: another user's program may. A place where nothing can be written needs no lock.
+    // Locks this journal against other programs for the life of this object. Call it before load(). Busy: another
+    // program uses it. Denied: this user lacks the permission, so a program of another user may use it. In a place
+    // where nothing can be written no lock is needed.
     [[nodiscard]] Result<> claim();
 
-    // Blocks: once, before the station's loop runs. A file that cannot be read is kept under another name, and the
-    // generation before it is taken; what that one says of an axis counts as written while moving, because the axis may
-    // have moved since.
+    // Blocking, so call it once before the station's event loop runs. A file that cannot be read is renamed, and the
+    // generation before it is used. Its records do not prove where the axes are, because the axes may have moved since.
     [[nodiscard]] LoadedMemory load();
 
     void save(const MountMemory& memory);
 
-    // Waits until the newest value is on the disk: at the end of the program, after the loop. Tells how that went.
+    // Waits until the newest value is on the disk and returns the result. For the end of the program, after the event
+    // loop.
     Result<> flush();
 
 Q_SIGNALS:

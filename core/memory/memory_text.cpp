@@ -28,7 +28,7 @@ Result<MountMemory> readMemory(const QJsonObject& payload)
         .map([&] { return memory; });
 }
 
-// Over the canonical form of what was read: spaces do not count, everything else does.
+// The checksum of the canonical form of the parsed JSON. Spaces do not count, everything else does.
 QString checksum(const QJsonObject& payload)
 {
     const QByteArray text = QJsonDocument(payload).toJson(QJsonDocument::Compact);
@@ -38,7 +38,7 @@ QString checksum(const QJsonObject& payload)
 Result<QJsonObject> readRoot(const QByteArray& text)
 {
     const bool blank = std::all_of(text.begin(), text.end(), [](char c) { return c == '\0' || c == ' ' || c == '\n'; });
-    if (blank) {  // a file system that lost power may leave nothing, or zeros
+    if (blank) {  // after a power cut a file system may leave an empty file, or zeros
         return failure(ErrorCode::InvalidInput, Text::tr("it is empty"));
     }
     QJsonParseError error;

@@ -6,16 +6,15 @@
 
 #include <QByteArray>
 
-// A mount's memory as the text of its file: JSON with a version, and a checksum by which a torn or edited file is
-// recognised. The format is described in JOURNAL.md. Pure, any thread. Doubles survive exactly, times to the
-// millisecond.
+// A mount's journal as the text of its file: JSON with a version, and a checksum that reveals a torn or edited file.
+// JOURNAL.md describes the format. Doubles are stored exactly, times to the millisecond. Pure, any thread.
 namespace boresight::memory {
 
-// Refuses what no axis can be: a number that is not finite or out of range, a drive without its UUID. So whatever was
-// written can be read again.
+// Refuses values that no axis can have: a number that is not finite or out of range, a drive without a UUID. So
+// everything that was written can be read again.
 [[nodiscard]] Result<QByteArray> toText(const MountMemory& memory);
 
-// The reason is a clause for the operator: "its checksum is wrong: it was changed or damaged".
+// A refusal has a clause for the operator: "its checksum is wrong: it was changed or damaged".
 [[nodiscard]] Result<MountMemory> parseMemory(const QByteArray& text);
 
 }  // namespace boresight::memory

@@ -15,28 +15,29 @@
 #include <cstdint>
 #include <optional>
 
-// What must outlive the program and the power of the drives: on which turn each axis stood, which drive it was, and how
-// it stopped when nobody fed it. One file per mount (memory_file.h). Plain values; mechanical angles. Axis order of the
-// arrays: azimuth, elevation.
+// What must survive the end of the program and a power cut of the drives: the wrap of each axis, the identity of its
+// drive, and how it stopped when the commands were cut. One file per mount (memory_file.h). Plain values; mechanical
+// angles. Arrays are in the order azimuth, elevation.
 namespace boresight::memory {
 
-// One axis at one moment.
+// The state of one axis at one moment.
 struct TurnRecord
 {
     QString drive;        // its UUID, 8-4-4-4-12 digits
     Angle angle;          // absolute
     MotorTurns reported;  // by the drive, at the same moment
-    Angle counted;        // what `reported` stood for by the profile of then; `angle` is whole places away from it
-    Seconds uptime{0.0};  // of the drive, at the same moment: proves later that it never lost power since
+    // The angle that `reported` meant by the profile at that time; differs from `angle` by whole periods.
+    Angle counted;
+    Seconds uptime{0.0};  // of the drive, at the same moment: shows later whether the drive kept its power
     moteus::HomeState homeState = moteus::HomeState::Rotor;  // at the same moment
-    std::optional<moteus::CountOrigin> origin;               // proves later that nobody set its position since
+    std::optional<moteus::CountOrigin> origin;               // shows later whether the drive's position was set
     UtcTime when;
-    HostTime host;        // the same moment: a clock that nobody can put back
-    bool moving = false;  // dirty: the axis moved, so it may have come to rest elsewhere
+    HostTime host;        // at the same moment, by a clock that cannot be set back
+    bool moving = false;  // written in motion, so the axis may have stopped elsewhere
 
     bool operator==(const TurnRecord&) const = default;
 
-    // It still tells where the axis may be.
+    // Makes the record unable to prove anything later. It still shows where the axis may be.
     void proveNothing() { host = {}; }
     [[nodiscard]] bool provesNothing() const { return host == HostTime{}; }
 };
@@ -45,7 +46,7 @@ struct MountMemory
 {
     std::array<std::optional<TurnRecord>, 2> turns;
     std::array<std::optional<CrashStop>, 2> crashStops;
-    std::optional<UtcTime> placeUsed;  // of the last entered place that was used: each counts once
+    std::optional<UtcTime> placeUsed;  // time of the last confirmed position that was used: each is used only once
 
     bool operator==(const MountMemory&) const = default;
 };

@@ -12,7 +12,7 @@ QString inWords(Angle angle)
     return degreesText(angle);
 }
 
-// Two units of the smaller kind are still told in it: 90 s, but 2 min.
+// A time below two units is given in the smaller unit: 90 s, but 2 min.
 QString inWords(Seconds time)
 {
     struct Unit

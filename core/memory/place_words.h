@@ -6,7 +6,7 @@
 
 #include <QString>
 
-// Angles and times as the operator reads them. Pure.
+// Angles and times as texts for the operator. Pure.
 namespace boresight::memory {
 
 [[nodiscard]] QString inWords(Angle angle);   // "405.0°"

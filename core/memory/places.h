@@ -6,14 +6,13 @@
 
 #include <vector>
 
-// Where an axis may stand when its drive cannot tell places a whole `period` apart. Pure; mechanical angles.
+// The possible angles of an axis whose drive cannot distinguish angles a whole `period` apart. Pure; mechanical angles.
 namespace boresight::memory {
 
-// An axis that is let go coasts beyond its travel: 5.2° in tests/system/FAULTS.md, into rubber stops of 8°, which
-// yield.
+// An unpowered axis coasts beyond its travel: 5.2° in tests/system/FAULTS.md, or into rubber stops that yield by 8°.
 inline const Angle kBeyondTravel = Angle::fromDegrees(15.0);
 
-// All within the travel and kBeyondTravel more at both ends, in order.
+// All possible angles within the travel, extended by kBeyondTravel at both ends, in order.
 [[nodiscard]] std::vector<Angle> placesAround(Angle reported, Angle period, const TravelRange& travel);
 
 }  // namespace boresight::memory

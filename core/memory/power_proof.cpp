@@ -10,15 +10,15 @@
 namespace boresight::memory {
 namespace {
 
-// The moteus counts its uptime by the RC oscillator of its processor: within -2…+1.5 % over its whole range of
-// temperatures (STM32G4 data sheet), so 2 % of the time in between.
+// A moteus counts its uptime by the RC oscillator of its processor, which is within -2…+1.5 % over the whole range of
+// temperatures (STM32G4 data sheet). So the error is at most 2 % of the elapsed time.
 constexpr double kDriveClockError = 0.02;
-// UTC may be wrong by 2 s at both ends (host_time.cpp), and neither end is stamped to better than some replies' age.
+// UTC may be wrong by 2 s at both ends (host_time.cpp). The age of the replies adds a little at both ends.
 constexpr Seconds kAllowance{5.0};
-// Its millisecond counter has 32 bits.
+// The millisecond counter of the drive has 32 bits.
 constexpr Seconds kUptimePeriod{4294967.296};
 
-// The same count by the same profile gives the same angle, but for the last digits.
+// The same count and profile give the same angle, except for rounding.
 const Angle kRounding = Angle::fromDegrees(1e-6);
 
 Seconds margin(Seconds elapsed)
@@ -26,7 +26,7 @@ Seconds margin(Seconds elapsed)
     return elapsed * kDriveClockError + kAllowance;
 }
 
-// The time since the record, by a clock that nobody can have set meanwhile. Empty: there is no such clock.
+// The time since the record, by a clock that cannot have been set meanwhile. Empty: there is no such clock.
 std::optional<Seconds> vouchedElapsed(const Evidence& evidence, const TurnRecord& record)
 {
     if (!record.host.boot.isEmpty() && record.host.boot == evidence.host.boot) {
@@ -60,13 +60,14 @@ std::optional<Obstacle> obstacleInTime(const DriveFrame& frame, const Evidence& 
             .why = Text::tr(
                 "The clock of the drive restarts every 49.7 days. It is unknown whether the drive kept its power")};
     }
-    // The steady clock of a computer may stand still while it sleeps, UTC does not: the longer of the two counts.
+    // The steady clock of a computer may stand still while it sleeps, UTC does not. So the longer of the two times
+    // counts.
     const Seconds longest = std::max(*elapsed, byUtc);
     if (frame.uptime <= longest + margin(longest)) {
         return Obstacle{.why = Text::tr("The drive was restarted %1 ago").arg(inWords(frame.uptime)),
                         .restarted = true};
     }
-    // A drive that kept its power counted just the time that went by here. If not, one of the clocks is wrong.
+    // A drive that kept its power counted the time that passed here. If the counts differ, one of the clocks is wrong.
     const Seconds counted = frame.uptime - record.uptime;
     if (*elapsed < Seconds(0.0) || !(std::abs((counted - *elapsed).count()) <= margin(*elapsed).count())) {
         return Obstacle{.why = Text::tr("The clocks of the drive and of this computer disagree about the time since "
@@ -75,8 +76,9 @@ std::optional<Obstacle> obstacleInTime(const DriveFrame& frame, const Evidence& 
     return std::nullopt;
 }
 
-// The two counts get the same differences; read one after the other they are a 2^-16 turn apart at most. And never near
-// to what the drive can not tell apart.
+// A larger difference between two origins means that the position was set. Reading the two counts of an origin one
+// after the other causes a difference of at most 2^-16 turn. The tolerance must also stay far below the period of the
+// drive.
 constexpr MotorTurns kSameOrigin = MotorTurns::fromTurns(1e-4);
 constexpr double kSamePart = 1.0 / 20.0;
 
@@ -98,7 +100,7 @@ std::optional<Obstacle> obstacleInOrigin(const DriveFrame& frame, const TurnReco
     }
     if (!isSameOrigin(*record.origin, *frame.origin, frame.period, axis)) {
         const Angle set = axis.toAxis(frame.origin->offset) - axis.toAxis(record.origin->offset);
-        // `d nearest` sets the position by whole places, `d exact` by anything.
+        // `d nearest` sets the position by whole periods, `d exact` by any angle.
         const Angle rest = set - frame.period * std::round(set / frame.period);
         return Obstacle{.why = Text::tr("The position of the drive was set by a command. The change is not a motion"),
                         .positionSet = true,
@@ -126,7 +128,7 @@ std::optional<Obstacle> obstacleToCountingOn(const DriveFrame& frame, const Evid
     const auto inOrigin = obstacleInOrigin(frame, record, axis);
     const bool restarted = (inTime && inTime->restarted) || frame.uptime < record.uptime;
     if (inOrigin && inOrigin->positionSet && !restarted) {
-        return inOrigin;  // whatever the clocks say
+        return inOrigin;  // certain, whatever the clocks show
     }
     if (inTime) {
         return inTime;

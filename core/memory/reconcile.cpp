@@ -15,15 +15,17 @@
 namespace boresight::memory {
 namespace {
 
-const Angle kAgreement = Angle::fromDegrees(5.0);  // scenario S10: as much may a mount move while nobody looks
-// An axis that was moved anywhere agrees with the journal by luck once in 20 times, where places are near each other.
+// Scenario S10: how far a mount may move while the program does not run.
+const Angle kAgreement = Angle::fromDegrees(5.0);
+// If the possible places are close together, an axis that was moved anywhere agrees with the journal by chance with
+// this probability.
 constexpr double kLuck = 0.05;
-// With a shorter ambiguity an axis in motion is on another of its places within a second or two.
+// With a shorter period a moving axis reaches another of its possible places within one or two seconds.
 const Angle kWidePeriod = Angle::fromDegrees(20.0);
-// Below this they are no places: a ratio of zero, or nonsense.
+// A smaller period is invalid, for example from a gear ratio of zero.
 const Angle kSmallestPeriod = Angle::fromDegrees(0.01);
 constexpr MotorTurns kPositionRange = MotorTurns::fromTurns(32768.0);  // where the drive's register wraps
-constexpr std::size_t kNamedCandidates = 5;                            // more are told as a range
+constexpr std::size_t kNamedCandidates = 5;                            // more candidates are shown as a range
 
 Angle agreement(Angle period)
 {
@@ -44,7 +46,7 @@ std::optional<Angle> nearest(const std::vector<Angle>& candidates, Angle place)
     return found == candidates.end() ? std::nullopt : std::optional(*found);
 }
 
-// One meeting with a drive: what the judgement and its sentences share.
+// One decision about a drive: the values that the judgement and its sentences share.
 class Case
 {
 public:
@@ -87,7 +89,7 @@ private:
         return record.angle + (m_axis.toAxis(m_frame.reported) - m_axis.toAxis(record.reported));
     }
 
-    // The place nearest to the journal's, and how far from it.
+    // The candidate nearest to the angle in the journal. Empty if the journal is of another drive.
     [[nodiscard]] std::optional<Angle> nearestToJournal() const
     {
         return m_ofThisDrive ? nearest(m_candidates, m_evidence.record->angle) : std::nullopt;
@@ -183,7 +185,7 @@ private:
         addComparison(all);
     }
 
-    // Its age is worth nothing where the clock was put back.
+    // Without the age if the clock was set back.
     [[nodiscard]] QString journalSentence(const TurnRecord& record) const
     {
         const QString angle = inWords(record.angle);
@@ -219,9 +221,9 @@ private:
     const Evidence& m_evidence;
     const pointing::AxisGeometry& m_axis;
     std::vector<Angle> m_candidates;
-    std::optional<Obstacle> m_obstacle;  // to counting on from the record
-    bool m_ofThisDrive = false;          // is the record
-    bool m_phaseKnown = false;           // what the drive reports is true but for whole places
+    std::optional<Obstacle> m_obstacle;  // why the drive's count may not be continued from the record
+    bool m_ofThisDrive = false;          // the record is of this drive
+    bool m_phaseKnown = false;           // the reported position is correct to whole periods
 };
 
 }  // namespace
@@ -232,7 +234,7 @@ Angle ambiguity(const pointing::AxisGeometry& axis, double rotorToOutputRatio, b
     return abs(axis.toAxis(turn) - axis.toAxis(MotorTurns()));
 }
 
-// With a shorter period nothing is proposed after a motion, and the record only shows the operator about where it was.
+// With a shorter period nothing is proposed after a motion, and the record only shows roughly where the axis was.
 Angle journalStep(Angle period)
 {
     return (period < kWidePeriod ? kAgreement : agreement(period)) * 0.5;

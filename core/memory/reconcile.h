@@ -12,11 +12,11 @@
 #include <optional>
 #include <variant>
 
-// The judgement when a drive is met (again): is the turn of its axis known, or must the operator be asked? Pure.
-// Certain is said only where it can be shown; README.md has the reasons. Mechanical angles.
+// The judgement when a drive is found: the wrap of its axis is known, or the operator must be asked. The result is
+// Certain only if that can be proved; README.md gives the reasons. Pure. Mechanical angles.
 namespace boresight::memory {
 
-// What is known about the drive now.
+// What the drive reports now.
 struct DriveFrame
 {
     QString drive;  // its UUID, 8-4-4-4-12 digits
@@ -25,18 +25,18 @@ struct DriveFrame
     Seconds uptime{0.0};                          // since its boot; starts again at 0 after 49.7 days
     std::optional<moteus::CountOrigin> origin{};  // empty: the drive does not report it
     bool outputEncoder = false;                   // an absolute encoder on the output reports the direction
-    Angle period;                                 // between two places that look alike to the drive: ambiguity()
+    Angle period;                                 // between two angles that the drive cannot distinguish: ambiguity()
 };
 
-// What else speaks for one place or another.
+// Everything else that indicates where the axis is.
 struct Evidence
 {
     std::optional<TurnRecord> record;
     QString recordProblem;               // "The journal file is missing."
     std::optional<Angle> sensorHeading;  // of a sensor on the antenna
     UtcTime now;
-    HostTime host;                 // the same moment
-    bool trusted = false;          // the profile calls the power-up position right
+    HostTime host;                 // at the same time as `now`
+    bool trusted = false;          // by the profile, the power-up position is correct
     std::optional<QString> doubt;  // a reason to ask in any case: "The encoder jumped by 12.3°."
 };
 
@@ -50,21 +50,22 @@ struct Certain
 
 using Judgement = std::variant<Certain, TurnQuestion>;
 
-// The angle of the axis between two places that look the same to its drive: one turn of the rotor, or of the drive's
-// output if an absolute encoder sits there. rotorToOutputRatio as the drive calls it: output turns per rotor turn.
+// The axis angle between two positions that the drive cannot distinguish: one turn of the rotor, or one turn of the
+// output if there is an absolute encoder on the output. rotorToOutputRatio as in the drive: output turns per rotor
+// turn.
 [[nodiscard]] Angle ambiguity(const pointing::AxisGeometry& axis, double rotorToOutputRatio, bool outputEncoder);
 
 [[nodiscard]] Judgement reconcile(const DriveFrame& frame, const Evidence& evidence,
                                   const pointing::AxisGeometry& axis);
 
-// An axis in motion is written down each time that it has gone so far: half of what a place may differ from the journal
-// and be proposed. So the record is near enough wherever the power is cut.
+// A moving axis is recorded each time that it has moved by this angle: half of the difference from the journal at which
+// a place is still proposed. So the record is near enough wherever the power is cut.
 [[nodiscard]] Angle journalStep(Angle period);
 
 // The last sentence of the evidence.
 [[nodiscard]] QString sensorSentence(const std::optional<Angle>& heading);
 
-// What to remember of an axis whose absolute angle is known.
+// The record of an axis whose absolute angle is known.
 [[nodiscard]] TurnRecord recordOf(const DriveFrame& frame, Angle angle, const pointing::AxisGeometry& axis, bool moving,
                                   UtcTime now, const HostTime& host);
 

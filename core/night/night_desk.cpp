@@ -73,21 +73,21 @@ NightDesk::~NightDesk()
 
 Result<> NightDesk::carryOut(const ScheduleRequest& request, const Source& by)
 {
-    const Result<> done =
-        std::visit(Overloaded{[&](const request::ArmSchedule&) {
-                                  return arm(by, Severity::Advisory, Text::tr("arms the schedule of passes"));
-                              },
-                              [&](const request::DisarmSchedule&) -> Result<> {
-                                  m_policyUsed = true;
-                                  if (m_armed) {
-                                      holdNow();
-                                      disarm({.end = schedule::PassEnd::Manual,
-                                              .why = Text::tr("%1 disarmed it").arg(sourceText(by.name))});
-                                      m_control.alarms().clear(alarmEntry("schedule.disarmed"));  // as was wanted
-                                  }
-                                  return {};
-                              }},
-                   request);
+    const Result<> done = std::visit(
+        Overloaded{[&](const request::ArmSchedule&) {
+                       return arm(by, Severity::Advisory, Text::tr("arms the schedule of passes"));
+                   },
+                   [&](const request::DisarmSchedule&) -> Result<> {
+                       m_policyUsed = true;
+                       if (m_armed) {
+                           holdNow();
+                           disarm({.end = schedule::PassEnd::Manual,
+                                   .why = Text::tr("%1 disarmed it").arg(sourceText(by.name))});
+                           m_control.alarms().clear(alarmEntry("schedule.disarmed"));  // the operator wanted this
+                       }
+                       return {};
+                   }},
+        request);
     show();
     return done;
 }
@@ -166,7 +166,7 @@ void NightDesk::disarm(const Interruption& by)
 void NightDesk::noticed(const Request& request, const Source& by)
 {
     if (std::holds_alternative<request::UseAntenna>(request)) {
-        m_searched.reset();  // its beam has other limits. The schedule goes on with it
+        m_searched.reset();  // the new antenna has other limits. The schedule stays armed
         return;
     }
     if (leavesTheMount(request)) {
@@ -216,7 +216,7 @@ void NightDesk::tick()
     }
 }
 
-// What noticed() was not told: what comes from a client, a calibration, or the mount itself.
+// Interruptions that noticed() is not told of: by a client, a calibration, or the mount itself.
 std::optional<NightDesk::Interruption> NightDesk::interruption() const
 {
     const auto because = [](schedule::PassEnd end, const QString& why) {
@@ -246,7 +246,8 @@ std::optional<NightDesk::Interruption> NightDesk::interruption() const
     return std::nullopt;
 }
 
-// The mount parks by the profile. That loses what is tracked, and the schedule goes on with the next pass.
+// In a strong wind the mount parks by the profile. The tracked pass is lost, and the schedule goes on with the next
+// one.
 void NightDesk::waitOutWind()
 {
     const QString why = m_control.windObstacle();
@@ -264,7 +265,7 @@ void NightDesk::waitOutWind()
     }
 }
 
-// Set back, the clock has passes before it that it had behind it. The one that is tracked comes later, after them.
+// After the clock was set back, passes that were over are ahead again. A tracked pass now begins later, after them.
 void NightDesk::noticeClock()
 {
     const UtcTime utc = m_utc.now(m_clock);
@@ -281,7 +282,7 @@ void NightDesk::noticeClock()
     }
 }
 
-// A pass that is tracked stays as it was planned.
+// Used for new plans only: a tracked pass stays as it was planned.
 std::function<bool(const SkyPointing&)> NightDesk::clearSkyOf(std::int64_t satellite) const
 {
     const std::string own = orbit::antennaOf(m_profile->satellites, satellite);
@@ -403,7 +404,7 @@ void NightDesk::finish(schedule::PassEnd end, const QString& why)
     show();
 }
 
-// What others move is left to them, and so is the control.
+// Holds only what the schedule moves. A motion of somebody else, and its control authority, stay unchanged.
 void NightDesk::holdNow()
 {
     if (m_control.obeys(scheduleSource())) {
@@ -411,7 +412,7 @@ void NightDesk::holdNow()
     }
 }
 
-// Where the mount waits, if it may. What is refused here leaves it holding.
+// Sends the mount to where it waits for the next pass, if permitted. If the request is refused, the mount holds.
 void NightDesk::restBetween()
 {
     const profile::ScheduleSettings& wanted = m_profile->schedule;

@@ -18,18 +18,18 @@
 #include <optional>
 #include <vector>
 
-// Runs the schedule: plans the passes of the watch list, and while it is armed sends the mount to each of them, unwinds
-// or parks it in between, and keeps the report. It stands beside StationControl and moves the mount only by asking it,
-// so limits, STOP, faults and authority hold for it like for everybody. It is off after each start; only a person arms
-// it, or the written policy of the profile, once. Whatever else is done with the mount disarms it. Station thread.
+// Runs the schedule: plans the passes of the watch list. While the schedule is armed, it sends the mount to each pass,
+// unwraps or parks it in between, and keeps the report. It stands beside StationControl and moves the mount only by
+// requests to it, so limits, STOP, faults and authority apply as for everybody. It is off after each start. Only a
+// person arms it, or once the written policy of the profile. Any other use of the mount disarms it. Station thread.
 //
-// More than 15 members: what it stands beside, the plan with what it was made of, and what goes on.
+// It has more than 15 members: the objects that it works with, the plan and its inputs, and the present pass.
 namespace boresight {
 
 // Who asks for the motions of the schedule.
 [[nodiscard]] const Source& scheduleSource();
 
-// What only looks, or speaks for nobody who wants the mount.
+// Requests that only read, or that do not concern the mount.
 [[nodiscard]] bool leavesTheMount(const Request& request);
 
 class NightDesk
@@ -37,32 +37,32 @@ class NightDesk
 public:
     using Satellites = std::shared_ptr<const std::vector<orbit::ElementSet>>;  // in the order of the numbers
     using Found = std::function<void(const std::vector<passes::PassList>&)>;
-    // Searches beside the station thread, and reports what it found on the station thread.
+    // Searches on another thread, and calls `Found` on the station thread.
     using Search = std::function<void(std::vector<passes::SatelliteSearch>, Found)>;
 
     static constexpr std::chrono::hours kPlanned{24};
     static constexpr std::chrono::hours kRenewed{1};
-    // What does not follow within this time is not waited for: the mount may be parked.
+    // In a longer pause the mount may be parked.
     static constexpr std::chrono::minutes kLongPause{30};
 
-    // All of them outlive the desk.
+    // All arguments must outlive this object.
     NightDesk(StationControl& control, const profile::InForce& profile, ReportFile& file, const Clock& clock,
               EventLog& log, Search search, PassMoments::Tell tell = {});
-    ~NightDesk();  // a pass that goes on comes into the report
+    ~NightDesk();  // writes a pass in progress into the report
     NightDesk(const NightDesk&) = delete;
     NightDesk& operator=(const NightDesk&) = delete;
 
-    // What StationControl has admitted: done, or the reason why not.
+    // Carries out a request that StationControl has admitted. Returns why, if it cannot.
     Result<> carryOut(const ScheduleRequest& request, const Source& by);
-    // StationControl has admitted this of somebody else. A manual act disarms.
+    // Call it when StationControl has admitted a request of somebody else. A manual act disarms.
     void noticed(const Request& request, const Source& by);
     void setSatellites(const Satellites& satellites);
     void profileChanged(const profile::Profile& before, const profile::Profile& after);
-    // Once per tick, before StationControl's.
+    // Once per tick, before the tick of StationControl.
     void tick();
 
     [[nodiscard]] const std::shared_ptr<const ScheduleStatus>& status() const { return m_shown; }
-    // Its part of the station's.
+    // Fills in the schedule's part of the status.
     void fill(StationStatus& status) const;
 
 private:
@@ -98,12 +98,12 @@ private:
     Search m_search;
     Satellites m_satellites = std::make_shared<const std::vector<orbit::ElementSet>>();
     std::uint64_t m_searches = 0;               // the number of the last one
-    std::optional<SteadyTime> m_searched = {};  // empty: what it was made of has changed
+    std::optional<SteadyTime> m_searched = {};  // empty: the inputs have changed since
     schedule::NightPlan m_plan;
     QString m_missing;  // what cannot be planned, in words
     bool m_armed = false;
     bool m_policyUsed = false;  // or somebody has acted since the start
-    QString m_why;              // it was disarmed
+    QString m_why;              // why the schedule was disarmed
     std::uint64_t m_errand = 0;
     UtcTime m_handledUntil{};  // passes that end before are over
     sources::SteeredUtc m_utc;

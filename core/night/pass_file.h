@@ -9,9 +9,9 @@
 
 #include <optional>
 
-// The file of the pass that is tracked, or was tracked last: what a crash would cost the night report. It is small,
-// because it is written again and again while a pass goes on. Read once when the program starts. Saving never blocks
-// the station thread, on which this lives. A file that cannot be read is written over by the next pass.
+// The file of the pass that is tracked, or was tracked last. Without it a crash would lose that part of the night
+// report. It is small, because it is written many times during a pass. Read once when the program starts. Saving never
+// blocks the station thread, on which this object lives. A file that cannot be read is overwritten by the next pass.
 namespace boresight {
 
 class PassFile final : public QObject
@@ -19,12 +19,12 @@ class PassFile final : public QObject
     Q_OBJECT
 
 public:
-    // An empty path: nothing is kept. Blocks while it reads. It goes to the thread of its parent with it.
+    // An empty path: nothing is kept. Blocks while it reads. Moves to another thread together with its parent.
     PassFile(const QString& path, QObject* parent);
 
-    // As the program before has left it.
+    // The pass that the previous run of the program stored.
     [[nodiscard]] const std::optional<schedule::NewestPass>& found() const { return m_found; }
-    // Why the file could not be read, or not be written the last time. Empty while all is well.
+    // Why the file could not be read, or could not be written the last time. Empty: no problem.
     [[nodiscard]] const QString& problem() const { return m_problem; }
     void keep(const schedule::NewestPass& newest);
 

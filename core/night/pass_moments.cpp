@@ -58,7 +58,7 @@ void PassMoments::end(PassEnd end, const QString& why)
     }
 }
 
-// The log has it from whoever found it.
+// The fault itself is in the log already.
 void PassMoments::fault(const QString& why)
 {
     tell({.moment = Moment::Fault, .pass = m_pass, .why = why});

@@ -7,8 +7,8 @@
 #include <functional>
 #include <optional>
 
-// When the moments of the passes of an armed schedule have come. Each is told once, in order. What was told to come is
-// told to end, whatever ends it. Station thread.
+// The moments of the passes of an armed schedule. Each is reported once, in order. Every pass that was reported to come
+// is also reported to end, for whatever reason. Station thread.
 namespace boresight {
 
 class PassMoments
@@ -16,10 +16,10 @@ class PassMoments
 public:
     using Tell = std::function<void(const schedule::PassMoment&)>;
 
-    // Both outlive it. Without `tell` the moments are lines of the log only.
+    // Log and clock must outlive this object. Without `tell` the moments are lines of the log only.
     PassMoments(EventLog& log, const Clock& clock, Tell tell);
 
-    // The pass that comes next, in each tick between two passes. Null: none.
+    // Call it in each tick between two passes with the next pass. Null: none.
     void expect(const schedule::WatchedPass* next, Seconds before);
     // The mount tracks this pass, or waits for it. In each tick.
     void follow(const schedule::WatchedPass& pass, Seconds before);
@@ -33,8 +33,8 @@ private:
     EventLog& m_log;
     const Clock& m_clock;
     Tell m_tell;
-    std::optional<schedule::WatchedPass> m_pass;  // told to come
-    bool m_begun = false;                         // its AOS was told
+    std::optional<schedule::WatchedPass> m_pass;  // reported to come
+    bool m_begun = false;                         // its AOS was reported
 };
 
 }  // namespace boresight

@@ -11,8 +11,9 @@
 #include <optional>
 
 // The file of the night report, STATE_DIR/NAME.night.toml: read once when the program starts, written after each pass.
-// Saving never blocks the station thread, on which this lives. The newest report is on the disk before its end. A file
-// that cannot be read is never written over. Beside it stands the pass that goes on (PassFile), NAME.night.toml.pass.
+// Saving never blocks the station thread, on which this object lives. The destructor waits until the newest report is
+// on the disk. A file that cannot be read is never overwritten. Beside it is the file of the present pass (PassFile),
+// NAME.night.toml.pass.
 namespace boresight {
 
 class ReportFile final : public QObject
@@ -24,13 +25,13 @@ public:
     explicit ReportFile(const QString& path, QObject* parent = nullptr);
 
     [[nodiscard]] const schedule::NightReport& report() const { return m_report; }
-    // Why the file could not be read, or not be written the last time. Empty while all is well.
+    // Why the file could not be read, or could not be written the last time. Empty: no problem.
     [[nodiscard]] const QString& problem() const { return m_problem.isEmpty() ? m_pass.problem() : m_problem; }
     void keep(const schedule::NightReport& report);
 
-    // A pass that goes on, and its end before the report that has it.
+    // Stores the pass that is being tracked. Its end is stored before the report that contains the pass.
     void keepPass(const schedule::PassRecord& pass);
-    // That the report does not have: the program before was killed, or the power failed.
+    // A stored pass that the report does not contain, because the program was killed or the power failed.
     [[nodiscard]] std::optional<schedule::PassRecord> lostPass() const;
 
 private:
@@ -44,7 +45,7 @@ private:
     NewestWriter m_writer{this};
 };
 
-// Of a mount. A simulated one has its own.
+// The path for a mount. A simulated mount has its own file.
 [[nodiscard]] QString reportPath(const QString& stateDir, const QString& mountName, bool simulated);
 
 }  // namespace boresight

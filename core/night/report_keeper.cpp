@@ -8,7 +8,7 @@
 namespace boresight {
 namespace {
 
-// Empty where nothing was measured.
+// Empty if nothing was measured.
 QString errorOf(const schedule::PassRecord& record)
 {
     if (record.rmsError && record.peakError) {

@@ -10,34 +10,35 @@
 
 #include <optional>
 
-// Keeps the report of a night: goes on with the one of the program before, takes each pass into it and writes a line of
-// the log, and stores the pass that goes on against a crash. Station thread.
+// Keeps the report of a night: continues the report of the previous run, adds each pass and writes a line of the log,
+// and stores the present pass in case of a crash. Station thread.
 namespace boresight {
 
 class ReportKeeper
 {
 public:
-    // A stored report goes on if its last pass ended within this time.
+    // A stored report is continued if its last pass ended within this time.
     static constexpr std::chrono::hours kSameNight{24};
     static constexpr std::size_t kMostPasses = 500;
-    // What a crash costs at most of a pass. A write takes some 300 bytes, which is little for a flash card.
+    // A crash loses at most this time of a pass. A write has about 300 bytes, which is little for a flash card.
     static constexpr std::chrono::seconds kKept{30};
 
-    // All of them outlive the keeper. `source` stands in the lines of the log.
+    // All arguments must outlive this object. `source` stands in the lines of the log.
     ReportKeeper(ReportFile& file, const Clock& clock, EventLog& log, QString source);
 
     [[nodiscard]] const schedule::NightReport& report() const { return m_report; }
 
-    // A pass begins to be tracked, goes on, and is over.
+    // The tracking of a pass begins, goes on, and ends.
     void begun() { m_kept.reset(); }
     void goesOn(const schedule::PassRecord& record);
     void keep(const schedule::PassRecord& record);
     // The same without a line of the log.
     void store(const schedule::PassRecord& record);
-    // The schedule was disarmed so. It is stored with the pass that this ended; without one, by flush().
+    // Counts how the schedule was disarmed. The count is stored with the pass that this ended. Without a pass, call
+    // flush().
     void count(schedule::PassEnd end);
     void flush() { m_file.keep(m_report); }
-    // What is wrong with the files comes into the log, once for each problem.
+    // Writes each problem of the files to the log once.
     void noteProblem();
 
 private:
@@ -48,8 +49,8 @@ private:
     EventLog& m_log;
     QString m_source;
     schedule::NightReport m_report;
-    std::optional<SteadyTime> m_kept = {};  // the tracked pass was, for a crash
-    QString m_problem;                      // that the log has
+    std::optional<SteadyTime> m_kept = {};  // when the tracked pass was last stored
+    QString m_problem;                      // already in the log
 };
 
 }  // namespace boresight

@@ -84,7 +84,7 @@ QJsonObject recordObject(const schedule::PassRecord& pass)
             {QStringLiteral("why"), pass.why}};
 }
 
-// Of the last passes.
+// The report with its last passes only.
 QJsonObject reportObject(const schedule::NightReport& report)
 {
     QJsonArray passes;

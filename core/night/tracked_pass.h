@@ -21,7 +21,7 @@ public:
 
     [[nodiscard]] const schedule::WatchedPass& pass() const { return m_pass; }
     [[nodiscard]] UtcTime ends() const { return m_pass.ends(); }
-    // By what its beam is judged.
+    // The criteria for the beam.
     struct Scale
     {
         Angle beamWidth;
@@ -29,10 +29,10 @@ public:
     };
     struct Beam
     {
-        std::optional<SkyPointing> direction;  // in this tick, if that is known
+        std::optional<SkyPointing> direction;  // in this tick; empty: unknown
         bool isOnTarget = true;
     };
-    // What the antenna does not see of the pass does not count.
+    // The parts of the pass that the antenna cannot see do not count.
     void look(const Beam& beam, UtcTime utc, SteadyTime now, const Scale& scale);
     [[nodiscard]] const schedule::PassTally& tally() const { return m_tally; }
 

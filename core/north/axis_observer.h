@@ -6,23 +6,23 @@
 
 #include <optional>
 
-// Watches where the axes are, tick by tick: keeps their trace of the last seconds, and since when nobody knows where
-// they are. Station thread only.
+// Watches the position of the axes in every tick. Keeps their trace of the last seconds and the time since which the
+// position is unknown. Station thread only.
 namespace boresight {
 
 class AxisObserver
 {
 public:
-    // Control and clock outlive it.
+    // Control and clock must outlive it.
     AxisObserver(const StationControl& control, const Clock& clock) : m_control(control), m_clock(clock) {}
 
     // Once per tick.
     void tick();
     [[nodiscard]] const AxisTrace& trace() const { return m_trace; }
     [[nodiscard]] std::optional<AxesThen> now() const { return m_trace.now(); }
-    // For how long the place of the axes has not been known. Zero: it is known.
+    // For how long the position of the axes has been unknown. Zero: it is known.
     [[nodiscard]] Seconds unseenFor() const;
-    // The place is known and both axes stand still, as far as a calibration needs it.
+    // The position is known and both axes stand still enough for a calibration.
     [[nodiscard]] Result<> standStill() const;
 
 private:

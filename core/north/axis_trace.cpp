@@ -7,7 +7,7 @@
 namespace boresight {
 namespace {
 
-// A few lost replies leave no gap that matters.
+// A gap of a few lost replies does no harm.
 constexpr Seconds kGap{0.15};
 constexpr Seconds kRateTime{0.2};
 
@@ -16,7 +16,7 @@ constexpr Seconds kRateTime{0.2};
 void AxisTrace::note(SteadyTime now, const AxisPosition& place, double current)
 {
     if (!m_notes.empty() && Seconds(now - m_notes.back().time) > kGap) {
-        m_notes.clear();  // what happened in between nobody knows
+        m_notes.clear();  // the movement in the gap is unknown
     }
     m_notes.push_back({.time = now, .place = place, .current = std::abs(current)});
     while (Seconds(now - m_notes.front().time) > kKept) {

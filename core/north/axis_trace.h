@@ -7,29 +7,29 @@
 #include <deque>
 #include <optional>
 
-// Where the axes were in the last seconds, so that a value of the sensor, which is old and an average when it arrives,
-// can be laid beside the place that it is about. Pure; station thread.
+// Where the axes were in the last seconds. A value of the sensor is an average and some time old when it arrives, so it
+// is compared with the position of the axes at its own time. Pure; station thread.
 namespace boresight {
 
 struct AxesThen
 {
-    AxisPosition place;  // the mean over the time asked for
+    AxisPosition place;  // the mean over the requested time
     AxisRates rates;
-    double current = 0.0;  // A, of the motor that draws more: the mean, as a compass that averages feels it
+    double current = 0.0;  // A, of the motor that draws more: the mean, because a compass averages too
 };
 
 class AxisTrace
 {
 public:
-    // Longer than the oldest value that a sensor's settings allow.
+    // Longer than the oldest value that the settings of a sensor allow.
     static constexpr Seconds kKept{16.0};
 
     void note(SteadyTime now, const AxisPosition& place, double current);
     void clear() { m_notes.clear(); }
 
-    // Empty where the axes were not seen from one end of the time to the other.
+    // Empty if the axes were not seen during the whole time.
     [[nodiscard]] std::optional<AxesThen> about(SteadyTime middle, Seconds width) const;
-    // The newest.
+    // The newest position.
     [[nodiscard]] std::optional<AxesThen> now() const;
 
 private:

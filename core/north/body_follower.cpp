@@ -14,18 +14,18 @@ using ephemeris::Body;
 
 const QString kSource = QStringLiteral("calibration");
 constexpr std::chrono::seconds kPointPeriod{1};
-// Nearer to the zenith an offset across is more azimuth than anybody means.
+// Nearer to the zenith a small offset across would need a very large change of azimuth.
 constexpr Angle kHighest = Angle::fromDegrees(89.0);
-// From one point to the next: Sun and Moon go 0.004° in a second.
+// The largest change from one point to the next. Sun and Moon move 0.004° in a second.
 constexpr Angle kLeap = Angle::fromDegrees(0.2);
 
-// The same place, for a boom that goes past the zenith.
+// The same direction, for a boom past the zenith.
 SkyPointing fromSide(const SkyPointing& place, bool overTheTop)
 {
     return overTheTop ? SkyPointing{.azimuth = place.azimuth + 180_deg, .elevation = 180_deg - place.elevation} : place;
 }
 
-// As the axes see it: over the top both ways are turned round (fitCrossScan does the same).
+// In angles of the axes. Over the top both offsets change their sign (as in fitCrossScan).
 SkyPointing beside(SkyPointing place, const calibration::SkyOffset& offset)
 {
     const double shrink = std::cos(place.elevation.radians());
@@ -50,7 +50,7 @@ void BodyFollower::profileChanged(const profile::Profile& before, const profile:
         return;
     }
     if (const auto may = permits(*m_body, m_overTheTop); !may) {
-        end(may.error().text);  // at once: the next tick would lead the mount out of what is forbidden now
+        end(may.error().text);  // at once: the next tick would move the mount inside the forbidden region
     }
 }
 
@@ -132,7 +132,8 @@ Result<> BodyFollower::follow(Body body, ephemeris::Refraction refraction, bool 
         });
 }
 
-// Asked for again each time: what is out of reach over the top would be looked at from the front.
+// Each point is checked again as an over-the-top target. Otherwise an unreachable one would be approached from the
+// front.
 Result<> BodyFollower::sendPoint(bool anew)
 {
     m_next = m_clock.now() + kPointPeriod;
@@ -168,13 +169,13 @@ void BodyFollower::tick()
             const bool leapt = !staysOnItsWay();
             end(may.error().text);
             if (leapt) {
-                m_body.reset();  // nobody has centred it where it is now
+                m_body.reset();  // nobody has centred the body at its new place
             }
         }
     }
 }
 
-// By another clock or from another site it is elsewhere all at once: the mount would set off for there by itself.
+// A changed clock or site makes the computed position jump. Without this check the mount would move there by itself.
 Result<> BodyFollower::staysOnItsWay()
 {
     return direction(*m_body).and_then([&](const SkyPointing& place) -> Result<> {
@@ -200,7 +201,7 @@ void BodyFollower::end(const QString& why)
 void BodyFollower::ended(const QString& how)
 {
     if (looksBeside()) {
-        m_body.reset();  // nobody has centred it there
+        m_body.reset();  // nobody has centred the body there
     }
     m_following = false;
     m_offset = {};

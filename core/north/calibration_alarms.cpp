@@ -10,9 +10,9 @@
 namespace boresight {
 namespace {
 
-// A beam that is sharper than this gathers the Sun's light in the feed, or beside it.
+// Within this angle of the Sun a dish focuses sunlight on or near its feed, even if its beam is narrower.
 constexpr Angle kNearSun = Angle::fromDegrees(1.0);
-// The alarm must not come and go with the noise of an encoder.
+// Keeps the alarm from coming and going with the noise of an encoder.
 constexpr Angle kClearOfSun = Angle::fromDegrees(0.05);
 
 }  // namespace
@@ -48,7 +48,8 @@ void CalibrationAlarms::warnOfFile()
     m_control.alarms().raise(alarmEntry("calibration.not-stored"), {m_file.problem()});
 }
 
-// Moved there by a calibration, or standing there for any reason. A beam that only passes by is not reported.
+// The beam was moved to the Sun by a calibration, or stands there for any reason. A beam that only passes the Sun is
+// not reported.
 bool CalibrationAlarms::beamAtSun()
 {
     if (m_follower.follows(ephemeris::Body::Sun)) {
@@ -56,12 +57,12 @@ bool CalibrationAlarms::beamAtSun()
     }
     const auto sun = m_follower.direction(ephemeris::Body::Sun);
     if (!sun || sun->elevation < Angle{} || m_profile->sun.keepAway == profile::KeepAway::On) {
-        return false;  // its keep-out has an alarm of its own
+        return false;  // the keep-out around the Sun has its own alarm
     }
     const bool told = isAtSun();
     const auto beam = m_control.direction();
     if (!beam) {
-        return told;  // and nothing else is known
+        return told;  // the direction of the beam is unknown, so the alarm stays as it is
     }
     const Angle distance = angleBetween(*beam, *sun);
     const Angle near = std::max(m_control.antenna().beamWidth / 2.0, kNearSun);

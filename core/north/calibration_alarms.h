@@ -5,14 +5,14 @@
 #include "core/north/body_follower.h"
 #include "core/north/model_in_force.h"
 
-// Raises and clears the alarms of what lasts: the model in force is of another mount, the history cannot be kept, the
-// beam is at the Sun. Station thread only.
+// Raises and clears the lasting alarms of the calibration: the model in force is of another mount, the history cannot
+// be saved, the beam is at the Sun. Station thread only.
 namespace boresight {
 
 class CalibrationAlarms
 {
 public:
-    // All of them outlive it.
+    // All arguments must outlive this object.
     CalibrationAlarms(StationControl& control, const profile::InForce& profile, const CalibrationFile& file,
                       const ModelInForce& model, const AxisObserver& axes, BodyFollower& follower)
         : m_control(control), m_profile(profile), m_file(file), m_model(model), m_axes(axes), m_follower(follower)
@@ -33,7 +33,7 @@ private:
     const CalibrationFile& m_file;
     const ModelInForce& m_model;
     const AxisObserver& m_axes;
-    BodyFollower& m_follower;  // works out where the Sun is
+    BodyFollower& m_follower;  // computes where the Sun is
 };
 
 }  // namespace boresight

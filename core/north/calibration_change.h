@@ -8,7 +8,7 @@
 
 namespace boresight {
 
-// What comes into force of a profile by Apply, Undo or Redo.
+// The part of a profile that Apply, Undo or Redo puts into force.
 struct CalibrationChange
 {
     pointing::PointingTerms terms;

@@ -67,7 +67,7 @@ void CalibrationDesk::tick()
     }
 }
 
-// The outcome also says what Apply will leave. A peak becomes a point.
+// The outcome also names the terms that Apply will leave unchanged. A peak becomes a point.
 void CalibrationDesk::useWhatEnded()
 {
     const std::optional<RunEnd> end = m_runs.takeEnd();
@@ -122,7 +122,7 @@ void CalibrationDesk::profileChanged(const profile::Profile& before, const profi
     }
 }
 
-// Also the points that wait for both drives may count now.
+// Points that waited for the identity of both drives may count from this tick on.
 void CalibrationDesk::noteDrives()
 {
     if (m_mount.update()) {

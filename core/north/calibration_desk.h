@@ -7,41 +7,43 @@
 #include <memory>
 #include <optional>
 
-// Where the mount is calibrated: takes the operator's requests and calls its parts. CalibrationRuns leads what runs,
-// KeptPoints keeps the points, Proposals holds what waits for Apply, ModelChanges brings it into force and
-// CalibrationReport shows all of it. The desk stands beside StationControl and moves the mount only by asking it, so
-// limits, STOP, faults and authority hold for it like for everybody. Whatever else is asked of the mount ends a run at
-// once. Only Apply, Undo and Redo change anything, and they move nothing. Station thread.
+// Where the mount is calibrated: takes the operator's requests and calls its parts. CalibrationRuns leads the present
+// run, KeptPoints keeps the points, Proposals holds what waits for Apply, ModelChanges puts it into force and
+// CalibrationReport shows all of it. The desk stands beside StationControl and moves the mount only by requests to it,
+// so limits, STOP, faults and authority apply as for everybody. Any other request for a motion ends a run at once. Only
+// Apply, Undo and Redo change anything, and they do not move the mount. Station thread only.
 namespace boresight {
 
 class CalibrationDesk
 {
 public:
-    // `file` keeps the history. All of them outlive the desk.
+    // `file` keeps the history. All arguments must outlive the desk.
     CalibrationDesk(StationControl& control, const profile::InForce& profile, CalibrationFile& file, const Clock& clock,
                     EventLog& log);
 
-    // What StationControl has admitted: done, or the reason why not.
+    // Carries out a request that StationControl has admitted. Returns why, if it cannot.
     Result<> carryOut(const CalibrationRequest& request);
-    // Its newest value, if that is a new one.
+    // Uses the newest value of the sensor, if it is a new one.
     void take(const SensorStatus& sensor);
-    // From the line of the received power: what it says, and how it does.
+    // A value of the received power, and the state of the line that brings it.
     void take(const power::Value& value) { m_runs.take(value); }
     void show(const PowerLineStatus& line) { m_runs.show(line); }
-    // Once per tick, before StationControl's.
+    // Once per tick, before the tick of StationControl.
     void tick();
-    // After StationControl's.
+    // Call it after StationControl::profileChanged().
     void profileChanged(const profile::Profile& before, const profile::Profile& after);
-    // To be put into force at once, as a profile that the operator applies is.
+    // A change that must go into force at once, like a profile that the operator applies.
     [[nodiscard]] std::optional<CalibrationChange> takeChange() { return m_changes.take(); }
 
-    // The proposal of the sensor that waits for Apply, with its mounting and curve as they are or would be.
+    // The proposal of the sensor that waits for Apply, with mounting and curve as they would be. A part that does not
+    // change is filled with its present value.
     [[nodiscard]] std::optional<CalibrationChange> proposedOfSensor() const { return m_proposals.ofSensor(); }
 
     [[nodiscard]] const std::shared_ptr<const CalibrationStatus>& status() const { return m_report.status(); }
-    // A run moves the mount.
+    // A run is moving the mount.
     [[nodiscard]] bool moves() const { return m_runs.moves(); }
-    // Its part of the station's; while a run moves the mount the state is CALIBRATE, not what the motion is like.
+    // Fills in the calibration's part of the status. While a run moves the mount, the state is CALIBRATE, whatever the
+    // motion.
     void fill(StationStatus& status) const;
 
 private:

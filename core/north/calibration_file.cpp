@@ -15,7 +15,7 @@ namespace {
 
 const QString kEnding = QStringLiteral(".calibrations.toml");
 
-// Nothing, if nothing was ever applied, or taken.
+// An empty history if nothing was ever applied.
 Result<calibration::CalibrationHistory> read(const QString& path)
 {
     if (!QFile::exists(path)) {
@@ -32,7 +32,7 @@ Result<> writeOne(const QString& path, const calibration::CalibrationHistory& hi
         [&](const std::string& text) { return profile::writeFile(path, QByteArray::fromStdString(text)); });
 }
 
-// Nothing that never was is written: no file of points without a point, no history without an entry.
+// Writes no empty file: no file of points without a point, no history without an entry.
 Result<> write(const QString& path, const calibration::CalibrationHistory& history,
                const calibration::CalibrationRecord& points)
 {

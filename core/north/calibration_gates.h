@@ -3,8 +3,9 @@
 
 #include "core/messages/station_status.h"
 
-// What the operator may ask of the calibration desk now, from what its status says; `status` has the control's
-// permissions. While a run moves the mount the screen offers no other motion: that would end the run. Pure, any thread.
+// Which requests to the calibration desk are possible now, by its status. `status` also has the permissions of the
+// control. While a run moves the mount, the screen offers no other motion, because that would end the run. Pure, any
+// thread.
 namespace boresight {
 
 void judgeCalibration(StationStatus& status);

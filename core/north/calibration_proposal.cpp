@@ -18,16 +18,16 @@ using calibration::indexOf;
 using calibration::Term;
 using calibration::valueOf;
 
-// A tilt within this many of its sigmas is as good as none.
+// A tilt within this many of its sigmas counts as none.
 constexpr double kSignificant = 2.0;
-// As far as the profile lets the zero of an axis be corrected.
+// The largest correction of an axis zero that the profile permits.
 constexpr Angle kMostZero = Angle::fromDegrees(10.0);
-// A north found less exactly than this is worth a warning: Gpredict's satellites need it to a few degrees.
+// A warning follows if north is known less exactly than this. Tracking satellites of Gpredict needs a few degrees.
 constexpr Angle kPoorNorth = Angle::fromDegrees(3.0);
 
-// Beyond as many of their joint sigmas two values are not of the same thing any more.
+// If two values differ by more than this many of their joint sigmas, they contradict each other.
 constexpr double kContradicts = 3.0;
-// A north that moves by less leaves a compass where it is.
+// If north moves by less than this, the sensor's offset stays unchanged.
 constexpr Angle kSameNorth = Angle::fromDegrees(0.01);
 
 constexpr std::array kTermTexts = {
@@ -43,19 +43,19 @@ QString northText(const calibration::Estimate& north)
         .arg(azimuthText(north.value, 2), degreesText(north.sigma, 1));
 }
 
-// The offset of the azimuth may be any turn of it; the one that is nearest to today's moves no other number.
+// The offset of azimuth may be on any turn. The turn nearest to the present value changes no other number.
 Angle nearestOffset(Angle north, const profile::Profile& profile)
 {
     const Angle near = north.nearestTo(profile.pointing.azimuthOffset);
     return abs(near) < Angle::fromTurns(1.0) ? near : near.wrapped180();
 }
 
-// Of what is in force, beside what was found here.
+// How a term in force relates to the value that was found.
 enum class Standing
 {
     Replaced,
-    Stays,        // points know it better
-    Contradicted  // they have, but it can not be true any more
+    Stays,        // points gave it more exactly
+    Contradicted  // points gave it, but it cannot be true any more
 };
 
 Standing standingOf(const std::optional<Angle>& told, Angle sigma, Angle apart)
@@ -81,7 +81,8 @@ void setNorth(Proposal& proposal, const calibration::Estimate& north, const prof
     }
 }
 
-// Who moved the mount needs the north that was found, and gets it; who has put iron beside it sees why not.
+// An operator who moved the mount needs the north that was found, and gets it. If iron came near the compass, the
+// warning explains the difference.
 void warnOfNorth(Proposal& proposal, Angle apart)
 {
     proposal.warnings.push_back(
@@ -90,7 +91,7 @@ void warnOfNorth(Proposal& proposal, Angle apart)
             .arg(degreesText(apart, 1)));
 }
 
-// Whether north stays; else that of the compass is proposed.
+// True: north stays. False: the north of the compass is proposed.
 bool keepsNorth(Proposal& proposal, const calibration::Estimate& north, const profile::Profile& profile,
                 const std::optional<Angle>& told)
 {
@@ -109,7 +110,7 @@ bool keepsNorth(Proposal& proposal, const calibration::Estimate& north, const pr
     return false;
 }
 
-// Of the tilt's two parts; empty unless both are known.
+// How well the two parts of the tilt are known. Empty unless both are.
 std::optional<Angle> tiltTold(const TermSigmas& told)
 {
     const auto& north = told[indexOf(Term::TiltNorth)];
@@ -124,7 +125,8 @@ void setTilt(Proposal& proposal, const calibration::AxisTilt& tilt, const std::o
     }
     const Angle apart =
         calibration::hypot(tilt.north.value - proposal.terms.tiltNorth, tilt.east.value - proposal.terms.tiltEast);
-    // Of its parts: a roll of the box turns one into the other, and leaves the size.
+    // The sigma of the parts, not of the size: a roll of the box turns one part into the other and leaves the size
+    // unchanged.
     const Angle sigma = std::max(tilt.north.sigma, tilt.east.sigma);
     const Standing standing = standingOf(told, sigma, apart);
     if (standing == Standing::Stays) {
@@ -146,12 +148,14 @@ void setTilt(Proposal& proposal, const calibration::AxisTilt& tilt, const std::o
             .arg(degreesText(tilt.size, 2), degreesText(tilt.sizeSigma, 2), azimuthText(tilt.direction, 0));
 }
 
-// Of the sensor's elevation against that of the beam: what a box that lies askew explains is the sensor's, and so is
-// everything once Sun or Moon have told the zero; only more than that is the axis's (core/calibration/METHOD.md, Tilt).
+// Decides whether a difference between the sensor's elevation and that of the beam belongs to the sensor or to the
+// axis. What a box that is mounted askew can explain belongs to the sensor. Everything does once the Sun or the Moon
+// gave the zero. Only a larger difference belongs to the axis (core/calibration/METHOD.md, Tilt).
 void setZero(Proposal& proposal, calibration::SensorMounting& mounting, const calibration::Estimate& zero,
              const pointing::PointingTerms& present, const std::optional<Angle>& presentSigma)
 {
-    const Angle beam = zero.value + mounting.elevationOffset;  // where the axis shows 0°, as far as the sensor knows
+    const Angle beam =
+        zero.value + mounting.elevationOffset;  // the elevation at which the axis shows 0°, by the sensor
     const Angle off = abs(beam - present.elevationOffset);
     const bool isKnown = presentSigma && *presentSigma < zero.sigma;
     const bool isSensors = isKnown || off <= zero.sigma * kSignificant;
@@ -175,7 +179,7 @@ void setZero(Proposal& proposal, calibration::SensorMounting& mounting, const ca
                          .arg(degreesText(zero.value, 2), degreesText(zero.sigma, 1), verdict);
 }
 
-// What a level set, points check. Once points have told the zero it is no level's any more.
+// Points check a zero that was set with a level. Once points gave the zero, it is no longer that of a level.
 QString levelText(const calibration::FittedTerm& zero, Angle present, const std::optional<Angle>& told)
 {
     if (told || zero.state != calibration::TermState::Fitted) {
@@ -221,7 +225,7 @@ Proposal proposalOf(const SwingOutcome& swing, const profile::Profile& profile, 
                 told[indexOf(Term::ElevationOffset)]);
     }
     mounting.sense = swing.fit.curve.sense;
-    mounting.azimuthOffset = {};  // the box is along the boom, as far as a swing can measure
+    mounting.azimuthOffset = {};  // a swing cannot measure an offset between box and boom
     mounting.curve = swing.fit.curve;
     mounting.curve->constant = {};
     proposal.sensor = mounting;
@@ -253,7 +257,7 @@ Proposal proposalOf(const calibration::PointingFit& fit, std::span<const calibra
             proposal.sigmas[indexOf(term)] = fit.of(term).estimate.sigma;
         }
     }
-    // The compass was swung against the north of then.
+    // The curve is about the north that was in force when the compass was swung.
     const calibration::SensorMounting mounting = mountingOf(profile.sensor);
     if (mounting.curve) {
         proposal.sensor =

@@ -11,40 +11,40 @@
 #include <span>
 #include <vector>
 
-// What a calibration would change of a profile, made from what was found. Pure.
+// What a calibration would change in a profile. Made from the results of a run. Pure.
 namespace boresight {
 
-// Empty: nothing is known of a term.
+// Empty: nothing is known about this term.
 using TermSigmas = std::array<std::optional<Angle>, calibration::kTerms>;
 
 struct Proposal
 {
     std::uint64_t number = 0;
     QString title;
-    QString reason;  // where it comes from, in a word or two
+    QString reason;  // where it comes from, in one or two words
     QString text;
-    QString remark;  // what it says of the level, a sentence; mostly empty
+    QString remark;  // one sentence about the level; usually empty
     std::vector<QString> warnings;
-    QString stays;  // which of the terms in force are known better than they were found here; mostly empty
+    QString stays;  // which terms in force stay because they are known better than this run found them; usually empty
     pointing::PointingTerms terms;
-    TermSigmas sigmas;                                  // of the terms that were found out
-    std::optional<calibration::SensorMounting> sensor;  // if that changes, too
+    TermSigmas sigmas;                                  // of the terms that were found
+    std::optional<calibration::SensorMounting> sensor;  // only if the sensor's mounting or curve changes, too
     std::vector<calibration::CalibrationPoint> points;
 };
 
-// `told`: how well points have told the terms in force. What they know better stays as long as it agrees, and the
-// sensor is turned to it.
+// `told`: how exactly points gave the terms in force. A term that points know better stays as long as the sensor agrees
+// with it, and the sensor's offset is adapted to the term.
 [[nodiscard]] Proposal proposalOf(const calibration::SensorOffset& offset, const profile::Profile& profile,
                                   const TermSigmas& told = {});
-// Of a place that is not hopeless.
+// Call it only if the swing found the compass usable.
 [[nodiscard]] Proposal proposalOf(const SwingOutcome& swing, const profile::Profile& profile,
                                   const TermSigmas& told = {});
 [[nodiscard]] Proposal proposalOf(const calibration::PointingFit& fit,
                                   std::span<const calibration::CalibrationPoint> points,
                                   const profile::Profile& profile, const TermSigmas& told = {});
 
-// Terms as an operator gives them, and where from. Sigmas only where they were told. Nothing else of the profile
-// changes.
+// Terms as the operator entered them, and their source. Sigmas only where they were entered. Nothing else in the
+// profile changes.
 struct GivenTerms
 {
     QString title;
@@ -54,16 +54,17 @@ struct GivenTerms
     std::vector<QString> warnings;
 };
 [[nodiscard]] Proposal proposalOf(const GivenTerms& given, const profile::Profile& profile);
-// As the profile keeps them. Refused with every term that is out of its range, and the range.
+// Rounded as the profile stores them. The refusal names every term that is out of its range, and the range.
 [[nodiscard]] Result<pointing::PointingTerms> asSettings(const pointing::PointingTerms& terms);
-// What speaks against terms that were found on the mount of a text.
+// Why terms from a text may not fit this mount.
 [[nodiscard]] std::vector<QString> otherMountWarnings(const calibration::TermSheet& sheet,
                                                       const calibration::TermSheet& today);
 
-// The terms of two models beside each other; sigmas and which are on are left to the caller.
+// The terms of two models beside each other. The caller fills in the sigmas and which terms are on.
 [[nodiscard]] std::vector<TermStatus> termsBeside(const pointing::PointingTerms& present,
                                                   const pointing::PointingTerms& proposed);
-// The terms that change, in words: "azimuth offset 0.00° → 37.41°"; and that the sensor's mounting or curve does.
+// The terms that change, in words: "azimuth offset 0.00° → 37.41°". Also names a change of the sensor's mounting or
+// curve.
 [[nodiscard]] QString changeText(const pointing::PointingTerms& before, const pointing::PointingTerms& after,
                                  bool changesSensor = false);
 

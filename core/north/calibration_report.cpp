@@ -121,13 +121,13 @@ std::optional<CalibrationProposal> CalibrationReport::proposalStatus() const
         one.sigma = proposal->sigmas[calibration::indexOf(term)];
         one.isOn = m_of.proposals.isFound(term);
         if (!one.sigma && one.proposed == one.present) {
-            one.sigma = present.sigmas[calibration::indexOf(term)];  // what stays is known as well as before
+            one.sigma = present.sigmas[calibration::indexOf(term)];  // a term that stays keeps its sigma
         }
     }
     return told;
 }
 
-// Newest first; what was superseded stands where it was applied, whatever the clock did to the others.
+// Newest first. An entry that was superseded stays where it was applied, even if the clock was changed since.
 std::vector<CalibrationHistoryEntry> CalibrationReport::historyEntries() const
 {
     std::vector<CalibrationHistoryEntry> list;

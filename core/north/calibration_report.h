@@ -7,11 +7,11 @@
 
 #include <memory>
 
-// What the calibration knows, as the screen sees it: one immutable CalibrationStatus, made from the parts when
-// something has changed and four times a second. Decides nothing. Station thread only.
+// What the screen shows of the calibration: one immutable CalibrationStatus, made from the parts after a change and
+// four times a second. Decides nothing. Station thread only.
 namespace boresight {
 
-// The parts of CalibrationDesk, for who only reads them.
+// The parts of CalibrationDesk, for classes that only read them.
 struct CalibrationParts
 {
     const profile::InForce& profile;
@@ -25,16 +25,16 @@ struct CalibrationParts
     const PointTaker& taker;
     const ModelChanges& changes;
     const CalibrationAlarms& alarms;
-    BodyFollower& follower;  // works out where the bodies are, and when they rise and set
+    BodyFollower& follower;  // computes where the bodies are, and when they rise and set
 };
 
 class CalibrationReport
 {
 public:
-    // The parts and the clock outlive it.
+    // The parts and the clock must outlive it.
     CalibrationReport(const CalibrationParts& parts, const Clock& clock) : m_of(parts), m_clock(clock) {}
 
-    // Something has changed since the status was made.
+    // Call it when something has changed since the status was made.
     void expire() { m_expired = true; }
     [[nodiscard]] bool isDue() const;
     void renew();

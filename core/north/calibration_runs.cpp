@@ -12,7 +12,7 @@ namespace {
 
 const QString kRunsSource = QStringLiteral("calibration");
 
-// The heading's mean ends when the elevation is read, just before the sensor sends both.
+// The sensor reads the elevation at the end of the time over which it averages the heading, and then sends both.
 Seconds levelAge(const profile::SensorSettings& sensor)
 {
     return std::max(sensor.latency - sensor.averaging / 2.0, Seconds(0.0));
@@ -54,7 +54,7 @@ Result<> CalibrationRuns::isIdle() const
     return {};
 }
 
-// What follows a body turns on, and its motors would turn the needle.
+// While a body is tracked the mount turns, and its motors would disturb the compass.
 Result<> CalibrationRuns::followsNothing() const
 {
     if (m_follower.following()) {
@@ -134,7 +134,7 @@ Result<> CalibrationRuns::endedBy(const Result<>& scan)
     return scan;
 }
 
-// A value of the sensor is a mean and some time old. It is compared with where the axes were at that time.
+// A value of the sensor is an average and some time old. It is compared with the position of the axes at its own time.
 void CalibrationRuns::take(const orientation::Orientation& value)
 {
     const profile::SensorSettings& settings = m_profile->sensor;

@@ -8,31 +8,31 @@
 #include <optional>
 #include <utility>
 
-// What runs now: the average of the sensor, the swing of the compass or the cross scan, one at a time. Starts and leads
-// it, and keeps how the last one ended. A run that ends by itself waits in takeEnd() for whoever uses what it found,
-// and is over with close(). Station thread only.
+// The present run: the average of the sensor, the swing of the compass or the cross scan, one at a time. Starts and
+// leads the run, and keeps how the last one ended. A run that ended by itself waits in takeEnd() for the caller who
+// uses its result, and is over with close(). Station thread only.
 namespace boresight {
 
 class CalibrationRuns
 {
 public:
-    // All of them outlive it.
+    // All arguments must outlive this object.
     CalibrationRuns(StationControl& control, const profile::InForce& profile, const LiveSensor& sensor,
                     const AxisObserver& axes, BodyFollower& follower, const Clock& clock, EventLog& log);
 
     [[nodiscard]] CalibrationRun running() const;
     [[nodiscard]] bool runs() const { return running() != CalibrationRun::None; }
     [[nodiscard]] Result<> isIdle() const;
-    // A run moves the mount.
+    // A run is moving the mount.
     [[nodiscard]] bool moves() const { return m_swing.run().has_value() || m_scan.run().has_value(); }
 
     [[nodiscard]] Result<> mayAverage() const;
     Result<> startOffset();
     void planSwing(const SwingWish& wish) { m_swing.plan(wish); }
     Result<> startSwing(const SwingWish& wish);
-    // The body is followed, and could be now.
+    // The body is tracked, and a scan could start now.
     [[nodiscard]] Result<> mayScan(ephemeris::Body body) const;
-    // Only where mayScan() and the width is one of a scan.
+    // Call it only if mayScan() allows it and the width is valid for a scan.
     Result<> startScan(ephemeris::Body body, Angle width);
     Result<> givePower(double decibels);
 
@@ -40,16 +40,16 @@ public:
     void take(const orientation::Orientation& value);
     void take(const power::Value& value) { m_scan.take(value); }
     void show(const PowerLineStatus& line) { m_scan.show(line); }
-    // Once per tick, after the axes were observed and the body was followed. True: there is something new to show.
+    // Once per tick, after the axes were observed and the body was tracked. True: the status has changed.
     [[nodiscard]] bool tick();
 
-    // Of the run that has ended by itself.
+    // The end of the run that ended by itself.
     [[nodiscard]] std::optional<RunEnd> takeEnd() { return std::exchange(m_end, std::nullopt); }
     void close(const QString& outcome, bool failed);
-    // Somebody else ends what runs: the mount holds.
+    // Ends the run for a reason from outside: the mount holds.
     void breakOff(const QString& why);
 
-    // With what stands in the way.
+    // The plan also names the obstacles.
     [[nodiscard]] SwingPlan swingPlan() const;
     [[nodiscard]] std::vector<calibration::SwingDot> swingSoFar() const;
     [[nodiscard]] bool wantsPower() const;

@@ -13,13 +13,14 @@ namespace boresight {
 namespace {
 
 const QString kPointsSource = QStringLiteral("calibration");
-// A fit of 60 takes 15 ms, in the control tick.
+// A fit of 60 points takes 15 ms of the control tick.
 constexpr std::size_t kMostPoints = 60;
-// The fit of the same points against another model in force ends some ten millionths of a degree beside: less than half
-// of the last place that is shown says nothing else.
+// A fit of the same points against another model in force differs by some ten millionths of a degree. A difference
+// below half of the last shown digit is not a change.
 constexpr Angle kSameFit = Angle::fromDegrees(0.0005);
 
-// What is not known today stays what it was: else points would be nobody's, and never left out.
+// A value that is unknown today keeps its old content. Otherwise the points would belong to no mount and would never be
+// left out.
 calibration::RecordMount updated(calibration::RecordMount mount, const calibration::RecordMount& today)
 {
     mount.azimuthDrive = today.azimuthDrive.empty() ? mount.azimuthDrive : today.azimuthDrive;
@@ -37,7 +38,7 @@ KeptPoints::KeptPoints(StationControl& control, CalibrationFile& file, const Mou
     restore();
 }
 
-// Taken before the program, or the connection to the mount, was ended.
+// Loads the points that were taken before the program or the connection to the mount was last ended.
 void KeptPoints::restore()
 {
     for (const calibration::CalibrationPoint& point : m_file.points()) {
@@ -106,8 +107,8 @@ void KeptPoints::changed()
     fit();
 }
 
-// Where an axis shows 0° another drive does not know, nor another place where its north is. They stay in the list: the
-// operator may have their reasons to use them all the same.
+// Another drive has its 0° elsewhere, and another site has north elsewhere. Such points stay in the list, so the
+// operator can still use them.
 bool KeptPoints::leaveOutOthers()
 {
     const calibration::MountDifference difference = calibration::difference(m_pointsMount, m_mount.today());
@@ -133,14 +134,14 @@ bool KeptPoints::countRestored()
     return true;
 }
 
-// The axes may count from another place when the operator has answered.
+// The operator's answer about the cable wrap may change where the axes count from.
 bool KeptPoints::noteTurns()
 {
     const bool asked = std::ranges::any_of(kAxes, [this](Axis axis) { return m_control.isTurnAsked(axis); });
     return asked && !m_book.points().empty() && !std::exchange(m_turnAsked, m_clock.utc());
 }
 
-// Any turn of the azimuth offset is the same north.
+// Azimuth offsets that differ by whole turns are the same north.
 bool KeptPoints::contradictModel() const
 {
     if (!m_book.fitted()) {

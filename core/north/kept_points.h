@@ -9,14 +9,14 @@
 #include <span>
 
 // The points of this mount: takes them into the book, keeps the book in its file, and decides which of them count.
-// Points of an earlier run of the program wait until both drives have reported which ones they are. Points of another
+// Points from an earlier run of the program wait until both drives have reported their identity. Points of another
 // drive or site are left out. Every change fits the points again. Station thread only.
 namespace boresight {
 
 class KeptPoints
 {
 public:
-    // All of them outlive it.
+    // All arguments must outlive this object.
     KeptPoints(StationControl& control, CalibrationFile& file, const MountIdentity& mount, const ModelInForce& model,
                const Clock& clock, EventLog& log);
 
@@ -27,14 +27,14 @@ public:
     Result<> drop(std::size_t index);
     Result<> use(std::size_t index, bool used);
     void clear();
-    // Again, after another model came into force.
+    // Fits again after another model came into force.
     void fit();
 
     // True: points of another drive or site were left out.
     [[nodiscard]] bool leaveOutOthers();
     // True: the points that waited count from now on.
     [[nodiscard]] bool countRestored();
-    // True: for the first time there are points and the operator is asked for the wrap of an axis.
+    // True once: there are points, and the operator is asked for the wrap of an axis for the first time.
     [[nodiscard]] bool noteTurns();
 
     // The fit differs from the model in force.
@@ -53,8 +53,8 @@ private:
     const Clock& m_clock;
     EventLog& m_log;
     PointBook m_book;
-    calibration::RecordMount m_pointsMount;  // of whom the points are
-    std::optional<UtcTime> m_turnAsked;      // the operator was last asked where an axis stands
+    calibration::RecordMount m_pointsMount;  // the mount to which the points belong
+    std::optional<UtcTime> m_turnAsked;      // when the operator was last asked for the position of an axis
 };
 
 }  // namespace boresight

@@ -7,7 +7,7 @@
 namespace boresight {
 namespace {
 
-// Of the levels 0 to 3 that a sensor reports.
+// A sensor reports levels from 0 to 3.
 constexpr int kCalibratedMagnetometer = 2;
 
 }  // namespace

@@ -15,17 +15,17 @@ namespace boresight {
 class LiveSensor
 {
 public:
-    // Profile and clock outlive it.
+    // Profile and clock must outlive it.
     LiveSensor(const profile::InForce& profile, const Clock& clock) : m_profile(profile), m_clock(clock) {}
 
-    // The value, if it is a new one.
+    // The value, or null if it was already taken.
     const orientation::Orientation* take(const SensorStatus& sensor);
 
     // A value came within the time that the profile allows.
     [[nodiscard]] Result<> isHeard() const;
-    // There is a sensor, its data arrive, and its compass is calibrated as far as it reports that.
+    // There is a sensor, its data arrive, and it does not report an uncalibrated compass.
     [[nodiscard]] Result<> isUsable() const;
-    // Usable, and its heading is tied to magnetic north as far as it reports that: an average would be taken.
+    // As isUsable(), and the sensor does not report that its heading has lost magnetic north. An average can be taken.
     [[nodiscard]] Result<> isTiedToNorth() const;
     [[nodiscard]] Angle declination() const { return m_declination; }
     [[nodiscard]] std::uint64_t restarts() const { return m_restarts; }

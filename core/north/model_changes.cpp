@@ -26,7 +26,7 @@ ModelChanges::ModelChanges(const StationControl& control, const profile::InForce
       m_log(log)
 {}
 
-// A model that comes into force moves nothing that stands, but a stream of directions would be led elsewhere.
+// A new model does not move a mount that stands still, but it would lead a stream of directions elsewhere.
 Result<> ModelChanges::mayChange() const
 {
     return m_runs.isIdle().and_then([&]() -> Result<> {
@@ -42,12 +42,12 @@ Result<> ModelChanges::mayChange() const
                            Text::tr("The mount tracks the target of a client, and the change would move it. "
                                     "Press Hold first."));
         }
-        return m_follower.following() ? Result<>{} : m_control.mayChangePointing();  // the body is let go
+        return m_follower.following() ? Result<>{} : m_control.mayChangePointing();  // a tracked body is released first
     });
 }
 
-// A horizon or keep-out that now lies elsewhere over the axes may forbid the place to park: such a profile would not
-// even be loaded again.
+// A new model moves horizon and keep-outs over the axes, and may so forbid the park position. Such a profile could not
+// be loaded again.
 Result<> ModelChanges::makesSense(const CalibrationChange& change) const
 {
     for (profile::Profile wanted : {*m_profile, m_profile.wanted()}) {
@@ -148,7 +148,7 @@ Result<> ModelChanges::redo()
     });
 }
 
-// What was typed since would be lost without a word.
+// Without this check an edit made since then would be lost silently.
 Result<> ModelChanges::stillInForce(const pointing::PointingTerms& terms,
                                     const std::optional<calibration::SensorMounting>& sensor) const
 {
@@ -177,7 +177,7 @@ void ModelChanges::warnOfOtherMount(const calibration::CalibrationRecord& record
 
 void ModelChanges::bringIntoForce(const CalibrationChange& change, const QString& what)
 {
-    m_follower.end();  // the body would be followed elsewhere from now on
+    m_follower.end();  // with the new model the same body would be tracked elsewhere
     m_change = change;
     m_log.add(Severity::Advisory, QStringLiteral("operator"), what);
 }

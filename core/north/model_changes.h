@@ -9,37 +9,38 @@
 #include <utility>
 
 // Apply, Undo and Redo: decides whether a change of the model may come into force now, and writes it into the history.
-// The change itself waits in take() for whoever changes the profile. Moves nothing, but a followed body is released.
+// The change itself waits in take() for the caller who changes the profile. Moves nothing, but releases a tracked body.
 // Station thread only.
 namespace boresight {
 
 class ModelChanges
 {
 public:
-    // All of them outlive it.
+    // All arguments must outlive this object.
     ModelChanges(const StationControl& control, const profile::InForce& profile, CalibrationFile& file,
                  const MountIdentity& mount, const CalibrationRuns& runs, BodyFollower& follower, const Clock& clock,
                  EventLog& log);
 
-    // Why not now. The request is also refused if the profile would make no sense: each status has no time for that.
+    // Why the change is not possible now. The request also checks whether the profile would make sense. That takes too
+    // long for every status.
     [[nodiscard]] Result<> mayChange() const;
     [[nodiscard]] Result<> mayUndo() const;
     [[nodiscard]] Result<> mayRedo() const;
     Result<> apply(const Proposal& proposal);
     Result<> undo();
     Result<> redo();
-    // To be put into force at once.
+    // A change that must go into force at once.
     [[nodiscard]] std::optional<CalibrationChange> take() { return std::exchange(m_change, std::nullopt); }
 
 private:
-    // What a record of the history is changed to, and what must be in force until then.
+    // The values that a record of the history changes to, and the values that must be in force until then.
     struct Recall
     {
         CalibrationChange change;
         pointing::PointingTerms terms;
         std::optional<calibration::SensorMounting> sensor;
     };
-    [[nodiscard]] Recall undone() const;  // only where there is one
+    [[nodiscard]] Recall undone() const;  // call it only if there is one
     [[nodiscard]] Recall redone() const;
     [[nodiscard]] Result<> mayRecall(const Recall& recall) const;
     [[nodiscard]] Result<> makesSense(const CalibrationChange& change) const;

@@ -17,9 +17,9 @@ QString dayOf(UtcTime when)
 
 }  // namespace
 
-// A tilt that a swing has found is known apart from any point; one that was fitted to points would be these very points
-// again, and one that was typed or read says not what it was found from. A swing always changes the sensor. By the
-// first `entries` of the history.
+// The tilt known apart from the points, by the first `entries` of the history. Only a swing gives one, and a swing
+// always changes the sensor. A tilt that was fitted to points would count the same points twice. A tilt that was typed
+// or read does not show what it was found from.
 calibration::TermKnowledge ModelInForce::knownBy(std::size_t entries) const
 {
     calibration::TermKnowledge known = calibration::TermKnowledge::usual();
@@ -37,7 +37,7 @@ calibration::TermKnowledge ModelInForce::knownBy(std::size_t entries) const
     return known;
 }
 
-// The entry that has brought the terms in force, if they were not changed since by other ways.
+// The entry that brought the terms in force. Null if the terms were changed in another way since.
 const calibration::CalibrationRecord* ModelInForce::entry() const
 {
     const calibration::CalibrationHistory& history = m_file.history();
@@ -48,7 +48,7 @@ const calibration::CalibrationRecord* ModelInForce::entry() const
     return isSame(last.terms.after, m_profile->pointing) ? &last : nullptr;
 }
 
-// What was changed by other ways since the entry that was applied last; empty: nothing.
+// What was changed in another way since the last applied entry. Empty: nothing.
 QString ModelInForce::changedSince() const
 {
     const calibration::CalibrationHistory& history = m_file.history();
@@ -83,9 +83,10 @@ calibration::TermSheet ModelInForce::sheet() const
     return sheet;
 }
 
-// How well Sun, Moon or landmarks have told what is in force, of this mount: a compass knows north and the zero of
-// elevation only by its box, and what a text says of itself was not seen here. A term that points have only held is
-// known by the swing before them: the next one is worth as much. A term keeps its sigma as long as it keeps its value.
+// How exactly Sun, Moon or landmarks gave the terms in force on this mount. A compass knows north and the zero of
+// elevation only relative to its box, and sigmas from a text were not measured here. A term that the points only
+// confirmed is known by the swing before them, and the next swing is worth as much. A term keeps its sigma as long as
+// it keeps its value.
 TermSigmas ModelInForce::toldByPoints() const
 {
     TermSigmas told;

@@ -12,22 +12,22 @@ namespace boresight {
 class ModelInForce
 {
 public:
-    // All of them outlive it.
+    // All arguments must outlive this object.
     ModelInForce(const CalibrationFile& file, const profile::InForce& profile, const MountIdentity& mount,
                  const Clock& clock)
         : m_file(file), m_profile(profile), m_mount(mount), m_clock(clock)
     {}
 
     [[nodiscard]] const pointing::PointingTerms& terms() const { return m_profile->pointing; }
-    // The terms with the sigmas that the history has for their values.
+    // The terms, with the sigmas that the history has for their values.
     [[nodiscard]] calibration::TermSheet sheet() const;
-    // What a swing found before any point.
+    // What a swing found, independent of any point.
     [[nodiscard]] calibration::TermKnowledge known() const { return knownBy(m_file.history().inForce()); }
     // How exactly Sun, Moon or landmarks gave the terms in force.
     [[nodiscard]] TermSigmas toldByPoints() const;
-    // What was changed by other ways since the entry that was applied last. Empty: nothing.
+    // What was changed in another way since the last applied entry. Empty: nothing.
     [[nodiscard]] QString changedSince() const;
-    // That the entry in force was applied with another drive or at another site. Empty: it was not.
+    // Says that the entry in force was applied with another drive or at another site. Empty: it was not.
     [[nodiscard]] QString otherMount() const;
 
 private:

@@ -5,8 +5,8 @@
 
 namespace boresight {
 
-// A drive reports its identity some seconds after the start, and after a silence it may be another drive. One that was
-// read and reports no UUID contradicts nothing.
+// A drive reports its identity some seconds after the start. After a silence it may be another drive. A drive that was
+// read but reports no UUID contradicts no record.
 bool MountIdentity::update()
 {
     bool isNew = false;
@@ -26,8 +26,8 @@ bool MountIdentity::bothRead() const
     return std::ranges::all_of(m_drives, [](const auto& uuid) { return uuid.has_value(); });
 }
 
-// The position journal has the drive whose cable wrap was confirmed last: a new drive is in it only when the operator
-// has answered.
+// The position journal names the drive whose cable wrap was confirmed last. A new drive enters it only after the
+// operator has answered.
 calibration::RecordMount MountIdentity::today() const
 {
     const auto drive = [this](Axis axis) {

@@ -13,7 +13,7 @@ void OffsetRun::take(const orientation::Orientation& value, const AxesThen& abou
 {
     calibration::SensorReading reading{
         .axisAzimuth = about.place.azimuth, .axisRate = about.rates.azimuth, .motorCurrent = about.current};
-    // Without a swing there is no curve for the fit to be told, only a mounting to be dealt with.
+    // Without a swing there is no curve to remove before the fit. Only the mounting of the sensor is corrected.
     reading.heading = wasSwung(settings)
                           ? value.heading
                           : orientation::SensorHeading::folded(curveOf(settings, declination).corrected(value.heading));

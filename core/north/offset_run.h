@@ -19,7 +19,7 @@ namespace boresight {
 class OffsetRun
 {
 public:
-    // Of a sensor that reports once a second: twice as many readings as its average must have.
+    // A sensor that reports once a second sends twice the readings that an average needs.
     static constexpr Seconds kDuration{20.0};
 
     explicit OffsetRun(SteadyTime now) : m_started(now) {}
@@ -32,7 +32,7 @@ public:
     [[nodiscard]] double part(SteadyTime now) const;
     [[nodiscard]] Seconds left(SteadyTime now) const;
     [[nodiscard]] QString text() const;
-    // Refused with the reason where the readings give nothing.
+    // Refused with the reason if the readings do not give a result.
     [[nodiscard]] Result<calibration::SensorOffset> outcome(const profile::SensorSettings& settings,
                                                             Angle declination) const;
 

@@ -7,11 +7,11 @@
 #include <optional>
 #include <vector>
 
-// The points that were taken, where the axes stood and where the source was in truth, and the pointing model that they
-// speak for. The axes' angles are mechanical, so points stay true whatever model comes into force. Pure.
+// The points that were taken, with the angles of the axes and the true direction of the source, and the pointing model
+// fitted to them. The angles of the axes are mechanical, so points stay true whatever model comes into force. Pure.
 namespace boresight {
 
-// A point that is taken now.
+// A point to be taken now.
 struct NewPoint
 {
     AxisPosition axes;
@@ -28,22 +28,22 @@ public:
     Result<> use(std::size_t index, bool used);
     void clear();
 
-    // It is not certain yet that they are of this mount: they are in the list, and say nothing. Ends with the last of
-    // them.
+    // While it is uncertain whether the points are of this mount, they are in the list but do not count. Waiting ends
+    // when the last point is dropped.
     void setWaiting(bool waiting) { m_waiting = waiting; }
     [[nodiscard]] bool isWaiting() const { return m_waiting; }
 
-    // Anew, against the model in force. What a swing has found out is known before the points.
+    // Fits against the model in force. `known`: what a swing found before the points.
     void fit(const pointing::PointingTerms& inForce, const calibration::TermKnowledge& known);
 
     [[nodiscard]] const std::vector<calibration::CalibrationPoint>& points() const { return m_points; }
-    // Empty while there is no point that is used, or they wait.
+    // Empty while no point is used, or while the points wait.
     [[nodiscard]] const std::optional<calibration::PointingFit>& fitted() const { return m_fit; }
-    // Why there is no fit; empty if there is one, or no point that is used.
+    // Why there is no fit. Empty if there is a fit, or if no point is used.
     [[nodiscard]] const QString& problem() const { return m_problem; }
 
     [[nodiscard]] std::vector<PointStatus> status() const;
-    // With those terms in place of the ones in force; empty without points that are used.
+    // With the proposed terms instead of the terms in force. Empty if no point is used.
     [[nodiscard]] std::optional<ProposalResiduals> residuals(const pointing::PointingTerms& proposed) const;
     [[nodiscard]] std::optional<PointFitStatus> fitStatus(const pointing::PointingTerms& inForce) const;
 

@@ -12,11 +12,11 @@ namespace {
 using namespace boresight::literals;
 
 const QString kTakerSource = QStringLiteral("calibration");
-// A body that is centred by hand, by shadow or sight tube.
+// How exactly a hand centres a body by shadow or sight tube.
 constexpr Angle kCentred = Angle::fromDegrees(0.03);
-// Where north was found, nothing that is centred is this far from where the model says; nor from three sigmas of it.
+// Once north was found, a centred target is never this far from where the model expects it, nor 3 sigmas of north.
 constexpr Angle kFarPoint = Angle::fromDegrees(5.0);
-// A landmark from a map, and a hand that points the beam at it.
+// How exactly a landmark is known from a map and the beam is pointed at it by hand.
 constexpr Angle kKnownPoint = Angle::fromDegrees(0.1);
 
 }  // namespace
@@ -48,7 +48,7 @@ Result<> PointTaker::mayTakeBody() const
     });
 }
 
-// Where the axes are now, not where they were commanded, and where the body is now.
+// Uses where the axes are, not where they were commanded, and where the body is at the same time.
 Result<> PointTaker::takeBody()
 {
     return mayTakeBody().map([&] {
@@ -59,7 +59,7 @@ Result<> PointTaker::takeBody()
     });
 }
 
-// The operator sees the shadow, the model does not: it is taken all the same.
+// The operator may see the shadow where the model does not expect it, so the point is taken with a warning.
 void PointTaker::warnOfFarPoint(const SkyPointing& truth)
 {
     const std::optional<Angle> north = m_model.sheet().sigmas[calibration::indexOf(calibration::Term::AzimuthOffset)];

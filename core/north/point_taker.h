@@ -4,14 +4,14 @@
 #include "core/north/calibration_runs.h"
 #include "core/north/kept_points.h"
 
-// Takes points by hand: of the body that is centred in the beam, or of a landmark whose direction is known. Says when
-// that is possible. Station thread only.
+// Takes points by hand: of the body that is centred in the beam, or of a landmark whose direction is known. Reports
+// whether a point can be taken now. Station thread only.
 namespace boresight {
 
 class PointTaker
 {
 public:
-    // All of them outlive it.
+    // All arguments must outlive this object.
     PointTaker(const StationControl& control, const CalibrationRuns& runs, const AxisObserver& axes,
                const ModelInForce& model, BodyFollower& follower, KeptPoints& points, EventLog& log);
 
@@ -28,7 +28,7 @@ private:
     const CalibrationRuns& m_runs;
     const AxisObserver& m_axes;
     const ModelInForce& m_model;
-    BodyFollower& m_follower;  // works out where the body is
+    BodyFollower& m_follower;  // computes where the body is
     KeptPoints& m_points;
     EventLog& m_log;
 };

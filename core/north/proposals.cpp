@@ -11,7 +11,7 @@ namespace boresight {
 namespace {
 
 const QString kProposalsSource = QStringLiteral("calibration");
-// A declination that moved by more has moved north.
+// A larger change of the declination moves the north that the sensor found.
 constexpr Angle kSameDeclination = Angle::fromDegrees(0.05);
 
 }  // namespace
@@ -69,17 +69,17 @@ void Proposals::renewPoints()
     }
 }
 
-// What is proposed is shown against what is in force. What the points say may be in force now.
+// The proposal is compared with the new profile. The fit of the points may already be in force.
 void Proposals::profileChanged(bool otherSensor)
 {
     if (otherSensor) {
-        m_declination = Angle::fromTurns(1.0);  // what was found with the settings of before holds no more
+        m_declination = Angle::fromTurns(1.0);  // makes dropStale() drop what was found with the old settings
         dropStale();
     }
     proposeFrom(m_from == From::Points && !m_points.contradictModel() ? From::Nothing : m_from);
 }
 
-// A sensor's north holds with the mounting, the sense and the declination that it was found with.
+// A north found by the sensor is valid only with the mounting, the sense and the declination of its measurement.
 void Proposals::dropStale()
 {
     if (isOfSensor() && abs(m_sensor.declination() - m_declination) > kSameDeclination) {

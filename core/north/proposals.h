@@ -11,49 +11,50 @@
 #include <memory>
 #include <optional>
 
-// What waits for the operator's Apply: what was found or entered last, against the model in force. A proposal that is
-// made again gets another number. Changes nothing of the mount. Station thread only.
+// What waits for the operator's Apply: the last result or entry, compared with the model in force. A proposal that is
+// made again gets a new number. Changes nothing on the mount. Station thread only.
 namespace boresight {
 
 class Proposals
 {
 public:
-    // All of them outlive it. profileChanged() reports another profile.
+    // All arguments must outlive it. profileChanged() reports a new profile.
     Proposals(const profile::InForce& profile, const LiveSensor& sensor, const ModelInForce& model,
               const KeptPoints& points, EventLog& log);
 
-    // Each takes the place of what was proposed before.
+    // Each replaces the previous proposal.
     void propose(const calibration::SensorOffset& offset);
-    void propose(const SwungCompass& swung);  // where the compass is of no use it is kept only, to be shown
+    void propose(const SwungCompass& swung);  // an unusable compass is kept only to be shown
     Result<> propose(GivenTerms given);
-    // The operator changed the points, or they were left out.
+    // The operator changed the points, or points were left out.
     void pointsChanged();
-    // Points of an earlier run of the program count from now on.
+    // Points from an earlier run of the program count from this call on.
     void pointsRestored();
-    // The proposal of the points gets its warnings again.
+    // Makes the warnings of the proposal from points again.
     void renewPoints();
     void profileChanged(bool otherSensor);
-    // What the sensor found is dropped when its settings or the declination have changed since.
+    // Drops what the sensor found if its settings or the declination have changed since.
     void dropStale();
     Result<> discard(std::uint64_t number);
 
     enum class Next
     {
         Nothing,
-        Points  // they are proposed as soon as the change is in force
+        Points  // propose the points as soon as the change is in force
     };
-    // A change comes into force.
+    // Call it when a change comes into force.
     void clear(Next next);
 
     [[nodiscard]] const std::optional<Proposal>& current() const { return m_proposal; }
-    // Refused when another one is proposed by now: what was seen is what is applied.
+    // Refused if the proposal was replaced meanwhile: only the proposal that the operator has seen is applied.
     [[nodiscard]] Result<> isCurrent(std::uint64_t number) const;
-    // Which of the terms in force stay, in words. Mostly empty.
+    // Which of the terms in force stay, in words. Usually empty.
     [[nodiscard]] QString stays() const { return m_proposal ? m_proposal->stays : QString(); }
-    // The term was found out or entered. A term that points move only within what was known of it does not count.
-    // Only while there is a proposal.
+    // The term was found or entered. A term that points move only within its known error does not count. Only while
+    // there is a proposal.
     [[nodiscard]] bool isFound(calibration::Term term) const;
-    // What the sensor found, with its mounting and curve as they are or would be.
+    // What the sensor found, with mounting and curve as they would be. A part that does not change has its present
+    // value.
     [[nodiscard]] std::optional<CalibrationChange> ofSensor() const;
     [[nodiscard]] const std::optional<calibration::SensorOffset>& sensorOffset() const { return m_sensorOffset; }
     [[nodiscard]] const std::shared_ptr<const SwingOutcome>& swing() const { return m_swung.outcome; }
@@ -81,8 +82,8 @@ private:
     SwungCompass m_swung;
     GivenTerms m_given;
     From m_from = From::Nothing;
-    bool m_fitDiscarded = false;  // what the points say, until they say otherwise
-    Angle m_declination;          // that was in force when it was found
+    bool m_fitDiscarded = false;  // the proposal of the points was discarded, and their fit has not changed since
+    Angle m_declination;          // in force when the north was found
     std::optional<Proposal> m_proposal;
     std::uint64_t m_count = 0;
 };

@@ -19,14 +19,14 @@ struct RunEnd
 {
     QString outcome;  // for the operator
     bool failed = false;
-    bool holds = false;  // the mount is to hold, if it still moves for the run
+    bool holds = false;  // the mount must be held, if it still moves for the run
     RunFinding found = {};
 };
 
 [[nodiscard]] RunEnd failedRun(const QString& why);
-// The same, and the mount is to hold.
+// The same as the function above, and the mount must be held.
 [[nodiscard]] RunEnd brokenOff(const QString& why);
-// The mount does not do any more what a run asked of it: why.
+// Why the mount stopped doing what a run asked of it.
 [[nodiscard]] QString whoEnded(const StationControl& control);
 
 }  // namespace boresight

@@ -6,7 +6,7 @@
 namespace boresight {
 namespace {
 
-// As a profile keeps the arcs.
+// A profile stores arcs with this resolution.
 constexpr Angle kSameArc = Angle::fromDegrees(0.051);
 
 bool isSame(const calibration::UnreliableSector& a, const calibration::UnreliableSector& b)

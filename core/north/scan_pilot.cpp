@@ -12,14 +12,14 @@ namespace {
 
 constexpr Angle kNarrowest = Angle::fromDegrees(0.2);
 constexpr Angle kWidest = Angle::fromDegrees(40.0);
-// A peak is not believed to be sharper than the encoder and the gear.
+// The encoder and the gear cannot resolve a sharper peak.
 constexpr Angle kSharpestPeak = Angle::fromDegrees(0.01);
-// Faster than Sun and Moon, slower than the way between two places.
+// Faster than Sun and Moon move, slower than the way between two places.
 constexpr AngularRate kResting = AngularRate::fromDegrees(0.1);
-// The beam is where it was sent.
+// Nearer than this the beam has arrived where it was sent.
 constexpr Angle kThere = Angle::fromDegrees(0.05);
 
-// Near the zenith an axis runs although the beam hardly moves.
+// Near the zenith the azimuth axis turns although the beam hardly moves.
 AngularRate onSky(const AxesThen& axes)
 {
     return AngularRate::fromRadians(std::hypot(axes.rates.azimuth.radians() * std::cos(axes.place.elevation.radians()),
@@ -88,7 +88,7 @@ Result<> ScanPilot::lookOn()
     return m_follower.lookBeside(m_run->offset());
 }
 
-// A reading counts at the place where the beam was sent, so it has to be there.
+// A reading counts for the place where the beam was sent, so the beam must have arrived there.
 ScanPilot::Step ScanPilot::tick()
 {
     const SteadyTime now = m_clock.now();

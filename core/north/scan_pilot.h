@@ -10,38 +10,39 @@
 
 #include <optional>
 
-// Leads the beam through a cross scan of a body: sends it beside the body place by place, gives the power to ScanRun,
-// and sees what ends the scan. Station thread only.
+// Leads the beam through a cross scan of a body: points it beside the body place by place, passes the power to ScanRun,
+// and notices what ends the scan. Station thread only.
 namespace boresight {
 
 class ScanPilot
 {
 public:
-    // All of them outlive it.
+    // All arguments must outlive this object.
     ScanPilot(const StationControl& control, BodyFollower& follower, const AxisObserver& axes, const Clock& clock);
 
     [[nodiscard]] static Result<> isWidth(Angle width);
-    // Refused before it runs, or at its first place: then it runs, and has to end.
+    // If it is refused before the first place, the scan does not run. If it fails at the first place, the scan runs and
+    // the caller must end it.
     Result<> start(ephemeris::Body body, Angle width);
     [[nodiscard]] static Result<> isPower(double decibels);
-    // What the operator has read. An error while it runs: it has to end.
+    // The power that the operator has read. An error while the scan runs: the caller must end it.
     Result<> give(double decibels);
-    // From the line of the received power: what it says, and how it does.
+    // A value of the received power, and the state of the line that brings it.
     void take(const power::Value& value);
     void show(const PowerLineStatus& line) { m_line = line; }
 
     struct Step
     {
-        bool read = false;  // a power at this place
+        bool read = false;  // a power was read at this place
         std::optional<RunEnd> end;
     };
-    // Once per tick while it runs, after the axes were observed. Call end() after it has ended.
+    // Once per tick while a scan runs, after the axes were observed. Call end() after the scan has ended.
     [[nodiscard]] Step tick();
     void end();
 
-    // Empty: it does not run.
+    // Empty: no scan runs.
     [[nodiscard]] const std::optional<ScanRun>& run() const { return m_run; }
-    // The last, from one start to the next.
+    // The last scan, from one start to the next.
     [[nodiscard]] const std::optional<calibration::CrossScan>& scanned() const { return m_scanned; }
     [[nodiscard]] const std::optional<double>& power() const { return m_power; }
     [[nodiscard]] const PowerLineStatus& line() const { return m_line; }
@@ -57,9 +58,9 @@ private:
     const AxisObserver& m_axes;
     const Clock& m_clock;
     std::optional<ScanRun> m_run;
-    ephemeris::Refraction m_before = ephemeris::Refraction::Light;  // the scan
+    ephemeris::Refraction m_before = ephemeris::Refraction::Light;  // the refraction before the scan
     std::optional<calibration::CrossScan> m_scanned;
-    std::optional<double> m_power;  // dB, given or read last
+    std::optional<double> m_power;  // dB, entered or read last
     PowerLineStatus m_line;
 };
 

@@ -8,13 +8,13 @@
 namespace boresight {
 namespace {
 
-// From one place to the next, and for the receiver to settle.
+// Time to move from one place to the next and for the receiver to settle.
 constexpr SteadyTime::duration kRest = std::chrono::seconds(4);
-// For the receiver to settle, after a way that took longer.
+// Time for the receiver to settle after a longer way.
 constexpr SteadyTime::duration kSettling = std::chrono::milliseconds(1500);
 constexpr Seconds kListening{1.0};
 constexpr Seconds kScanRunPatience{120.0};
-// The first is from wherever the mount stood, once round on a slow one.
+// The first way starts wherever the mount stood: up to one full turn on a slow mount.
 constexpr Seconds kLongestWay{600.0};
 
 }  // namespace
@@ -78,7 +78,7 @@ std::optional<double> ScanRun::heard(SteadyTime now) const
 QString ScanRun::obstacle(SteadyTime now) const
 {
     if (!m_noPeak.isEmpty()) {
-        return m_noPeak;  // the other line would be for nothing
+        return m_noPeak;  // without a peak in the first line the second line would be of no use
     }
     if (rests(now)) {
         return Seconds(now - settled()) > kScanRunPatience ? Text::tr("No power reading received.") : QString();

@@ -9,9 +9,9 @@
 namespace boresight {
 namespace {
 
-// Where nothing rises or sets, it is looked for again this often.
+// If a body neither rises nor sets, the search is repeated after this time.
 constexpr std::chrono::hours kSearchAgain{1};
-// The middle of the disc at the horizon as it appears: the air lifts it by 34'.
+// The true elevation of the middle of the disc when it appears at the horizon: refraction lifts it by 34'.
 constexpr Angle kAtHorizon = Angle::fromDegrees(-34.0 / 60.0);
 
 std::size_t index(ephemeris::Body body)
@@ -19,7 +19,7 @@ std::size_t index(ephemeris::Body body)
     return body == ephemeris::Body::Sun ? 0 : 1;
 }
 
-// The clock may be set back.
+// Also due if the clock was set back.
 template <class Search>
 bool isDue(const std::optional<Search>& search, UtcTime utc)
 {

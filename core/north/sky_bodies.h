@@ -10,8 +10,8 @@
 #include <array>
 #include <optional>
 
-// Where Sun and Moon appear from one site, and when they rise and set next: looked for again only when that
-// has passed, and one after the other, because a search takes a millisecond or more of a tick. Station thread only.
+// Where Sun and Moon appear from one site, and when they rise and set next. A time is searched again only after it has
+// passed, and one search per call, because a search takes a millisecond or more of a tick. Station thread only.
 namespace boresight {
 
 inline constexpr std::array kBodies = {ephemeris::Body::Sun, ephemeris::Body::Moon};
@@ -23,19 +23,19 @@ class SkyBodies
 public:
     explicit SkyBodies(const profile::SiteSettings& site);
 
-    // Else nothing is reported.
+    // Without a known site nothing is reported.
     [[nodiscard]] bool known() const { return m_almanac.has_value(); }
-    // As the beam sees it: bent by the air.
+    // The apparent direction, with refraction.
     [[nodiscard]] std::optional<SkyPointing> direction(ephemeris::Body body, ephemeris::Refraction kind, UtcTime utc);
 
-    // Of the times of rising and setting that are not known, or are to be looked for again, finds one.
+    // Finds one of the times of rising and setting that are unknown or due for a new search.
     void lookAhead(UtcTime utc);
     struct Times
     {
         std::optional<UtcTime> rise;
         std::optional<UtcTime> set;
     };
-    // As found by now.
+    // The times that were found until now.
     [[nodiscard]] Times times(ephemeris::Body body) const;
 
 private:
@@ -43,7 +43,7 @@ private:
     {
         std::optional<UtcTime> found;
         UtcTime from;
-        UtcTime until;  // then it is made again
+        UtcTime until;  // then the search is made again
     };
     struct Searches
     {

@@ -12,7 +12,8 @@ namespace boresight {
 namespace {
 
 const QString kSwingSource = QStringLiteral("calibration");
-// For how long a swing goes on unseen: a stall of this computer is over by then, and the drives have their own watch.
+// A swing goes on this long without a known position. A stall of this computer is over by then, and the drives have
+// their own watchdog.
 constexpr Seconds kUnseen{1.0};
 
 QString usedText(const calibration::SwingTally& tally, const calibration::SwingLimits& limits)
@@ -87,7 +88,7 @@ void SwingPilot::end()
     m_run.reset();
 }
 
-// A sensor that is silent may come back: that is waited for, standing still.
+// A silent sensor may come back, so the swing waits for it, standing still.
 QString SwingPilot::ending() const
 {
     const SteadyTime now = m_clock.now();
@@ -130,7 +131,7 @@ void SwingPilot::reportWait(bool waited, const Result<>& heard)
     }
 }
 
-// Who stands at the mast sees it stand: it shall not set off again without a word.
+// A person at the mast sees the mount stand. It must not start again without a warning.
 void SwingPilot::warnOfWait(const QString& why)
 {
     const QString left = QString::number(m_run->waitLeft(m_clock.now()).count(), 'f', 0);

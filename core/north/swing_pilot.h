@@ -9,30 +9,30 @@
 #include <cstdint>
 #include <optional>
 
-// Leads the mount through a swing of the compass: asks StationControl for its motions as SwingRun wants them, stands
-// still while the sensor is silent, and sees what ends the swing. Station thread only.
+// Leads the mount through a swing of the compass: asks StationControl for the motions that SwingRun wants, stands still
+// while the sensor is silent, and notices what ends the swing. Station thread only.
 namespace boresight {
 
 class SwingPilot
 {
 public:
-    // All of them outlive it.
+    // All arguments must outlive this object.
     SwingPilot(StationControl& control, const profile::InForce& profile, const LiveSensor& sensor,
                const AxisObserver& axes, const Clock& clock, EventLog& log);
 
     void plan(const SwingWish& wish) { m_wish = wish; }
     // Where a swing would turn from here.
     [[nodiscard]] SwingPlan planned() const;
-    // As far as sensor and mount are concerned.
+    // Whether sensor and mount allow a swing.
     [[nodiscard]] Result<> mayStart() const;
-    // Only where it may, with a plan without obstacle. Call tick() after it.
+    // Call it only if mayStart() allows it, with a plan without obstacle. Call tick() after it.
     void start(const SwingPlan& plan);
     void take(const SwingReading& reading);
-    // Once per tick while it runs, after the axes were observed. Call end() after it has ended.
+    // Once per tick while a swing runs, after the axes were observed. Call end() after the swing has ended.
     [[nodiscard]] std::optional<RunEnd> tick();
     void end();
 
-    // Empty: it does not run.
+    // Empty: no swing runs.
     [[nodiscard]] const std::optional<SwingRun>& run() const { return m_run; }
 
 private:
@@ -50,7 +50,7 @@ private:
     EventLog& m_log;
     SwingWish m_wish;
     std::optional<SwingRun> m_run;
-    std::uint64_t m_restarts = 0;  // of the sensor, when the swing began
+    std::uint64_t m_restarts = 0;  // restarts of the sensor until the swing began
 };
 
 }  // namespace boresight

@@ -16,15 +16,16 @@ constexpr AngularRate kSlowest = AngularRate::fromDegrees(0.5);
 constexpr AngularRate kFastest = calibration::kFastestSwing;
 constexpr int kFewestHeadings = 8;
 constexpr int kMostHeadings = 72;
-// Less does not show even the first harmonic for sure (core/calibration, fitCompassSwing).
+// A smaller arc does not show even the first harmonic reliably (core/calibration, fitCompassSwing).
 constexpr Angle kLeastArc = Angle::fromDegrees(210.0);
 constexpr Angle kCircle = Angle::fromDegrees(360.0);
-// From the edge of what is free: the swing turns back before it leans on a limit.
+// Distance to the ends of the free travel: the swing turns back before a limit stops it.
 constexpr Angle kMargin = Angle::fromDegrees(1.0);
-// Lower down the box measures the tilt badly, and satellites are tracked far from where the curve holds.
+// Below this elevation the box measures the tilt badly, and the curve is measured far from the elevations of most
+// satellite passes.
 constexpr Angle kWellForTilt = Angle::fromDegrees(20.0);
 
-// One circle of what is free, as far around the present place as it goes.
+// At most one full circle of the free travel, as near around the present position as possible.
 TravelRange arcAround(Angle here, const TravelRange& free)
 {
     const TravelRange inside{.min = free.min + kMargin, .max = free.max - kMargin};
@@ -55,7 +56,7 @@ QString obstacleOf(const SwingWish& wish, const SwingPlan& plan)
     return {};
 }
 
-// Of the elevation at which the boom stands.
+// Advice about the elevation of the boom.
 QString adviceFor(Angle elevation)
 {
     const calibration::LevelLimits limits = levelLimits();
@@ -80,7 +81,7 @@ QString textOf(const SwingPlan& plan)
              advice.isEmpty() ? QString() : QStringLiteral("; ") + advice);
 }
 
-// At full speed; setting off and coming to rest count as a second.
+// The time at full speed, plus one second for starting and stopping.
 Seconds wayTime(Angle way, const tracking::MotionLimits& limits)
 {
     return Seconds(std::abs(way.radians()) / limits.speed.radians() + 1.0);
@@ -126,7 +127,7 @@ Angle stoppingWay(AngularRate rate, const tracking::MotionLimits& limits)
 
 std::vector<Angle> stopsOf(const SwingPlan& plan)
 {
-    // A whole circle ends where it began: its last heading is one step before.
+    // A whole circle ends where it began, so its last heading is one step before the end.
     const Angle arc = plan.azimuth.max - plan.azimuth.min;
     const bool whole = arc >= kCircle - Angle::fromDegrees(0.01);
     const Angle step = arc / (whole ? plan.headings : plan.headings - 1);

@@ -8,8 +8,8 @@
 
 #include <vector>
 
-// Where a compass swing turns: as much of the circle as is free around the boom at the elevation at which it stands,
-// once there and once back, never past a limit of operation. Pure.
+// Where a compass swing turns: the free part of the circle around the boom at its present elevation, once there and
+// once back, never past a soft limit. Pure.
 namespace boresight {
 
 struct SwingWish
@@ -20,19 +20,19 @@ struct SwingWish
     bool operator==(const SwingWish&) const = default;
 };
 
-// What is asked of one heading: the settling of a reading that is a mean over a second, then as many readings.
+// Time at each heading: a reading that is a mean over a second settles, then as many readings follow.
 inline constexpr Seconds kSwingDwell{5.0};
 
 [[nodiscard]] SwingPlan planSwing(const SwingWish& wish, const AxisPosition& here,
                                   const pointing::PermittedRegion& region, const tracking::MotionLimits& limits);
 
-// Where the tilt is read: no higher than a swing turns at all.
+// The elevations at which the tilt can be read: not higher than a swing turns.
 [[nodiscard]] calibration::LevelLimits levelLimits();
 
-// Why a compass on the boom is of no use with the boom at this elevation; empty: it is.
+// Why a compass on the boom is of no use at this elevation of the boom. Empty: it can be used.
 [[nodiscard]] QString compassObstacle(Angle elevation);
 
-// The azimuths to stop at: there, then back.
+// The azimuths to stop at, first there, then back.
 [[nodiscard]] std::vector<Angle> stopsOf(const SwingPlan& plan);
 
 // How far an axis still runs at this rate until it stands.

@@ -12,12 +12,12 @@ using calibration::Turning;
 
 constexpr Angle kSwingRunThere = Angle::fromDegrees(0.3);
 constexpr AngularRate kSwingRunStanding = AngularRate::fromDegrees(0.05);
-// A mount that is held, or creeps, is not waited for.
+// The swing does not wait longer for a mount that is blocked or creeps.
 constexpr double kSwingRunPatience = 1.5;
 constexpr Seconds kMorePatience{15.0};
-// Ends of sweeps are turned round at, not stopped at: the next tick is one more on the way.
+// A sweep turns round at its end without stopping. The next tick of the way is included.
 constexpr Seconds kReaction{0.1};
-// More would lie upon each other in the plot, and go through the window's queue four times a second.
+// More dots would cover each other in the plot, and they pass the queue to the window four times a second.
 constexpr std::size_t kMostDots = 400;
 
 }  // namespace
@@ -40,7 +40,7 @@ SwingRun::SwingRun(const SwingPlan& plan, const AxisPosition& here, const tracki
     }
 }
 
-// To the nearer end first, then to the other one and back.
+// To the nearer end first, then to the other end and back.
 void SwingRun::planSweep(const AxisPosition& here)
 {
     const auto& [min, max] = m_plan.azimuth;
@@ -53,8 +53,9 @@ void SwingRun::planSweep(const AxisPosition& here)
 void SwingRun::planStops(const AxisPosition& here)
 {
     const auto stops = stopsOf(m_plan);
-    // One step back before the first heading, so that both ways come to it as they should, needs room that may not be:
-    // the first and the middle heading are come to from the other side, which a hysteresis fit forgives.
+    // To approach every heading from the correct side, the swing would first step back before the first heading. There
+    // may be no room for that. So the first and the middle heading are approached from the other side, which the fit of
+    // the hysteresis tolerates.
     for (std::size_t i = 0; i < stops.size(); ++i) {
         const Angle from = i == 0 ? here.azimuth : stops[i - 1];
         const bool forth = i == 0 || i == stops.size() / 2 ? i < stops.size() / 2 : stops[i] > from;
@@ -88,7 +89,7 @@ std::optional<Request> SwingRun::begin(const Leg& leg)
                                         : Text::tr("compass swing, turning counter-clockwise")};
 }
 
-// A reading is a mean over a second: the first that is of this heading alone is awaited, then a few are taken.
+// A reading is a mean over a second. Waits for the first reading of this heading alone, then takes a few.
 bool SwingRun::dwells(SteadyTime now, const AxesThen& axes)
 {
     const Leg& leg = m_legs[m_leg];
@@ -106,7 +107,7 @@ bool SwingRun::dwells(SteadyTime now, const AxesThen& axes)
     return stood < std::max(kSwingDwell, m_settling * 2.0);
 }
 
-// Comes to rest on its way: what it passed unheard it will pass again on its way back.
+// Stands still on its way. The headings that it passed without a sensor are passed again on the way back.
 std::optional<Request> SwingRun::wait(SteadyTime now, const AxesThen& axes)
 {
     if (waits()) {
@@ -166,7 +167,7 @@ void SwingRun::take(const SwingReading& reading)
     }
     const auto& [value, about, level] = reading;
     const Leg& leg = m_legs[m_leg];
-    // Right after a turning point the value is still about the way before.
+    // Right after a turning point the value still belongs to the way before.
     const bool sweeping = leg.rate != AngularRate{};
     if (sweeping && about.rates.azimuth / m_plan.rate * (leg.rate / m_plan.rate) < 0.0) {
         return;
@@ -227,8 +228,8 @@ std::vector<calibration::SwingDot> SwingRun::dots(calibration::AzimuthSense sens
     return calibration::dotsOf(m_samples, m_fit, sense, kMostDots);
 }
 
-// What was measured from magnetic north is told from true north: the circle is turned by the declination, for the curve
-// too, whose constant then stands for all that the sensor's own count adds.
+// The readings are relative to magnetic north, the result to true north: the circle is turned by the declination. The
+// curve is turned, too. Its constant then includes everything that the sensor adds itself.
 Result<SwingOutcome> SwingRun::outcome(UtcTime utc, Angle declination) const
 {
     auto fit = calibration::fitCompassSwing(m_samples, m_fit);

@@ -10,10 +10,10 @@ namespace boresight::orbit {
 
 namespace {
 
-constexpr double kFullDragHeight = 220.0;    // km, of the perigee: above it all terms are taken
-constexpr double kUsualHeight = 156.0;       // above it the density begins at 78 km
-constexpr double kLowHeight = 98.0;          // below it at 20 km
-constexpr double kLeastEccentricity = 1e-4;  // below it the direction of the perigee does not count
+constexpr double kFullDragHeight = 220.0;    // km, of the perigee: above it all terms are used
+constexpr double kUsualHeight = 156.0;       // above it the density begins at a height of 78 km
+constexpr double kLowHeight = 98.0;          // below it the density begins at 20 km
+constexpr double kLeastEccentricity = 1e-4;  // below it the terms with the direction of the perigee are left out
 
 struct Atmosphere
 {
@@ -35,7 +35,7 @@ double cubed(double value)
     return value * value * value;
 }
 
-// The terms that all others are made of, named as in the report.
+// The quantities from which all other terms are computed, with the names of the report.
 struct DragTerms
 {
     DragTerms(const MeanOrbit& orbit, const Atmosphere& air)

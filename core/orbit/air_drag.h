@@ -3,12 +3,12 @@
 
 #include "core/orbit/mean_orbit.h"
 
-// What the air does to a mean orbit by SGP4: a power-law density whose terms C1…C5, D2…D4 depend on the height of the
-// perigee. Below 220 km, and for deep space, the terms of first order remain. Units of MeanOrbit.
+// The effect of the air on a mean orbit in SGP4: a power-law density whose terms C1…C5, D2…D4 depend on the height of
+// the perigee. Below 220 km, and for deep space, only the terms of first order are used. Units of MeanOrbit.
 // (Spacetrack Report 3, section 6; AIAA 2006-6753, appendix A.)
 namespace boresight::orbit {
 
-// More than 15 members: the coefficients of one theory, each with the name that it has there.
+// It has more than 15 members: the coefficients of one theory, with the names of the theory.
 class AirDrag
 {
 public:
@@ -16,13 +16,13 @@ public:
 
     struct Change
     {
-        double axisRoot = 1.0;      // √(a / a at the epoch), without what resonance does
-        double eccentricity = 0.0;  // to be taken off
+        double axisRoot = 1.0;      // √(a / a at the epoch), without resonance
+        double eccentricity = 0.0;  // to be subtracted
         double longitude = 0.0;     // rad
-        double anomaly = 0.0;       // taken off the argument of the perigee as well
+        double anomaly = 0.0;       // also to be subtracted from the argument of the perigee
         double node = 0.0;
     };
-    // `anomaly`: the mean anomaly then, without the air's share.
+    // `anomaly`: the mean anomaly at that time, without drag.
     [[nodiscard]] Change after(double minutes, double anomaly) const;
 
 private:

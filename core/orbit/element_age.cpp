@@ -13,10 +13,10 @@ namespace {
 
 constexpr double kSecondsPerDay = 86'400.0;
 constexpr double kGravity = 398'600.8;  // km³/s², WGS-72
-// Public sets are about so good at their epoch, and get worse by 1 to 3 km a day on low orbits.
+// The usual error of public sets at their epoch. On low orbits it grows by 1 to 3 km a day.
 constexpr double kAtEpoch = 1.0;  // km
 constexpr double kEachDay = 1.5;  // km
-// The air is denser or thinner than the set says, as the Sun heats it.
+// The real drag differs from that of the set by this part, because the Sun heats the air.
 constexpr double kPartOfDrag = 0.2;
 
 }  // namespace
@@ -29,7 +29,7 @@ AgeError expectedError(const ElementSet& elements, UtcTime at)
     const double radius = std::cbrt(kGravity / (motion * motion));
     const double around = 2.0 * std::numbers::pi * radius;
     const double byDrag = kPartOfDrag * std::abs(elements.meanMotionDot) * days * days * around;
-    // More than half an orbit away nothing is known.
+    // The error cannot exceed half an orbit.
     const double kilometres = std::min(kAtEpoch + kEachDay * days + byDrag, around / 2.0);
     return {.kilometres = kilometres, .time = Seconds(kilometres / around * period)};
 }

@@ -4,17 +4,17 @@
 #include "core/base/clock.h"
 #include "core/elements/element_set.h"
 
-// How wrong elements of some age have to be expected: the satellite comes early or late on its orbit. A rule of thumb,
-// for an orbit without manoeuvres. Pure.
+// The expected error of elements by their age: the satellite is early or late on its orbit. A rule of thumb for an
+// orbit without manoeuvres. Pure.
 namespace boresight::orbit {
 
 struct AgeError
 {
     double kilometres = 0.0;  // along the orbit
-    Seconds time{};           // that the satellite needs for them
+    Seconds time{};           // in which the satellite moves this far
 };
 
-// Before the epoch as after it.
+// Valid before and after the epoch.
 [[nodiscard]] AgeError expectedError(const ElementSet& elements, UtcTime at);
 
 }  // namespace boresight::orbit

@@ -15,7 +15,7 @@ double axisOf(double motion)
     return std::pow(kSurfaceMotion / motion, 2.0 / 3.0);
 }
 
-// Of Kozai's mean motion, both in rad/min.
+// Converts Kozai's mean motion. Both are in rad/min.
 double brouwerMotion(double kozai, double cosInclination, double roundness)
 {
     const double first = axisOf(kozai);

@@ -24,16 +24,16 @@ struct MeanOrbit
     [[nodiscard]] double parameter() const { return axis * roundness; }  // semi-latus rectum
 };
 
-// Element sets have Kozai's mean motion: Brouwer's is recovered from it. (Spacetrack Report 3, section 6.)
+// Element sets contain Kozai's mean motion. Brouwer's is computed from it. (Spacetrack Report 3, section 6.)
 [[nodiscard]] MeanOrbit meanOrbitOf(const ElementSet& elements);
 
-// How fast the oblate Earth turns the orbit, by J2 and J4, rad/min. (Spacetrack Report 3, section 6.)
+// How fast the oblateness of the Earth (J2 and J4) turns the orbit, rad/min. (Spacetrack Report 3, section 6.)
 struct SecularRates
 {
-    double anomaly = 0.0;  // with the mean motion itself
+    double anomaly = 0.0;  // includes the mean motion
     double perigee = 0.0;
     double node = 0.0;
-    double nodeByJ2 = 0.0;  // its part of first order
+    double nodeByJ2 = 0.0;  // the part of the node rate that is of first order
 };
 
 [[nodiscard]] SecularRates secularRates(const MeanOrbit& orbit);

@@ -7,7 +7,7 @@
 
 #include <tl/expected.hpp>
 
-// What a propagation returns: where the satellite is, or why the theory has no answer. Pure values.
+// The result of a propagation: the position of the satellite, or why the theory has no answer. Pure values.
 namespace boresight::orbit {
 
 struct OrbitState
@@ -18,7 +18,7 @@ struct OrbitState
     bool operator==(const OrbitState&) const = default;
 };
 
-// The numbers up to 6 are those published with SGP4 (AIAA 2006-6753); 5 is no longer used there.
+// The codes up to 6 are those published with SGP4 (AIAA 2006-6753), which no longer uses 5.
 enum class OrbitFault
 {
     MeanEccentricity = 1,       // outside [-0.001, 1)
@@ -26,10 +26,10 @@ enum class OrbitFault
     PerturbedEccentricity = 3,  // outside [0, 1]
     SemiLatusRectum = 4,        // below 0
     Decayed = 6,                // below the radius of the Earth
-    TooFarFromEpoch = 7,        // ours: more than 100 years, or not a time at all
+    TooFarFromEpoch = 7,        // our own code: more than 100 years, or an invalid time
 };
 
-// An error carries no text: millions of states are computed in one search.
+// An error has no text, because one search computes millions of states.
 using OrbitResult = tl::expected<OrbitState, OrbitFault>;
 
 [[nodiscard]] QString describe(OrbitFault fault);

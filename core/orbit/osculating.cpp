@@ -12,15 +12,16 @@ namespace {
 
 constexpr double kKilometresPerSecond = kEarthRadius * kSurfaceMotion / 60.0;
 
-// Kepler's equation in equinoctial form, F(E) = E - U + ayn cos E - axn sin E = 0, of E = eccentric anomaly + argument
-// of latitude of the perigee. Halley's step converges cubically: one call of the library is enough for a round orbit.
+// Kepler's equation in equinoctial form, F(E) = E - U + ayn cos E - axn sin E = 0, with E = eccentric anomaly +
+// argument of latitude of the perigee. Halley's step converges cubically, so a nearly circular orbit needs one call of
+// the library's sine and cosine.
 Turn eccentricLongitude(double meanLongitude, double axn, double ayn)
 {
     constexpr int kMostSteps = 10;
-    constexpr double kLongestStep = 0.95;  // as published
-    constexpr double kLastStep = 1e-6;     // the next one would be below 1e-14
+    constexpr double kLongestStep = 0.95;  // rad, as published
+    constexpr double kLastStep = 1e-6;     // the next step would be below 1e-14
     Turn at = turnOf(meanLongitude);
-    double ahead = 0.0;  // of the mean longitude
+    double ahead = 0.0;  // E minus the mean longitude
     for (int i = 0; i < kMostSteps; ++i) {
         const double slope = 1.0 - axn * at.cos - ayn * at.sin;
         const double newton = (axn * at.sin - ayn * at.cos - ahead) / slope;
@@ -35,7 +36,7 @@ Turn eccentricLongitude(double meanLongitude, double axn, double ayn)
     return at;
 }
 
-// Radius, speeds and argument of latitude of the ellipse before the periodics of J2.
+// Radius, speeds and argument of latitude on the ellipse, before the periodics of J2 are added.
 struct Ellipse
 {
     Ellipse(double axis, double axn, double ayn, const Turn& eccentric)
@@ -61,7 +62,7 @@ struct Ellipse
     Turn latitude;
 };
 
-// Along the radius and across it, in the plane of the orbit as it is turned by node and inclination.
+// Unit vectors along the radius and across it in the orbital plane, which is turned by node and inclination.
 struct Axes
 {
     Axes(const Turn& latitude, const Turn& node, const Turn& inclination)
@@ -104,7 +105,7 @@ OrbitResult withShortPeriodics(const Ellipse& ellipse, double motion, double nod
 
 Tilt::Tilt(const Turn& of) : inclination(of)
 {
-    constexpr double kLeast = 1.5e-12;  // near 180° the term of J3 has no bound
+    constexpr double kLeast = 1.5e-12;  // near 180° the term of J3 grows without limit
     const double square = of.cos * of.cos;
     radial = 3.0 * square - 1.0;
     sinSquare = 1.0 - square;

@@ -22,7 +22,7 @@ bool isHalfDay(const MeanOrbit& orbit)
     return orbit.motion >= 8.26e-3 && orbit.motion <= 9.24e-3 && orbit.eccentricity >= 0.5;
 }
 
-// A cubic of the eccentricity, from its constant term on.
+// A cubic polynomial in the eccentricity, constant term first.
 struct Cubic
 {
     std::array<double, 4> terms;
@@ -204,7 +204,7 @@ void Resonance::differentiate(ResonanceState& state) const
     state.motionBend = bend * state.longitudeRate;
 }
 
-// The steps lie at the same times whatever was asked before, so the answer depends on the time only.
+// The steps are at fixed times, so the result depends only on the time and not on earlier calls.
 Resonance::Motion Resonance::at(double minutes, double node, double perigee, ResonanceState& state) const
 {
     const bool isBehind = state.minutes * minutes < 0.0 || std::abs(minutes) < std::abs(state.minutes);

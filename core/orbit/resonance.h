@@ -7,20 +7,20 @@
 #include <cstddef>
 #include <optional>
 
-// Orbits of one day and half a day return to the same longitudes, so the uneven Earth acts on them at each turn. SDP4
-// integrates their longitude in steps of 720 min from the epoch. Units of MeanOrbit.
-// (Hujsak, Spacetrack Report 1; AIAA 2006-6753, appendix B.)
+// Orbits of one day and half a day pass the same longitudes again and again, so the irregular gravity of the Earth adds
+// up. SDP4 integrates their longitude in steps of 720 min from the epoch. Units of MeanOrbit. (Hujsak, Spacetrack
+// Report 1; AIAA 2006-6753, appendix B.)
 namespace boresight::orbit {
 
-// What the integration has reached. A default one begins at the epoch; it serves one orbit and one thread. Calls in the
-// order of time then cost no integration from the epoch. The results are the same without it.
+// The progress of the integration. A default value begins at the epoch. Use one value for one orbit and one thread.
+// Calls in the order of time then need not integrate from the epoch again. The results are the same without it.
 struct ResonanceState
 {
     bool isBegun = false;
     double minutes = 0.0;
     double longitude = 0.0;
     double motion = 0.0;
-    double longitudeRate = 0.0;  // the derivatives there
+    double longitudeRate = 0.0;  // the derivatives at that time
     double motionRate = 0.0;
     double motionBend = 0.0;
 };
@@ -28,15 +28,15 @@ struct ResonanceState
 class Resonance
 {
 public:
-    struct Rates  // rad/min, all causes together
+    struct Rates  // rad/min, from all causes together
     {
         double anomaly = 0.0;
         double perigee = 0.0;
         double node = 0.0;
-        double perigeeByEarth = 0.0;  // the part of the oblate Earth
+        double perigeeByEarth = 0.0;  // the part that the oblate Earth causes
     };
 
-    // Empty: the orbit has no resonance. `siderealTime`: at the epoch.
+    // Empty if the orbit has no resonance. `siderealTime`: at the epoch.
     [[nodiscard]] static std::optional<Resonance> of(const MeanOrbit& orbit, const Rates& rates, double siderealTime);
 
     struct Motion
@@ -44,7 +44,7 @@ public:
         double motion = 0.0;
         double anomaly = 0.0;
     };
-    // `node`, `perigee`: the mean ones then.
+    // `node`, `perigee`: the mean values at that time.
     [[nodiscard]] Motion at(double minutes, double node, double perigee, ResonanceState& state) const;
 
 private:
@@ -68,7 +68,7 @@ private:
     double m_siderealTime = 0.0;
     double m_longitude = 0.0;  // λ at the epoch
     double m_motion = 0.0;
-    double m_drift = 0.0;  // of λ beside the mean motion
+    double m_drift = 0.0;  // of λ, in addition to the mean motion
     double m_perigee = 0.0;
     double m_perigeeRate = 0.0;
     std::array<Term, 10> m_terms;

@@ -17,7 +17,7 @@ constexpr double kPi = std::numbers::pi;
 constexpr double kDeepSpacePeriod = 225.0;  // min
 constexpr double kMostMinutes = 100.0 * 365.25 * kMinutesPerDay;
 constexpr double kLeastMeanEccentricity = -0.001;
-constexpr double kRound = 1e-6;  // a mean eccentricity below this one is taken as this one
+constexpr double kRound = 1e-6;  // a smaller mean eccentricity is replaced by this one
 
 std::optional<OrbitFault> faultOf(const ElementSet& elements)
 {
@@ -37,7 +37,7 @@ bool isFinite(const OrbitState& state)
     return std::isfinite(dot(state.position, state.position) + dot(state.velocity, state.velocity));
 }
 
-// False: the mean eccentricity is none any more. The node has its share already.
+// False: the mean eccentricity is no longer valid. The drag of the node is already included.
 bool addDrag(MomentElements& mean, const AirDrag::Change& drag)
 {
     mean.axis *= drag.axisRoot * drag.axisRoot;
@@ -51,15 +51,15 @@ bool addDrag(MomentElements& mean, const AirDrag::Change& drag)
     return true;
 }
 
-// What the mean elements of deep space become by the periodics of Sun and Moon.
+// The mean elements in deep space, with the periodics of Sun and Moon.
 struct PerturbedElements
 {
     MomentElements elements;
     double inclination = 0.0;
 };
 
-// Near the equator node and perigee lose their meaning, so their periodics are laid upon the pole of the orbit
-// (Lyddane). The choice is made on the perturbed inclination. The node counts with its number of turns here.
+// Near the equator node and perigee are ill-defined, so their periodics are applied to the pole of the orbit (Lyddane).
+// The perturbed inclination decides which way is used. Here the number of turns of the node matters.
 void shiftByPole(PerturbedElements& orbit, const ThirdBody::Shifts& shifts, const Turn& inclination)
 {
     const Turn node = turnOf(orbit.elements.node);
@@ -125,8 +125,8 @@ Sgp4::Sgp4(const ElementSet& elements)
       m_fault(faultOf(elements))
 {
     if (!m_fault && periodMinutes() >= kDeepSpacePeriod) {
-        // The published values rest on an epoch in one double, 20 µs off: it shows in the last digit of the Moon's
-        // share.
+        // The published values were computed with the epoch in one double, which is 20 µs off. The difference is
+        // visible in the last digit of the effect of the Moon.
         m_deep.emplace(m_orbit, m_rates, JulianDate{.day = m_epoch.day + m_epoch.fraction});
     }
 }
@@ -164,7 +164,7 @@ OrbitResult Sgp4::propagate(const JulianDate& utc, ResonanceState& state) const
     return propagate(minutesBetween(m_epoch, utc), state);
 }
 
-// By the oblate Earth alone.
+// The effect of the oblate Earth alone.
 MomentElements Sgp4::secularElements(double minutes) const
 {
     return {.axis = m_orbit.axis,

@@ -11,18 +11,18 @@
 
 #include <optional>
 
-// SGP4, and SDP4 from a period of 225 min on, as merged and corrected in AIAA 2006-6753 (Vallado, Crawford, Hujsak,
-// Kelso: Revisiting Spacetrack Report 3), in its improved mode. An immutable value: threads may share one. Never NaN.
+// SGP4, and SDP4 for periods from 225 min, as merged and corrected in AIAA 2006-6753 (Vallado, Crawford, Hujsak, Kelso:
+// Revisiting Spacetrack Report 3), in its improved mode. An immutable value that threads may share. Never returns NaN.
 namespace boresight::orbit {
 
 class Sgp4
 {
 public:
-    // Elements that are none (e outside [0, 1), mean motion not above 0, not finite) answer with a fault at each time.
+    // Invalid elements (e outside [0, 1), mean motion not above 0, not finite) give a fault at every time.
     explicit Sgp4(const ElementSet& elements);
 
-    // Minutes after the epoch, or before it. An orbit with resonance is integrated from the epoch on each call, unless
-    // a state of this orbit is passed.
+    // Minutes after the epoch; negative before it. For an orbit with resonance each call integrates from the epoch,
+    // unless a state of this orbit is passed.
     [[nodiscard]] OrbitResult propagate(double minutes) const;
     [[nodiscard]] OrbitResult propagate(double minutes, ResonanceState& state) const;
     [[nodiscard]] OrbitResult propagate(const JulianDate& utc) const;
@@ -39,7 +39,7 @@ private:
 
         ThirdBody sun;
         ThirdBody moon;
-        ThirdBody::Rates rates;  // of both
+        ThirdBody::Rates rates;  // of Sun and Moon together
         std::optional<Resonance> resonance;
     };
 
@@ -53,7 +53,7 @@ private:
     AirDrag m_drag;
     Tilt m_tilt;
     std::optional<DeepSpace> m_deep;
-    std::optional<OrbitFault> m_fault;  // of the elements themselves
+    std::optional<OrbitFault> m_fault;  // the elements are invalid
 };
 
 }  // namespace boresight::orbit

@@ -11,7 +11,7 @@ namespace {
 constexpr double kEarthDisc = 6378.137;  // km
 constexpr double kSunDisc = 695700.0;    // km (IAU 2015, resolution B3)
 
-// The angle under which half of a ball is seen.
+// The angular radius of a ball.
 double discOf(double radius, double distance)
 {
     return std::asin(std::min(1.0, radius / distance));
@@ -19,7 +19,7 @@ double discOf(double radius, double distance)
 
 }  // namespace
 
-// The discs of Earth and Sun as the satellite sees them.
+// Compares the discs of Earth and Sun as the satellite sees them.
 Sunlight sunlight(const Vector& satellite, const Vector& sun)
 {
     const Vector toSun = sun - satellite;

@@ -10,7 +10,7 @@ namespace boresight::orbit {
 
 namespace {
 
-constexpr double kNewYear1900 = 2415020.0;  // Julian date of 1900-01-00 12h, from which the theory counts its days
+constexpr double kNewYear1900 = 2415020.0;  // Julian date of 1900-01-00 12h, day 0 of the theory
 // The obliquity of the ecliptic.
 constexpr double kSinObliquity = 0.39785416;
 constexpr double kCosObliquity = 0.91744867;
@@ -20,7 +20,7 @@ double daysSince1900(const JulianDate& epoch)
     return (epoch.day - kNewYear1900) + epoch.fraction;
 }
 
-// The Moon's place on the ecliptic, turned to the equator. Its node goes round in 18.6 years.
+// Converts the Moon's position on the ecliptic to the equator. The Moon's node goes round in 18.6 years.
 struct MoonPlane
 {
     explicit MoonPlane(double days)
@@ -40,7 +40,7 @@ struct MoonPlane
     double sinInclination;
     double sinNode;
     double cosNode;
-    double fromNode;  // what the longitude along the ecliptic lacks to the argument along the orbit
+    double fromNode;  // the argument along the orbit minus the longitude along the ecliptic
 };
 
 }  // namespace
@@ -64,7 +64,7 @@ BodyOrbit moonOrbit(const JulianDate& epoch)
 {
     const double days = daysSince1900(epoch);
     const MoonPlane plane(days);
-    const double perigee = 5.8351514 + 0.0019443680 * days;  // its longitude
+    const double perigee = 5.8351514 + 0.0019443680 * days;  // longitude of the perigee
     const Turn argument = turnOf(perigee + plane.fromNode);
     return {.strength = 4.7968065e-7,
             .motion = 1.5835218e-4,
@@ -78,7 +78,7 @@ BodyOrbit moonOrbit(const JulianDate& epoch)
             .cosNode = plane.cosNode};
 }
 
-// How the orbit of the satellite lies to that of the body: a1…a10, X1…X8, Z and S of the report.
+// The geometry between the orbit of the satellite and that of the body: a1…a10, X1…X8, Z and S of the report.
 struct ThirdBody::Geometry
 {
     Geometry(const MeanOrbit& orbit, const BodyOrbit& body);
@@ -95,7 +95,7 @@ ThirdBody::Geometry::Geometry(const MeanOrbit& orbit, const BodyOrbit& body)
 {
     const Turn node = turnOf(orbit.node);
     const Turn perigee = turnOf(orbit.perigee);
-    const double cosNode = body.cosNode * node.cos + body.sinNode * node.sin;  // between both nodes
+    const double cosNode = body.cosNode * node.cos + body.sinNode * node.sin;  // of the angle between both nodes
     const double sinNode = body.cosNode * node.sin - body.sinNode * node.cos;
     const double a1 = body.cosPerigee * cosNode + body.sinPerigee * body.cosInclination * sinNode;
     const double a3 = -body.sinPerigee * cosNode + body.cosPerigee * body.cosInclination * sinNode;
@@ -158,7 +158,7 @@ ThirdBody::ThirdBody(const MeanOrbit& orbit, const BodyOrbit& body)
 
 void ThirdBody::setRates(const MeanOrbit& orbit, const Geometry& g)
 {
-    constexpr double kEquatorial = 5.2359877e-2;  // 3°: nearer to the equator the node has no rate
+    constexpr double kEquatorial = 5.2359877e-2;  // 3°: nearer to the equator the node rate is set to 0
     const double e2 = orbit.eccentricity * orbit.eccentricity;
     const bool isEquatorial = orbit.inclination < kEquatorial || orbit.inclination > std::numbers::pi - kEquatorial;
     m_rates.eccentricity = g.s1 * m_motion * g.s5;

@@ -3,11 +3,11 @@
 
 #include "core/orbit/mean_orbit.h"
 
-// What the Sun or the Moon does to an orbit of deep space by SDP4: steady rates and periodic shifts. Units of
+// The effect of the Sun or the Moon on an orbit of deep space in SDP4: constant rates and periodic shifts. Units of
 // MeanOrbit. (Hujsak, Spacetrack Report 1; Spacetrack Report 3, section 7; AIAA 2006-6753, appendix B.)
 namespace boresight::orbit {
 
-// The orbit of the Sun or the Moon about the Earth, as seen at the epoch of the elements.
+// The orbit of the Sun or the Moon about the Earth at the epoch of the elements.
 struct BodyOrbit
 {
     double strength = 0.0;  // of the perturbation
@@ -40,7 +40,7 @@ public:
     };
     [[nodiscard]] const Rates& rates() const { return m_rates; }
 
-    // Periodic, before they are laid upon node and perigee.
+    // The periodic shifts, before they are applied to node and perigee.
     struct Shifts
     {
         double eccentricity = 0.0;

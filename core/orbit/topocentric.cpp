@@ -11,12 +11,12 @@ namespace {
 
 constexpr double kRotation = 7.29211514670698e-5;  // of the Earth, rad/s
 constexpr double kLightSpeed = 299792.458;         // km/s
-// WGS-84, on which sites are.
+// WGS-84, which sites use.
 constexpr double kEquatorRadius = 6378.137;  // km
 constexpr double kFlattening = 1.0 / 298.257223563;
 constexpr double kSquaredEccentricity = kFlattening * (2.0 - kFlattening);
 
-// From the Earth's axis to the ellipsoid along its normal, km.
+// The length of the normal from the Earth's axis to the ellipsoid, km.
 double normalLength(double sinLatitude)
 {
     return kEquatorRadius / std::sqrt(1.0 - kSquaredEccentricity * sinLatitude * sinLatitude);
@@ -35,8 +35,8 @@ GroundState groundState(const OrbitState& state, const JulianDate& utc)
     return {.position = position, .velocity = turned(state.velocity) - carried};
 }
 
-// Bowring's formula, then one step of its own: below 1e-9° from the ground to beyond the Moon. (Survey Review 23,
-// 1976.)
+// Bowring's formula, followed by one iteration of it. The error is below 1e-9° from the ground to beyond the Moon.
+// (Survey Review 23, 1976.)
 Site subSatellitePoint(const Vector& ground)
 {
     const double polarRadius = kEquatorRadius * (1.0 - kFlattening);

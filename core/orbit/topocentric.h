@@ -6,12 +6,12 @@
 #include "core/units/site.h"
 #include "core/units/sky.h"
 
-// From the frame of the elements to what a site sees: geometric and airless, without light time and aberration (below
-// 0.002° for low orbits). UT1 is taken as UTC and the pole as standing still. Pure values, any thread.
-// (AIAA 2006-6753, appendix C.)
+// From the frame of the elements to the direction seen from a site: geometric, without refraction, light time and
+// aberration (together below 0.002° for low orbits). UTC is used for UT1, and polar motion is left out. Pure values,
+// any thread. (AIAA 2006-6753, appendix C.)
 namespace boresight::orbit {
 
-// Fixed to the Earth: kilometres, and kilometres per second against the ground.
+// Earth-fixed: km, and km/s relative to the ground.
 struct GroundState
 {
     Vector position;
@@ -22,16 +22,16 @@ struct GroundState
 
 [[nodiscard]] GroundState groundState(const OrbitState& state, const JulianDate& utc);
 
-// The place of WGS-84 under the satellite, with the height of the satellite above it.
+// The place under the satellite on WGS-84, with the height of the satellite above it.
 [[nodiscard]] Site subSatellitePoint(const Vector& ground);
 
 struct LookAngles
 {
     SkyPointing direction;             // azimuth [0°, 360°) from true north
     double kilometres = 0.0;           // range
-    double kilometresPerSecond = 0.0;  // of the range: above 0 it recedes
+    double kilometresPerSecond = 0.0;  // range rate: positive if the satellite recedes
 
-    // What a received frequency is of the transmitted one, to first order.
+    // Received frequency divided by transmitted frequency, to first order.
     [[nodiscard]] double dopplerFactor() const;
 
     bool operator==(const LookAngles&) const = default;
@@ -43,7 +43,7 @@ public:
     explicit Observer(const Site& site);
 
     [[nodiscard]] LookAngles look(const GroundState& satellite) const;
-    // The place of a body that this site sees in a direction, at a distance.
+    // The Earth-fixed position of a body, from its direction and distance at this site.
     [[nodiscard]] Vector ground(const SkyPointing& direction, double kilometres) const;
 
 private:

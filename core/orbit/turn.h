@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-// Sine and cosine of an angle as one value, which a small angle turns without another call of the library: half of the
-// time of a propagation would go into these calls. Pure.
+// Sine and cosine of an angle as one value. It can be turned by a small angle without calling the library again.
+// Otherwise such calls would take half of the time of a propagation. Pure.
 namespace boresight::orbit {
 
 struct Turn
@@ -23,7 +23,7 @@ struct Turn
     return {a.sin * b.cos + a.cos * b.sin, a.cos * b.cos - a.sin * b.sin};
 }
 
-// Up to 0.125 rad by the series, whose first neglected terms are below 1e-17 there.
+// Uses the series up to 0.125 rad, where the first neglected terms are below 1e-17.
 [[nodiscard]] inline Turn turnedBy(const Turn& from, double radians)
 {
     constexpr double kSmall = 0.125;

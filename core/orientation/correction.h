@@ -6,18 +6,18 @@
 #include "core/orientation/orientation.h"
 #include "core/units/sky.h"
 
-// From what the sensor says to a true direction: how it is mounted and whose declination counts. What iron near it does
-// is another matter (core/calibration). Pure.
+// Converts the sensor's heading to a true direction, by its mounting and the declination that applies. The deviation by
+// iron near the sensor is corrected elsewhere (core/calibration). Pure.
 //
-// The firmware adds its declination to a heading that may count against the compass; so it is taken off, the rest is
-// turned the right way round, and exactly one declination is added, as geomagnetism::Declination decides.
+// The firmware adds its declination to the heading, which may count counter-clockwise. So this declination is
+// subtracted, the sense is corrected, and exactly one declination is added, as geomagnetism::Declination decides.
 namespace boresight::orientation {
 
 class Correction
 {
 public:
     Correction() = default;
-    // A declination that is not known is not applied: the sensor's stays.
+    // If the declination is unknown, the declination of the sensor stays in the heading.
     Correction(const Mounting& mounting, const geomagnetism::Declination& declination);
 
     [[nodiscard]] Angle trueHeading(SensorHeading heading) const;
@@ -26,13 +26,13 @@ public:
     {
         return {.azimuth = trueHeading(value.heading), .elevation = elevation(value.elevation)};
     }
-    // What is in the true heading in the end.
+    // The declination that the true heading contains.
     [[nodiscard]] Angle declination() const { return m_inSensor + m_correction; }
 
 private:
     Mounting m_mounting;
     Angle m_inSensor = geomagnetism::kDeclinationInFirmware;
-    Angle m_correction;  // in place of the sensor's
+    Angle m_correction;  // replaces the declination of the sensor
 };
 
 }  // namespace boresight::orientation

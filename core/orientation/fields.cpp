@@ -7,10 +7,10 @@
 namespace boresight::orientation {
 namespace {
 
-// So many that two decimals of a degree are still exact.
+// Up to this number two decimals of a degree are exact in a double.
 constexpr double kMostTurns = 1e6;
 
-// Of system_clock: the year 2262.
+// The last time of system_clock, in the year 2262.
 constexpr std::int64_t kLastMillisecond =
     std::chrono::duration_cast<std::chrono::milliseconds>(UtcTime::duration::max()).count();
 
@@ -42,7 +42,7 @@ Parsed<UtcTime> timeOf(std::int64_t milliseconds)
     return UtcTime(std::chrono::milliseconds(milliseconds));
 }
 
-// One signed byte of the sensor's register.
+// The register of the sensor is one signed byte.
 Parsed<double> temperatureOf(double celsius)
 {
     return within(celsius, -128.0, 127.0, "temperature");

@@ -7,11 +7,11 @@
 #include <cstdint>
 #include <string_view>
 
-// The ranges of what the sensor says, whichever way it comes: a value that no working sensor can send is refused, not
-// clipped. `field` is its name in the refusal. Pure.
+// The ranges of the sensor's values, for every way in which they arrive. A value that no working sensor can send is
+// refused, not clipped. `field` is its name in the refusal. Pure.
 namespace boresight::orientation {
 
-// The extended azimuth: finite, and no more turns than a counter of the sensor makes in its life.
+// The extended azimuth: finite, with no more turns than a sensor can count in its life.
 [[nodiscard]] Parsed<Angle> azimuthOf(double degrees);
 [[nodiscard]] Parsed<Angle> elevationOf(double degrees);
 [[nodiscard]] Parsed<UtcTime> timeOf(std::int64_t milliseconds);

@@ -20,7 +20,7 @@ Parsed<QJsonObject> objectOf(const QByteArray& payload)
     return document.isObject() ? Parsed<QJsonObject>(document.object()) : refused(Refusal::NotJson);
 }
 
-// `field` is what the refusal calls it.
+// `field` is the name in the refusal.
 Parsed<double> numberOf(const QJsonObject& object, QLatin1String key, const char* field)
 {
     const QJsonValue value = object[key];
@@ -30,7 +30,7 @@ Parsed<double> numberOf(const QJsonObject& object, QLatin1String key, const char
     return value.isDouble() ? Parsed<double>(value.toDouble()) : refused(Refusal::NotANumber, field);
 }
 
-// A JSON number is a double: exact up to 2^53, which is beyond every turn and millisecond.
+// A JSON number is a double, which is exact up to 2^53. That is enough for turns and milliseconds.
 Parsed<std::int64_t> exactly(double value, const char* field)
 {
     constexpr double kExact = 9007199254740992.0;
@@ -46,7 +46,7 @@ Parsed<std::int64_t> wholeOf(const QJsonObject& object, QLatin1String key, const
     return numberOf(object, key, field).and_then([field](double value) { return exactly(value, field); });
 }
 
-// The firmware writes it in quotes, its description without.
+// The firmware writes this value as a string. Its documentation describes a number.
 Parsed<UtcTime> sensorTimeOf(const QJsonObject& object)
 {
     const QJsonValue value = object[QLatin1String("ts")];
@@ -62,7 +62,7 @@ Parsed<int> digitOf(const QJsonObject& object, QLatin1String key)
     return wholeOf(object, key, "calibration").and_then(&calibrationDigitOf);
 }
 
-// Told or not, but if so the known ones.
+// The units may be missing. If present, they must be the known ones.
 bool hasItsUnits(const QJsonObject& object)
 {
     const QJsonObject units = object[QLatin1String("units")].toObject();
@@ -73,7 +73,7 @@ bool hasItsUnits(const QJsonObject& object)
            is(QLatin1String("orientation"), QLatin1String("decimal degrees"));
 }
 
-constexpr std::size_t kMostUnknown = 400;  // bytes: it is to be read, not to fill memory
+constexpr std::size_t kMostUnknown = 400;  // bytes: enough to read, too little to fill the memory
 
 std::string unknownOf(QJsonObject object, std::initializer_list<const char*> known)
 {

@@ -9,9 +9,9 @@
 #include <optional>
 #include <string>
 
-// The JSON messages of the sensor: what it publishes on its three MQTT topics. The orientation's own message has no
-// calibration and no temperature, so PayloadReader joins what the other two topics last said, while that is young.
-// Qt's own JSON reader refuses the "nan" that the firmware prints for a value that is not finite. Pure.
+// The JSON messages that the sensor publishes on its three MQTT topics. The orientation message has no calibration and
+// no temperature. PayloadReader adds them from the last messages of the other two topics, while those are young. Qt's
+// JSON parser refuses the "nan" that the firmware prints for a value that is not finite. Pure.
 namespace boresight::orientation {
 
 enum class Topic
@@ -24,9 +24,9 @@ enum class Topic
 struct SensorState
 {
     std::optional<double> temperature;  // °C, of the sensor's chip
-    std::string version;                // of the firmware; older ones do not tell
+    std::string version;                // of the firmware; older versions do not report it
     std::string bssid;                  // of the WiFi access point that it uses
-    std::string unknown;                // what else the message held, as JSON; mostly empty
+    std::string unknown;                // unknown members of the message, as JSON; usually empty
 
     bool operator==(const SensorState&) const = default;
 };
@@ -46,20 +46,21 @@ struct ReportedState
 class PayloadReader
 {
 public:
-    // The firmware means to send its calibration each 10 s and its status each 60 s: so old that three were missed,
-    // they say nothing any more.
+    // The firmware is designed to send its calibration every 10 s and its status every 60 s. After three missing
+    // messages the values are too old.
     static constexpr std::chrono::seconds kCalibrationKept{30};
     static constexpr std::chrono::seconds kStatusKept{180};
 
-    // A value if the message was an orientation; the other topics are kept for the next one. Counts.
+    // A value if the message was an orientation. Messages of the other topics are kept for the next orientation. Counts
+    // every message.
     [[nodiscard]] Parsed<std::optional<Orientation>> take(Topic topic, const QByteArray& payload, SteadyTime arrival);
 
-    // For a reason that is not in its text.
+    // Counts a message that was refused for a reason outside its text.
     void refuse(Refusal reason) { m_counts.count(reason); }
 
     [[nodiscard]] const Counts& counts() const { return m_counts; }
-    [[nodiscard]] const std::string& firmware() const { return m_firmware; }  // as its status said; may be empty
-    // The last one, whatever its age.
+    [[nodiscard]] const std::string& firmware() const { return m_firmware; }  // from its status; may be empty
+    // The last state, of any age.
     [[nodiscard]] const std::optional<ReportedState>& state() const { return m_state; }
 
 private:

@@ -6,13 +6,13 @@
 namespace boresight::orientation {
 namespace {
 
-// A sentence comes each second or a little later: so much of the time to being lost is two missing of the five.
+// The sensor sends a sentence about every second. At this part of the time until "lost", two of five are missing.
 constexpr double kLateShare = 0.6;
-// Sent with two decimals.
+// The values have two decimals.
 constexpr Angle kRounding = Angle::fromDegrees(0.005);
-// What noise, wind and the average over a second add to a motion.
+// Noise, wind and averaging over a second can add this much to a motion.
 constexpr Angle kMargin = Angle::fromDegrees(5.0);
-constexpr int kBelievedAgain = 3;  // the one that jumped, and the two that agree with it
+constexpr int kBelievedAgain = 3;  // the jump and two values that agree with it
 
 constexpr Calibration kUncalibrated{};
 
@@ -75,7 +75,7 @@ bool Judge::follows(const Orientation& before, const Orientation& value) const
     return azimuth <= m_settings.azimuthSpeed * gap + kMargin && elevation <= m_settings.elevationSpeed * gap + kMargin;
 }
 
-// After a longer silence there is nothing to compare with: the antenna may be anywhere.
+// After a longer silence no comparison is possible, because the antenna may be anywhere.
 bool Judge::isBelieved(const Orientation& value)
 {
     if (!m_last || value.arrival - m_last->arrival >= m_settings.lost || follows(*m_last, value)) {
@@ -86,8 +86,8 @@ bool Judge::isBelieved(const Orientation& value)
     return m_agreeing >= kBelievedAgain;
 }
 
-// Its count then begins at 0, or at -1 if its first heading is beyond 180°; and its calibration begins again. A count
-// that only tells what the antenna may have turned meanwhile, unheard, is none that began again.
+// After a restart the sensor's count begins at 0, or at -1 if the first heading is above 180°. Its calibration begins
+// again, too. A jump of the count that the antenna may have turned during a silence is not a restart.
 bool Judge::isRestart(const Orientation& value) const
 {
     const Angle turned = value.extendedAzimuth - m_last->extendedAzimuth;

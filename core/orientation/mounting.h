@@ -4,18 +4,18 @@
 #include "core/orientation/orientation.h"
 #include "core/units/quantity.h"
 
-// How the sensor sits on the antenna. Plain values.
+// How the sensor is mounted on the antenna. Plain values.
 namespace boresight::orientation {
 
-// Which way the heading grows, seen from above: the sensor may be mounted face down.
+// The sense in which the heading grows, seen from above. It is reversed if the sensor is mounted face down.
 enum class Sense
 {
-    Clockwise,  // with the compass
+    Clockwise,  // like a compass
     CounterClockwise
 };
 
-// Which way the elevation of the sensor goes when the beam rises. What it says of a boom that it sits behind, 180° -
-// elevation, is Down with an offset of 180°.
+// How the sensor's elevation changes when the beam rises. A sensor behind the boom reports 180° - elevation. That is
+// Down with an offset of 180°.
 enum class ElevationSense
 {
     Up,
@@ -26,13 +26,13 @@ struct Mounting
 {
     Sense sense = Sense::Clockwise;
     ElevationSense elevationSense = ElevationSense::Up;
-    Angle azimuthOffset;    // true azimuth of the beam where the sensor looks north
-    Angle elevationOffset;  // elevation of the beam where the sensor says 0°
+    Angle azimuthOffset;    // true azimuth of the beam when the sensor points north
+    Angle elevationOffset;  // elevation of the beam when the sensor reports 0°
 
     bool operator==(const Mounting&) const = default;
 };
 
-// With an elevation that grows when the beam rises. What is no elevation at all, of a dead sensor, stays as it is.
+// Converts the elevation so that it grows when the beam rises. The zeros of a dead sensor stay unchanged.
 [[nodiscard]] Orientation asMounted(Orientation value, ElevationSense sense, Angle declinationInSensor);
 
 }  // namespace boresight::orientation

@@ -9,22 +9,22 @@
 #include <optional>
 #include <string>
 
-// What the orientation sensor on the mast says, one value for both ways it comes: NMEA sentences on a serial port, JSON
-// messages of an MQTT broker. Everything is as the sensor sent it: no mounting offset, no sign, no declination of the
-// site. Plain values.
+// One value of the orientation sensor on the mast, from a serial port (NMEA sentences) or an MQTT broker (JSON
+// messages). Everything is as the sensor sent it, without mounting offset, change of sign or local declination. Plain
+// values.
 namespace boresight::orientation {
 
-// The direction that the sensor says it looks in, 0…360°. Neither a true direction nor the angle of an axis: what
-// stands between is the sensor's mounting, the declination and the deviation of its compass (Correction).
+// The direction that the sensor reports, 0…360°. It is neither a true direction nor the angle of an axis. The
+// difference is the sensor's mounting, the declination and the deviation of its compass (Correction).
 class SensorHeading
 {
 public:
     constexpr SensorHeading() = default;
-    // Of the extended angle that the sensor sends: 725.40° is a heading of 5.40°, -12.67° one of 347.33°.
+    // From the extended angle that the sensor sends: 725.40° is a heading of 5.40°, -12.67° is 347.33°.
     [[nodiscard]] static SensorHeading folded(Angle extended) { return SensorHeading(extended.wrapped360()); }
 
     [[nodiscard]] constexpr Angle angle() const { return m_angle; }
-    // The shorter way from the other heading to this one, -180…180°.
+    // The shorter way from `other` to this heading, -180…180°.
     [[nodiscard]] Angle since(SensorHeading other) const { return (m_angle - other.m_angle).wrapped180(); }
 
     constexpr auto operator<=>(const SensorHeading&) const = default;
@@ -35,10 +35,10 @@ private:
     Angle m_angle;
 };
 
-// How sure the sensor is of each of its parts: 0 (not calibrated) to 3 (fully). It may fall again.
+// The calibration level of each part of the sensor: 0 (not calibrated) to 3 (fully). A level may drop again.
 struct Calibration
 {
-    int system = 0;  // 0: the heading is not tied to magnetic north yet
+    int system = 0;  // 0: the heading is not related to magnetic north yet
     int gyro = 0;
     int accelerometer = 0;
     int magnetometer = 0;
@@ -58,15 +58,15 @@ struct Orientation
     SensorHeading heading;
     Angle extendedAzimuth;         // as sent: heading + 360° x revolutions
     std::int64_t revolutions = 0;  // as sent: from 0 or -1 after each reset of the sensor, so only a hint
-    // As sent: 0…180°, the angle between the sensor's z axis and the vertical. Below 0 after asMounted().
+    // As sent: 0…180°, the angle between the sensor's z axis and the vertical. May be negative after asMounted().
     Angle elevation;
     std::optional<double> temperature;  // °C, of the sensor's chip
     std::optional<Calibration> calibration;
-    // When the sensor began to measure, by its own clock: now and then a second off, so for logs only.
+    // When the sensor began to measure, by its own clock. It is sometimes a second off, so use it only for logs.
     UtcTime sensorTime;
     SteadyTime arrival;
     Transport transport = Transport::Serial;
-    std::string unknown;  // what the message held beyond what is known, for the log; mostly empty
+    std::string unknown;  // unknown parts of the message, for the log; usually empty
 
     bool operator==(const Orientation&) const = default;
 };

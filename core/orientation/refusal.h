@@ -8,7 +8,7 @@
 #include <string>
 #include <tl/expected.hpp>
 
-// Why a message of the sensor was not used, and how many were. No part of a refused message is ever used. Plain values.
+// Why a message of the sensor was not used, and the counts. No part of a refused message is ever used. Plain values.
 namespace boresight::orientation {
 
 enum class Refusal
@@ -18,12 +18,12 @@ enum class Refusal
     BadChecksum,  // not two hexadecimal digits
     Truncated,    // ends before its last field
     TooLong,
-    FieldCount,  // or, of JSON, a member is missing
+    FieldCount,  // wrong number of fields; for JSON: a member is missing
     Unit,
     NotANumber,
     NotFinite,
     OutOfRange,
-    Retained,  // kept by the broker, from nobody knows when
+    Retained,  // stored by the broker at an unknown time
     NotJson
 };
 
@@ -32,7 +32,7 @@ inline constexpr std::size_t kRefusals = static_cast<std::size_t>(Refusal::NotJs
 struct Refused
 {
     Refusal reason = Refusal::NotJson;
-    std::string field;  // "azimuth"; empty if it is about the whole message
+    std::string field;  // "azimuth"; empty if the whole message is refused
 
     bool operator==(const Refused&) const = default;
 };
@@ -45,16 +45,16 @@ using Parsed = tl::expected<T, Refused>;
     return tl::unexpected<Refused>(Refused{reason, std::move(field)});
 }
 
-// "wrong checksum", "azimuth is not finite": for logs, in English.
+// For logs, in English: "wrong checksum", "azimuth is not finite".
 [[nodiscard]] std::string toText(const Refused& refused);
 
 struct Counts
 {
     std::uint64_t accepted = 0;
     std::array<std::uint64_t, kRefusals> refused{};
-    std::uint64_t foreign = 0;            // sentences of others, other topics
-    std::uint64_t chatter = 0;            // lines that are no sentence at all: start-up text, noise
-    std::uint64_t lowerCaseChecksum = 0;  // accepted, but no firmware known writes them
+    std::uint64_t foreign = 0;            // sentences of other devices, other topics
+    std::uint64_t chatter = 0;            // lines that are not sentences: start-up text, noise
+    std::uint64_t lowerCaseChecksum = 0;  // accepted, although no known firmware writes them
 
     void count(Refusal reason) { ++refused[static_cast<std::size_t>(reason)]; }
     [[nodiscard]] std::uint64_t of(Refusal reason) const { return refused[static_cast<std::size_t>(reason)]; }

@@ -16,12 +16,12 @@ namespace {
 
 constexpr std::array<std::string_view, 2> kHeads{"$PATRK,", "$PANT,TRK,"};
 
-// Places of the fields behind the head.
+// Indices of the fields after the head.
 constexpr std::size_t kTime = 0;
 constexpr std::size_t kAzimuth = 2;
 constexpr std::size_t kElevation = 4;
 constexpr std::size_t kRevolutions = 6;
-constexpr std::size_t kTemperature = 8;  // if the unit behind it says so, else the calibration begins here
+constexpr std::size_t kTemperature = 8;  // only if its unit follows; otherwise the calibration begins here
 constexpr std::size_t kCalibrationDigits = 4;
 
 std::string_view headOf(std::string_view sentence)
@@ -69,7 +69,7 @@ char checksumOf(std::string_view body)
     return sum;
 }
 
-// `digits` is what stands behind the '*' that ends `body`.
+// `digits` is the text after the '*' at the end of `body`.
 std::optional<Refusal> checksumProblem(std::string_view body, std::string_view digits)
 {
     const auto sum = parseHex(digits);
@@ -79,7 +79,7 @@ std::optional<Refusal> checksumProblem(std::string_view body, std::string_view d
     return static_cast<char>(sum->front()) == checksumOf(body) ? std::nullopt : std::optional(Refusal::WrongChecksum);
 }
 
-// As printf writes it: digits, at most a minus sign and a point. It writes "nan" and "inf" too.
+// A number as printf writes it: digits with at most a minus sign and a point, or "nan" and "inf".
 Parsed<double> decimalOf(std::string_view text, const char* field)
 {
     const std::string_view unsignedText = text.starts_with('-') ? text.substr(1) : text;
@@ -127,7 +127,7 @@ std::string unknownOf(const std::vector<std::string_view>& fields)
     return unknown;
 }
 
-// Takes a value over, or says false and keeps why.
+// Stores a value. False: stores the reason of the refusal instead.
 template <class Field, class Value>
 bool taken(Field& field, const Parsed<Value>& value, std::optional<Refused>& why)
 {

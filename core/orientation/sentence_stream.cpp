@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kShownChatter = 60;
 
-// Printable ASCII throughout; not what a wrong speed makes of it.
+// True if all characters are printable ASCII, unlike the noise at a wrong baud rate.
 bool isReadable(std::string_view text)
 {
     return std::ranges::all_of(text, [](char character) { return character >= ' ' && character < '\x7f'; });
@@ -42,7 +42,7 @@ void SentenceStream::clear()
 
 void SentenceStream::endPiece(SteadyTime arrival, const OnValue& onValue, const OnRefused& onRefused)
 {
-    // Taken out first: the receiver may close the port and clear() this stream.
+    // Taken out first, because the receiver may close the port and clear() this stream.
     const std::string piece = std::exchange(m_piece, {});
     if (m_place == Place::Chatter) {
         ++m_counts.chatter;

@@ -79,7 +79,7 @@ void MqttSource::showConnection()
         m_denialTold = false;
         m_silence.start(m_topics.silence);
     }
-    // What was wrong with the messages is over with the first that is right.
+    // The first good message clears a problem with the messages.
     show(isConnected, isConnected && m_status.open ? m_status.problem : m_client.problem());
 }
 
@@ -127,7 +127,7 @@ void MqttSource::takeDenial(const QString& topic)
     }
 }
 
-// Whatever else is wrong stays on the screen.
+// Any other problem stays on the screen.
 void MqttSource::takeGrant(const QString& topic)
 {
     if (m_denied.removeOne(topic) && topic == m_topics.orientation) {
@@ -138,7 +138,7 @@ void MqttSource::takeGrant(const QString& topic)
     }
 }
 
-// Of the topics beside it nothing is said where the one that counts is refused, too.
+// If the orientation topic is denied, the other topics are not mentioned.
 QString MqttSource::denial() const
 {
     if (m_denied.isEmpty()) {
@@ -158,7 +158,7 @@ QString MqttSource::denial() const
 void MqttSource::tellSilence()
 {
     if (isDenied()) {
-        return;  // said already
+        return;  // already reported
     }
     m_denialTold = false;
     if (m_refused && m_refused->reason == Refusal::Retained) {

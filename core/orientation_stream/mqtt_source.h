@@ -10,8 +10,8 @@
 
 #include <optional>
 
-// The sensor's messages by an MQTT broker. The connection is somebody else's, who opens it and shares it with others:
-// this only listens on three topics, and works without the last two, which newer firmware hardly sends. Station thread.
+// The sensor's messages from an MQTT broker. Another object opens the connection and shares it. This source only
+// listens to three topics. It works without the last two, which newer firmware rarely sends. Station thread.
 namespace boresight::orientation {
 
 struct MqttTopics
@@ -19,7 +19,7 @@ struct MqttTopics
     QString orientation = QStringLiteral("antenna/orientation");
     QString status = QStringLiteral("antenna/status");
     QString calibration = QStringLiteral("antenna/calibration");
-    // Connected for so long without an orientation: then it is said.
+    // Connected for this long without an orientation: then a problem is reported.
     std::chrono::milliseconds silence{5000};
 };
 
@@ -28,7 +28,7 @@ class MqttSource final : public SensorSource
     Q_OBJECT
 
 public:
-    // `client` and `clock` outlive the source.
+    // `client` and `clock` must outlive the source.
     MqttSource(mqtt::Connection& client, const MqttTopics& topics, const Clock& clock, QObject* parent = nullptr);
     ~MqttSource() override;
 
@@ -55,10 +55,10 @@ private:
     const Clock& m_clock;
     PayloadReader m_reader;
     QTimer m_silence;
-    std::optional<Refused> m_refused;  // the last message, if it was
+    std::optional<Refused> m_refused;  // of the last message, if it was refused
     bool m_wanted = false;
-    QStringList m_denied;       // topics, by the broker, in this connection
-    bool m_denialTold = false;  // the status says what is denied, or that all is well
+    QStringList m_denied;       // topics that the broker denied on this connection
+    bool m_denialTold = false;  // the status already shows the present denial, or that there is none
     SourceStatus m_status;
 };
 

@@ -10,17 +10,17 @@
 
 #include <optional>
 
-// Where orientations come from: a serial port, an MQTT broker, the simulated sensor. Lives on the station thread;
-// nothing blocks. It is opened once and from then on comes back by itself, with growing pauses, until it is closed: the
-// owner only listens. Whether what comes is young enough, or makes sense, is judged above (Judge).
+// A source of orientations: a serial port, an MQTT broker or the simulated sensor. Lives on the station thread; nothing
+// blocks. Open it once. Until it is closed it reconnects by itself, with growing pauses, and the owner only listens.
+// The Judge decides whether values are young enough and plausible.
 namespace boresight::orientation {
 
 struct SourceStatus
 {
-    bool open = false;  // the port is open, the broker has let us in
-    QString problem;    // one line for the operator: what, where, what to do; empty while all is well
+    bool open = false;  // the port is open, or the broker has accepted the connection
+    QString problem;    // one line for the operator: what, where, what to do; empty: no problem
     Counts counts;
-    std::optional<ReportedState> firmware = {};  // what it says of itself; over a serial port nothing
+    std::optional<ReportedState> firmware = {};  // what the sensor reports about itself; never over a serial port
 
     bool operator==(const SourceStatus&) const = default;
 };
@@ -32,7 +32,7 @@ class SensorSource : public QObject
 public:
     using QObject::QObject;
 
-    // As the screen and the log call it: "serial /dev/ttyUSB0", "mqtt broker.example:1883".
+    // The name on the screen and in the log: "serial /dev/ttyUSB0", "mqtt broker.example:1883".
     [[nodiscard]] virtual QString name() const = 0;
     [[nodiscard]] virtual const SourceStatus& status() const = 0;
 
@@ -41,7 +41,7 @@ public:
 
 Q_SIGNALS:
     void received(const boresight::orientation::Orientation& orientation);
-    // `open` or `problem` changed: once for each new trouble, however often it is tried again.
+    // `open` or `problem` changed. Emitted once for each new problem, however many attempts follow.
     void statusChanged(const boresight::orientation::SourceStatus& status);
 };
 

@@ -63,8 +63,8 @@ void SerialSource::open()
     }
 }
 
-// Two programs on one port take each other's bytes away, and not all of them lock it. The answer is the promise's and
-// the future's together: it comes, and finds nobody, where the source was deleted meanwhile.
+// Two programs on one port take bytes from each other, and some programs do not lock it. The shared promise keeps the
+// answer valid even if the source was deleted meanwhile.
 void SerialSource::lookForHolder(const QString& device)
 {
     m_holder.looking = true;
@@ -96,13 +96,13 @@ void SerialSource::takeHolder()
 void SerialSource::begin()
 {
     m_path.storeName();
-    ioctl(m_port.handle(), TIOCNXCL);  // as for the bus: Qt's lock file keeps others out
-    m_port.clear();                    // half a sentence from before
+    ioctl(m_port.handle(), TIOCNXCL);  // as for the bus: Qt's lock file keeps other programs out
+    m_port.clear();                    // drops half of an old sentence
     m_stream.clear();
     m_heard = false;
     m_seen.clear();
     m_silence.start(m_settings.silence);
-    show(true, m_status.problem);  // what was wrong is over with the first sentence
+    show(true, m_status.problem);  // the problem stays until the first good sentence
 }
 
 Result<> SerialSource::openPort()
@@ -133,7 +133,7 @@ void SerialSource::close()
     show(false, {});
 }
 
-// A full helping is followed by a pause; meanwhile the rest waits in the system.
+// After a full read the source pauses. Meanwhile the rest waits in the system's buffer.
 void SerialSource::read()
 {
     if (m_pause.isActive() || !m_port.isOpen()) {
@@ -146,7 +146,7 @@ void SerialSource::read()
     m_heard = m_heard || !bytes.isEmpty();
     const auto use = [this](const Orientation& value) {
         if (!m_wanted) {
-            return;  // whoever took the value before this one has closed the port
+            return;  // the receiver of the previous value has closed the port
         }
         m_status.counts = m_stream.counts();
         m_heard = false;
@@ -176,7 +176,8 @@ void SerialSource::tellSilence()
                                .arg(m_path.path())
                                .arg(m_settings.baud)
                          : Text::tr("%1: The data is not from the sensor: \"%2\"").arg(m_path.path(), last);
-    // The first at once. Another one when it lasts: chatter with a number in it is a new text each time.
+    // Reports the first text at once, and another one only if it repeats. Chatter that contains a number would be a new
+    // text each time.
     if (m_seen.isEmpty() || m_seen == text) {
         show(true, text);
     }
@@ -185,7 +186,7 @@ void SerialSource::tellSilence()
     m_silence.start(m_settings.silence);
 }
 
-// Called from inside the port's own functions, so the port is closed when they have returned.
+// Called from inside the port's own functions, so the port is closed only after they have returned.
 void SerialSource::lose(QSerialPort::SerialPortError error)
 {
     const bool gone = error == QSerialPort::ResourceError || error == QSerialPort::ReadError ||

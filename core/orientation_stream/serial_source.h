@@ -12,11 +12,11 @@
 
 #include <optional>
 
-// The sensor's sentences from a serial port. Reads only: nothing is ever sent to the sensor. A port that is not there,
-// or goes, is tried again after 1, 2, 4, 8 s, then each 10 s; an adapter that comes back under another name is found by
-// its maker and number. At most kBytesAtOnce are read each kPause, whatever the port sends: some adapters ignore the
-// baud rate. Lives on the station thread; whether another program has the port is looked up beside it, for that takes
-// as long as the drives wait between two ticks.
+// The sensor's sentences from a serial port. Read-only: nothing is ever sent to the sensor. A port that is missing or
+// disappears is tried again after 1, 2, 4 and 8 s, then every 10 s. An adapter that comes back under another name is
+// found by its manufacturer and serial number. At most kBytesAtOnce are read every kPause, because some adapters ignore
+// the baud rate and flood the program. Lives on the station thread. Another thread finds out whether another program
+// has the port, because that takes as long as the pause between two ticks.
 namespace boresight::orientation {
 
 struct SerialSettings
@@ -25,7 +25,7 @@ struct SerialSettings
     qint32 baud = 115200;
     std::chrono::milliseconds firstRetry{1000};
     std::chrono::milliseconds longestRetry{10000};
-    // Open for so long without a sentence: then it is said what comes in its place, and looked at again as often.
+    // Open for this long without a sentence: then the received text is reported, and checked again at this interval.
     std::chrono::milliseconds silence{5000};
 };
 
@@ -37,7 +37,7 @@ public:
     static constexpr qint64 kBytesAtOnce = 2048;
     static constexpr std::chrono::milliseconds kPause{10};
 
-    // `clock` outlives the source.
+    // `clock` must outlive the source.
     SerialSource(const SerialSettings& settings, const Clock& clock, QObject* parent = nullptr);
     ~SerialSource() override;
 
@@ -47,12 +47,12 @@ public:
     void close() override;
 
 private:
-    // Whether another program has the device that is being opened.
+    // The search for another program that has the device.
     struct HolderSearch
     {
         QString device;
-        bool looking = false;                           // takeHolder() is still to come
-        QFutureWatcher<std::optional<QString>> lookUp;  // nobody waits for it
+        bool looking = false;                           // takeHolder() is still to be called
+        QFutureWatcher<std::optional<QString>> lookUp;  // the result is reported by a signal
     };
 
     void lookForHolder(const QString& device);
@@ -76,8 +76,8 @@ private:
     std::chrono::milliseconds m_delay;
     bool m_wanted = false;
     HolderSearch m_holder;
-    bool m_heard = false;  // bytes, since the last sentence, or since what came in its place was looked at
-    QString m_seen;        // in its place, at the last look
+    bool m_heard = false;  // bytes arrived since the last sentence or the last report
+    QString m_seen;        // the text that arrived instead of sentences, at the last check
     SourceStatus m_status;
 };
 

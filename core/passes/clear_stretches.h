@@ -3,10 +3,10 @@
 
 #include "core/passes/sky_track.h"
 
-// The parts of a pass in which the antenna sees the satellite, past its horizon and its keep-outs.
+// The parts of a pass in which the antenna sees the satellite above its horizon and outside its keep-outs.
 namespace boresight::passes {
 
-// The path is looked at each 0.25°: what hides or shows less of it can be missed. The ends are found to 1 ms.
+// The path is tested every 0.25°. A shorter gap or obstacle can be missed. The ends are found to 1 ms.
 [[nodiscard]] std::vector<Stretch> clearStretches(SkyTrack& track, double fromSeconds, double toSeconds,
                                                   const std::function<bool(const SkyPointing&)>& isClear);
 

@@ -12,8 +12,8 @@
 #include <optional>
 #include <vector>
 
-// The passes of one satellite over one site: what is searched for, and what is found. Geometric directions without
-// refraction. Pure values.
+// The passes of one satellite over one site: the parameters of a search and its results. Directions are geometric,
+// without refraction. Pure values.
 namespace boresight::passes {
 
 struct PassSearch
@@ -22,7 +22,8 @@ struct PassSearch
     UtcTime from{};
     UtcTime to{};
     Angle minimumElevation{};
-    // Where the antenna sees the sky: its horizon and its keep-outs. Empty: everywhere. It never moves AOS and LOS.
+    // True where the antenna sees the sky: above its horizon and outside its keep-outs. Empty: everywhere. It never
+    // changes AOS and LOS.
     std::function<bool(const SkyPointing&)> isClear{};
 };
 
@@ -44,13 +45,13 @@ struct Stretch
 
 struct Pass
 {
-    PassMoment aos;              // the minimum elevation is passed upwards, or the span begins
-    PassMoment tca;              // the greatest elevation within the pass
-    PassMoment los;              // downwards, or the span or the orbit ends
-    bool isUpAtStart = false;    // of the span
-    bool isUpAtEnd = false;      // of the span or of the orbit
-    int maxima = 0;              // of the elevation, between AOS and LOS
-    std::vector<Stretch> clear;  // of PassSearch::isClear: several rises in one pass, or none
+    PassMoment aos;              // the satellite rises above the minimum elevation, or the span begins
+    PassMoment tca;              // the highest elevation within the pass
+    PassMoment los;              // the satellite sets below the minimum elevation, or the span or the orbit ends
+    bool isUpAtStart = false;    // already up when the span begins
+    bool isUpAtEnd = false;      // still up when the span or the orbit ends
+    int maxima = 0;              // number of maxima of the elevation between AOS and LOS
+    std::vector<Stretch> clear;  // where PassSearch::isClear is true; may be empty or have several parts
 
     [[nodiscard]] Seconds duration() const { return los.utc - aos.utc; }
     [[nodiscard]] Seconds clearTime() const
@@ -67,7 +68,7 @@ struct Pass
     bool operator==(const Pass&) const = default;
 };
 
-// The theory has no answer from then on: the satellite has decayed, or the elements do not hold.
+// The time from which SGP4 has no answer: the satellite has decayed, or the elements are invalid.
 struct OrbitEnd
 {
     UtcTime utc{};

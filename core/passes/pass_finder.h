@@ -10,11 +10,10 @@
 #include <stop_token>
 #include <vector>
 
-// Finds each pass of a satellite in a span of time: none is missed because it is short, and none is invented. Any
-// thread. How: README.md.
+// Finds every pass of a satellite in a span of time, however short it is. Any thread. README.md explains the method.
 namespace boresight::passes {
 
-// A stop leaves the passes that were found until then.
+// After a stop the list contains the passes found so far.
 [[nodiscard]] PassList findPasses(const orbit::Sgp4& orbit, const PassSearch& search, const std::stop_token& stop = {});
 
 struct SatelliteSearch
@@ -23,8 +22,8 @@ struct SatelliteSearch
     PassSearch search{};
 };
 
-// One list for each search, in their order; a stop leaves out those that were not finished. `progress` is called after
-// each search with the number of finished ones, in the calling thread. It may be empty.
+// One list for each search, in the same order. After a stop the unfinished searches are missing. `progress` is called
+// in the calling thread after each search, with the number of finished searches. It may be empty.
 [[nodiscard]] std::vector<PassList> findPasses(std::span<const SatelliteSearch> searches,
                                                const std::stop_token& stop = {},
                                                const std::function<void(std::size_t finished)>& progress = {});

@@ -16,7 +16,7 @@ namespace {
 constexpr int kLooks = 120;
 constexpr std::chrono::seconds kExact{1};
 
-// Of one satellite over one site. The half shadow, some seconds long, counts as shadow.
+// Whether the Sun shines on one satellite over one site. The half shadow lasts some seconds and counts as shadow.
 class Light
 {
 public:
@@ -29,7 +29,7 @@ public:
         return state && orbit::sunlight(orbit::groundState(*state, date).position,
                                         orbit::sunOverGround(m_almanac, m_observer, utc)) == orbit::Sunlight::Sunlit;
     }
-    // Between two times, of which only one is in the light.
+    // The time of the change between two times, exactly one of which is in sunlight.
     [[nodiscard]] UtcTime change(UtcTime from, UtcTime to)
     {
         const bool before = isSunlit(from);

@@ -7,19 +7,19 @@
 
 #include <vector>
 
-// Whether the Sun shines on a satellite during its pass. Pure; it costs some milliseconds.
+// Whether the Sun shines on a satellite during its pass. Pure. A call takes some milliseconds.
 namespace boresight::passes {
 
 struct PassLight
 {
     bool isSunlitFirst = false;    // when the satellite rises
-    std::vector<UtcTime> changes;  // to the second, from sunlight to shadow or back
+    std::vector<UtcTime> changes;  // to the second, between sunlight and shadow
 
     bool operator==(const PassLight&) const = default;
 };
 
 [[nodiscard]] PassLight lightOf(const Pass& pass, const orbit::ElementSet& elements, const Site& site);
-// For how long of the pass.
+// How much of the pass is in sunlight.
 [[nodiscard]] Seconds sunlitTime(const Pass& pass, const PassLight& light);
 
 }  // namespace boresight::passes

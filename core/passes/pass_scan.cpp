@@ -56,7 +56,7 @@ bool PassScan::addCrossing(const SkyMoment& a, const SkyMoment& b, std::vector<E
     return edge.has_value();
 }
 
-// Between two moments with one turning point at most.
+// The events between two moments that have at most one turning point between them.
 bool PassScan::findEvents(const SkyMoment& a, const SkyMoment& b, std::vector<Event>& events)
 {
     const bool areUp = a.isUp() && b.isUp();
@@ -65,7 +65,7 @@ bool PassScan::findEvents(const SkyMoment& a, const SkyMoment& b, std::vector<Ev
     if (!hasTop && !hasDip) {
         return addCrossing(a, b, events);
     }
-    // Rises and sets stay in their order only if the turning point is between the two.
+    // Unless both ends are up, the turning point must lie between them. Otherwise rise and set could swap.
     const Limits limits = areUp ? Limits{std::max(0.0, a.seconds - a.step), std::min(m_span, b.seconds + b.step)}
                                 : Limits{a.seconds, b.seconds};
     const auto turn = turningPoint(m_track, a, b, limits);
@@ -78,7 +78,7 @@ bool PassScan::findEvents(const SkyMoment& a, const SkyMoment& b, std::vector<Ev
     return addCrossing(*turn, b, events);
 }
 
-// Nothing is taken of a step on whose way the theory has no answer.
+// If SGP4 has no answer within a step, nothing from that step is used.
 bool PassScan::advance(const SkyMoment& a, const SkyMoment& b)
 {
     std::vector<Event> events;
@@ -130,7 +130,7 @@ void PassScan::close(const SkyMoment& set, bool isUpAtEnd)
     m_open.reset();
 }
 
-// The last moment, to 1 ms, at which the theory has an answer, after one at which it has.
+// The last moment with an answer of SGP4, to 1 ms. `good` is a moment with an answer.
 SkyMoment PassScan::endOfOrbit(SkyMoment good)
 {
     constexpr double kOrbitEndWidth = 1e-3;  // s

@@ -7,9 +7,9 @@
 #include <stop_token>
 #include <vector>
 
-// One search, from its first moment to its last: looks at the satellite in steps that hold one maximum of the elevation
-// at most, rests while it is far below the horizon, and puts the rises, maxima and sets in between together to passes.
-// One thread.
+// One search from its first to its last moment. It samples the orbit in steps that contain at most one maximum of the
+// elevation, and skips the time in which the satellite is far below the horizon. Rises, maxima and sets are combined to
+// passes. One thread.
 namespace boresight::passes {
 
 class PassScan
@@ -18,7 +18,7 @@ public:
     PassScan(const orbit::Sgp4& orbit, const PassSearch& search);
 
     [[nodiscard]] PassList run(const std::stop_token& stop);
-    // Calls of SGP4, which are the cost.
+    // The number of SGP4 calls, which take most of the time.
     [[nodiscard]] long propagations() const { return m_track.propagations(); }
 
 private:

@@ -15,21 +15,22 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 constexpr double kSecondsPerDay = 86400.0;
 constexpr double kGravity = 398600.8;  // km³/s², WGS-72
-// The elevation of a low orbit has one maximum in a turn: a sixtieth of it leaves room for flat ellipses.
+// The elevation of a low orbit has one maximum per revolution. A sixtieth is small enough for elongated ellipses, too.
 constexpr double kSampleArc = 2.0 * kPi / 60.0;
 constexpr double kLongestStep = 600.0;  // s: the Earth turns by 2.5°
-// What the osculating ellipse of one moment does not know of the turn that follows: oblateness, drag, Sun and Moon.
+// Margins for changes within one revolution that the osculating ellipse does not include: oblateness, drag, Sun and
+// Moon.
 constexpr double kReachMargin = 1.01;
 constexpr double kHurryMargin = 1.03;
 
-// The rate of the sidereal time, with which TEME turns.
+// The rate of the sidereal time, which is the rotation of the Earth in TEME.
 double rotationFrom(const orbit::JulianDate& start)
 {
     const double turned = orbit::siderealTime({start.day + 1.0, start.fraction}) - orbit::siderealTime(start);
     return (2.0 * kPi + turned - 2.0 * kPi * std::floor(turned / (2.0 * kPi))) / kSecondsPerDay;
 }
 
-// The vertical of the site. A long way off, so that the place of the site takes no digits of it.
+// The vertical of the site. Computed from a far point, so that the position of the site costs no digits.
 orbit::Vector verticalOf(const orbit::Observer& observer, const orbit::Vector& site)
 {
     constexpr double kFar = 1e6;
@@ -70,8 +71,8 @@ std::optional<SkyMoment> SkyTrack::at(double seconds)
         }
         return std::nullopt;
     }
-    // The angle of the Earth goes on from that of the start: from the date of each moment it would be good to 1e-7 s
-    // only, and the highest moment of a geostationary satellite shows that.
+    // The angle of the Earth is continued from that of the start. Computed from the date of each moment it would be
+    // exact to only 1e-7 s, which is visible in the highest moment of a geostationary satellite.
     const double angle = m_startAngle + m_rotation * seconds;
     const double s = std::sin(angle);
     const double c = std::cos(angle);
@@ -96,8 +97,8 @@ std::optional<SkyMoment> SkyTrack::at(double seconds)
     return moment;
 }
 
-// From the ellipse of this moment. To be up, the satellite is above the level plane of the site, or above the cone of
-// the minimum elevation, which is further away at its least distance.
+// Computes the bounds from the osculating ellipse of this moment. A satellite that is up is above the horizontal plane
+// of the site, or above the cone of the minimum elevation. The smallest distance gives the bound for the cone.
 void SkyTrack::addReach(const orbit::OrbitState& state, SkyMoment& moment) const
 {
     const double radius = orbit::length(state.position);
@@ -108,7 +109,7 @@ void SkyTrack::addReach(const orbit::OrbitState& state, SkyMoment& moment) const
     const double eSine = along / std::sqrt(kGravity * axis);
     const double eccentricity = std::sqrt(eCosine * eCosine + eSine * eSine);
     moment.apart = std::acos(std::clamp(dot(moment.ground, m_up) / radius, -1.0, 1.0));
-    if (!(axis > 0.0 && eccentricity < 0.995)) {  // hardly an orbit: look at it closely
+    if (!(axis > 0.0 && eccentricity < 0.995)) {  // hardly an orbit: use small steps
         moment.reach = kPi;
         moment.hurry = 1.0;
         moment.motion = 1e-3;
@@ -123,7 +124,8 @@ void SkyTrack::addReach(const orbit::OrbitState& state, SkyMoment& moment) const
     const double momentum = std::sqrt(std::max(0.0, radius * radius * square - along * along));
     moment.hurry = kHurryMargin * momentum / (perigee * perigee) + m_siteTurn;
     moment.motion = std::sqrt(kGravity / axis) / axis;
-    // Equal steps of the eccentric anomaly, which are true anomaly enough at the perigee (Kepler's equation).
+    // Equal steps of the eccentric anomaly, which is close enough to the true anomaly at the perigee (Kepler's
+    // equation).
     const double arc = kSampleArc * std::sqrt((1.0 - eccentricity) / (1.0 + eccentricity));
     const double mean = arc * (1.0 - eCosine + arc * (0.5 * eSine + arc * eCosine / 6.0));
     moment.step = std::clamp(mean / moment.motion, 1.0, kLongestStep);

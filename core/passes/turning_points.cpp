@@ -9,7 +9,7 @@ namespace boresight::passes {
 namespace {
 
 constexpr double kTimeStep = 1e-4;  // s, to which a crossing is found
-constexpr int kMostTurns = 60;      // halving a week needs 33 to get there
+constexpr int kMostTurns = 60;      // halving a week down to kTimeStep needs 33
 
 double straightBetween(double a, double valueA, double b, double valueB)
 {
@@ -17,16 +17,16 @@ double straightBetween(double a, double valueA, double b, double valueB)
     return a + std::clamp(share, 0.01, 0.99) * (b - a);
 }
 
-// By the rates of the theory, which are not quite those of its positions. Regula falsi, Illinois: an end that stays
-// twice counts half.
+// Uses the rates of SGP4, which differ slightly from the derivative of its positions. Regula falsi in the Illinois
+// form: an end that stays twice gets half its weight.
 std::optional<SkyMoment> whereTheClimbTurns(SkyTrack& track, const SkyMoment& a, const SkyMoment& b)
 {
-    constexpr double kNear = 0.2;  // s: turningPoint() goes on from there
+    constexpr double kNear = 0.2;  // s: turningPoint() continues from there
     double low = a.seconds;
     double high = b.seconds;
     double lowClimb = a.climb;
     double highClimb = b.climb;
-    int side = 0;  // that was moved last
+    int side = 0;  // the end that was moved last
     std::optional<SkyMoment> here = a;
     for (int i = 0; here && i < kMostTurns; ++i) {
         const double before = here->seconds;
@@ -47,7 +47,7 @@ std::optional<SkyMoment> whereTheClimbTurns(SkyTrack& track, const SkyMoment& a,
 
 }  // namespace
 
-// Newton's steps as long as they stay between the ends, halves otherwise.
+// Newton's steps while they stay between the ends, otherwise bisection.
 std::optional<SkyMoment> crossing(SkyTrack& track, const SkyMoment& a, const SkyMoment& b)
 {
     double low = a.seconds;
@@ -66,8 +66,8 @@ std::optional<SkyMoment> crossing(SkyTrack& track, const SkyMoment& a, const Sky
     return here;
 }
 
-// Where the parabola through three positions has its end: the rates of the theory are 1e-5 km/s off, which is minutes
-// for a geostationary satellite.
+// The vertex of the parabola through three positions. The rates of SGP4 are wrong by up to 1e-5 km/s, which would shift
+// the result by minutes for a geostationary satellite.
 std::optional<SkyMoment> turningPoint(SkyTrack& track, const SkyMoment& a, const SkyMoment& b, Limits limits)
 {
     constexpr double kArc = 5e-4;  // of the mean anomaly, rad: half a second in a low orbit

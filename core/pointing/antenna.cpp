@@ -12,7 +12,7 @@ PointingTerms termsFor(PointingTerms main, const Antenna& antenna, std::optional
     return main;
 }
 
-// As places on a globe whose pole is the elevation axis.
+// Treats the two offsets as coordinates on a globe whose pole is the elevation axis.
 Angle beamDistance(const Antenna& one, const Antenna& other)
 {
     return angleBetween(SkyPointing{.azimuth = one.up, .elevation = one.across},

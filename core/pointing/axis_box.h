@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-// What two axes that move independently of each other can sweep between two places. Pure value.
+// All positions that two independent axes can pass on the way between two positions. Pure value.
 namespace boresight::pointing {
 
 struct AxisBox

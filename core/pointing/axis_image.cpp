@@ -13,17 +13,18 @@ namespace {
 
 constexpr std::array kSides{Side::Upright, Side::OverTheTop};
 
-// A side is looked at in this many places, and an upper or lower edge so often along its way; in between they are
-// within a hundredth of a degree, and the margin is more.
+// A side edge is sampled at this many places, an upper or lower edge at this distance. Between two samples the error is
+// below 0.01°. The margin is larger.
 constexpr int kSamples = 32;
 constexpr Angle kApart = Angle::fromDegrees(3.5);
 constexpr Angle kMargin = Angle::fromDegrees(0.02);
 constexpr Angle kDeep = Angle::fromDegrees(-45.0);
-// A keep-out is enclosed in few boxes, which reach beyond it by about twice the skew: each of them is a place to turn
-// at for every route. Width of an arc, rise of the tangent of the elevation.
+// A keep-out is enclosed in few boxes, because every route considers the corners of each box. The boxes extend beyond
+// the keep-out by about twice the skew. The limits are the width of an arc and the rise of the tangent of the
+// elevation.
 constexpr Angle kWidest = Angle::fromRadians(2.0);
 constexpr double kHighest = 2.0;
-// A line of the horizon is divided until it is as straight as this, and no part longer than that.
+// A line of the horizon is divided until each part is this straight, and no part is longer than kLongest.
 constexpr Angle kStraight = Angle::fromDegrees(0.01);
 constexpr Angle kLongest = Angle::fromDegrees(5.0);
 constexpr int kDeepest = 12;
@@ -44,8 +45,8 @@ Angle part(const TravelRange& range, int index, int count)
     return range.min + (range.max - range.min) * (double(index) / count);
 }
 
-// Of a line that may lean over itself the highest at each azimuth. Between the points of a line, straight lines only:
-// what is straight above the highest at both ends is above all in between.
+// The highest elevation at each azimuth, for a line that may run back over itself. Between its points a line is
+// straight. So a part that is the highest at both ends of an interval is the highest in the whole interval.
 class Envelope
 {
 public:
@@ -103,7 +104,7 @@ private:
 
 }  // namespace
 
-// Twice as far from the zenith as the beam can be moved its azimuth is turned by 30° at most.
+// At twice this distance from the zenith, moving the beam by the skew turns its azimuth by at most 30°.
 AxisImage::AxisImage(const PointingModel& model)
     : m_model(model),
       m_skew(model.skew()),
@@ -126,7 +127,8 @@ std::vector<AxisBox> AxisImage::of(const KeepOut& keepOut) const
     return m_model.isSkewed() ? enclosed(azimuths, elevations) : shifted(azimuths, elevations);
 }
 
-// One that goes all round and up to the zenith is one box across it: else the zenith in its middle would be an edge.
+// A keep-out that goes all round and up to the zenith becomes one box across the zenith. With two boxes the zenith in
+// its middle would be an edge, and edges are permitted.
 std::vector<AxisBox> AxisImage::shifted(const TravelRange& azimuths, const TravelRange& elevations) const
 {
     const auto box = [&](Side from, Side to) {
@@ -159,7 +161,7 @@ std::vector<AxisBox> AxisImage::enclosed(const TravelRange& azimuths, const Trav
     return boxes;
 }
 
-// The image of a part of the sky without its caps has no hole and no fold: where its edges go it goes.
+// Outside the caps the image of a part of the sky has no holes and no folds, so the image of its edges bounds it.
 AxisBox AxisImage::enclosing(const TravelRange& azimuths, const TravelRange& elevations, Side side) const
 {
     AxisBox box = AxisBox::at(place({azimuths.min, elevations.min}, side));
@@ -179,7 +181,7 @@ AxisBox AxisImage::enclosing(const TravelRange& azimuths, const TravelRange& ele
             .elevation = {box.elevation.min - kMargin, box.elevation.max + kMargin}};
 }
 
-// So wide that the lean moves their ends hardly more than their middle.
+// Columns so wide that the lean moves their ends hardly more than their middle.
 std::vector<TravelRange> AxisImage::columns(const TravelRange& azimuths) const
 {
     const int count = std::max(1, static_cast<int>(std::ceil((azimuths.max - azimuths.min) / kWidest)));
@@ -190,8 +192,8 @@ std::vector<TravelRange> AxisImage::columns(const TravelRange& azimuths) const
     return list;
 }
 
-// So high that their sides, which lean with the tangent of the elevation, are moved hardly more above than below. Deep
-// below the horizon no beam is brought: there one row will do.
+// Rows so high that their sides, which lean with the tangent of the elevation, move hardly more at the top than at the
+// bottom. Far below the horizon one row is enough, because no beam gets there.
 std::vector<TravelRange> AxisImage::rows(const TravelRange& elevations) const
 {
     const auto above = [&](Angle from) {
@@ -211,7 +213,7 @@ std::vector<TravelRange> AxisImage::rows(const TravelRange& elevations) const
 AxisBox AxisImage::zenithCap(Angle from) const
 {
     const Angle radius = 90_deg - from + m_skew;
-    // Gravity and offset alone, which the axes have everywhere alike.
+    // Only sag and elevation offset, which are the same at every azimuth.
     const PointingModel level(PointingTerms{.elevationOffset = m_model.terms().elevationOffset,
                                             .elevationSag = m_model.terms().elevationSag});
     return {.azimuth = {-kBeyond, kBeyond},
@@ -234,7 +236,7 @@ HorizonPoint AxisImage::lineAt(const HorizonPoint& truth, Side side) const
                                  : HorizonPoint{axes.azimuth - 180_deg, 180_deg - axes.elevation};
 }
 
-// Adds the image of a line without its begin, in parts that are as good as straight.
+// Adds the image of a line without its first point, divided into nearly straight parts.
 void AxisImage::trace(std::vector<HorizonPoint>& line, const HorizonPoint& from, const HorizonPoint& to, Side side,
                       int depth) const
 {

@@ -8,11 +8,11 @@
 
 #include <vector>
 
-// Horizon and keep-outs are true directions; here they become what the axes have to stay out of. Offsets move them
-// exactly. What leans or is not square bends their edges: then they are enclosed, by boxes and by a line above, so that
-// nothing true is lost, and hardly more is forbidden than is true (METHOD.md). Near the zenith, where a small lean
-// turns the azimuth by much, a cap is taken as a whole when anything forbidden reaches into it. Pure values, any
-// thread.
+// Horizon and keep-outs are true directions. This class converts them into the axis angles that are forbidden. Offsets
+// move them exactly. Tilt, collimation and non-perpendicularity bend their edges. Then boxes and a line above the
+// horizon enclose them, so nothing forbidden is lost, and little more is forbidden (METHOD.md). Near the zenith a small
+// lean turns the azimuth by much. So the whole cap of the zenith is forbidden if any forbidden part reaches into it.
+// Pure values, any thread.
 namespace boresight::pointing {
 
 enum class Side
@@ -26,13 +26,13 @@ class AxisImage
 public:
     explicit AxisImage(const PointingModel& model);
 
-    // Boxes that hold all of a keep-out, upright and over the top, on one turn each; those that go all round are a full
-    // turn wide or more.
+    // Boxes that contain a whole keep-out, upright and over the top, each on one turn. A keep-out that goes all round
+    // gets boxes of a full turn or more.
     [[nodiscard]] std::vector<AxisBox> of(const KeepOut& keepOut) const;
-    // The horizon as a line that the axes stay above. Over the top they stay below one: it is given as its image,
+    // The horizon as a line that the axes must stay above. Over the top they must stay below a line, which is the image
     // turned by 180° and with 180° - elevation.
     [[nodiscard]] std::vector<HorizonPoint> of(const Skyline& horizon, Side side) const;
-    // The cap of the zenith that goes with a horizon which reaches into it.
+    // The cap of the zenith, if the horizon reaches into it.
     [[nodiscard]] std::vector<AxisBox> capOf(const Skyline& horizon) const;
 
 private:
@@ -50,7 +50,7 @@ private:
 
     PointingModel m_model;
     Angle m_skew;
-    TravelRange m_tame;  // the elevations between the caps
+    TravelRange m_tame;  // the elevations between the two caps
 };
 
 }  // namespace boresight::pointing

@@ -11,7 +11,7 @@ namespace {
 constexpr double kLightSpeed = 299'792'458.0;  // m/s
 constexpr double kDishFactor = 70.0;           // degrees
 constexpr double kGainTimesArea = 26'000.0;    // square degrees
-constexpr double kLossAtWidth = 12.0;          // dB, one beam width off: 3 dB at half of it
+constexpr double kLossAtWidth = 12.0;          // dB at an offset of one beam width; 3 dB at half of it
 
 }  // namespace
 

@@ -5,19 +5,19 @@
 
 #include <optional>
 
-// The main lobe of an antenna, as far as its half-power width describes it. Pure.
+// The main lobe of an antenna, described by its half-power width. Pure.
 namespace boresight::pointing {
 
-// Half-power beam width of a round dish: 70° λ/D, for a feed that lights the rim 10 dB less than the middle (Stutzman
-// and Thiele, Antenna Theory and Design). `diameter` in m, `frequency` in Hz, both above zero.
+// Half-power beam width of a round dish: 70° λ/D, for a feed that illuminates the rim 10 dB less than the centre
+// (Stutzman and Thiele, Antenna Theory and Design). `diameter` in m, `frequency` in Hz, both above zero.
 [[nodiscard]] Angle beamWidthOfDish(double diameter, double frequency);
 
-// Half-power beam width of an antenna of this gain (dBi) whose beam is as wide as it is high: θ² = 26,000 / G (the same
-// book). At most 180°.
+// Half-power beam width of an antenna with this gain (dBi) and a beam of equal width and height: θ² = 26,000 / G (the
+// same book). At most 180°.
 [[nodiscard]] Angle beamWidthOfGain(double gain);
 
-// How much weaker a signal is `off` the middle of the beam, dB: 12 (off/width)². Empty beyond one beam width, where the
-// main lobe ends.
+// Loss in dB of a signal at the angle `off` from the centre of the beam: 12 (off/width)². Empty beyond one beam width,
+// where the main lobe ends.
 [[nodiscard]] std::optional<double> pointingLoss(Angle off, Angle beamWidth);
 
 }  // namespace boresight::pointing

@@ -9,7 +9,7 @@
 namespace boresight::pointing {
 namespace {
 
-// Two halves that overlap: a keep-out ends where it begins at the latest.
+// Two halves that overlap, because a keep-out cannot span a full circle.
 std::vector<KeepOut> atAllAzimuths(const std::vector<KeepOut>& keepOuts)
 {
     std::vector<KeepOut> all;
@@ -58,8 +58,9 @@ PointingTerms withoutAxis(const PointingTerms& terms, Axis missing)
                : PointingTerms{.azimuthOffset = terms.azimuthOffset};
 }
 
-// At one elevation the nearest azimuth is that of the place. At one azimuth the nearest elevation is where the great
-// circle from the place meets the line from horizon to zenith at a right angle; farther round it is an end of the line.
+// With a missing azimuth the nearest direction has the azimuth of the place. With a missing elevation the nearest
+// elevation is where the great circle from the place meets the line from horizon to zenith at a right angle. If that is
+// beyond an end of the line, it is this end.
 Angle leastAngleBetween(const SkyPointing& beam, const SkyPointing& place, Axis missing)
 {
     if (missing == Axis::Azimuth) {

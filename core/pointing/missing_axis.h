@@ -5,22 +5,23 @@
 #include "core/pointing/region.h"
 #include "core/units/sky.h"
 
-// A mount with one axis: the other one stands at 0. Nobody knows where the beam is in the angle that is missing, so
-// what is forbidden for one value of it is forbidden for all. Pure.
+// A mount with one axis. The angle of the missing axis is computed as 0, but the true direction of the beam in that
+// angle is unknown. So a direction that is forbidden for one value of the angle is forbidden for all values. Pure.
 namespace boresight::pointing {
 
-// Around 0, wide enough not to be a slit (slits.h).
+// Around 0, and wide enough not to be closed as a slit (slits.h).
 inline constexpr TravelRange kMissingAxisTravel{.min = Angle::fromDegrees(-1.0), .max = Angle::fromDegrees(1.0)};
 
-// What is left of the region for the other axis. The limits of the missing axis are gone. A keep-out holds for all its
-// angles. Without an azimuth the highest point of the horizon holds, without an elevation there is no horizon.
+// The part of the region that applies to the other axis. The limits of the missing axis are removed. A keep-out applies
+// to all its angles. Without an azimuth the highest point of the horizon applies everywhere. Without an elevation there
+// is no horizon.
 [[nodiscard]] Region withoutAxis(Region region, Axis missing);
 
-// The terms that need nothing of the missing axis: the zero point of the other one, and what gravity does to an
-// elevation. Tilt, collimation and non-perpendicularity move one angle by the other, which is not known.
+// The terms that do not depend on the missing axis: the zero point of the other axis, and the sag of an elevation.
+// Tilt, collimation and non-perpendicularity shift one angle by an amount that depends on the other, which is unknown.
 [[nodiscard]] PointingTerms withoutAxis(const PointingTerms& terms, Axis missing);
 
-// The nearest that the beam can be to `place`, whatever its missing angle is.
+// The smallest possible angle between the beam and `place`, whatever the missing angle is.
 [[nodiscard]] Angle leastAngleBetween(const SkyPointing& beam, const SkyPointing& place, Axis missing);
 
 }  // namespace boresight::pointing

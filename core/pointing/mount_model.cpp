@@ -45,16 +45,19 @@ AngularRate AxisGeometry::toAxis(MotorRate rate) const
 namespace {
 
 // A target that jitters across an end of the travel (359.9°, 0.1° on a 0…360° mount) must not send the mount round for
-// each of its points: this much beyond the end, the end itself will do. A small beam is still several times wider.
+// each point. A direction beyond the end by at most this angle is taken as the end. Even a narrow beam is several times
+// wider.
 const Angle kEndTolerance = Angle::fromDegrees(0.25);
 
-// A direction that a collimation keeps the beam from at the zenith: this near to it is as good.
+// A collimation keeps the beam from a hole at the zenith. A direction inside the hole counts as reached within this
+// angle.
 const Angle kHoleTolerance = Angle::fromDegrees(0.5);
 
-// In the middle of a gap both ends are equally near: the other one must be better by this much to be worth the way.
+// In the middle of a gap both ends are nearly equally near. The mount changes to the other end only if that is nearer
+// by this angle.
 const Angle kEndPreference = Angle::fromDegrees(1.0);
 
-// An angle just past the limit is not printed as the limit itself.
+// Prints an angle just past the limit with enough digits to differ from the limit.
 QString past(const QString& sentence, Angle angle, Angle limit)
 {
     const int decimals = abs(angle - limit) < Angle::fromDegrees(0.1) ? 2 : 1;
@@ -79,7 +82,7 @@ void addReason(Resolved& resolved, const QString& reason)
     resolved.reason += (resolved.reason.isEmpty() ? QString() : QStringLiteral(", ")) + reason;
 }
 
-// Of the turns of `azimuth` inside the travel the one nearest to `now`; none if it lies in a gap.
+// The turn of `azimuth` inside the travel that is nearest to `now`. Empty if the azimuth lies in a gap of the travel.
 std::optional<Angle> turnInside(const TravelRange& travel, Angle azimuth, Angle now)
 {
     const Angle near = azimuth.nearestTo(now);
@@ -95,7 +98,7 @@ std::optional<Angle> turnInside(const TravelRange& travel, Angle azimuth, Angle 
     return reaches(travel, back) ? std::optional(travel.clamped(back)) : std::nullopt;
 }
 
-// Angle on the sky between two places, as its cosine: larger is nearer.
+// The cosine of the angle on the sky between two places: larger is nearer.
 double nearness(const AxisPosition& axes, const AxisPosition& wanted)
 {
     const double e = axes.elevation.radians();
@@ -103,8 +106,8 @@ double nearness(const AxisPosition& axes, const AxisPosition& wanted)
     return std::sin(e) * std::sin(s) + std::cos(e) * std::cos(s) * std::cos((axes.azimuth - wanted.azimuth).radians());
 }
 
-// The nearest permitted point when azimuth has to stay at `end`: there the sky distance to what is wanted is least at
-// atan2(sin E, cos E cos D), D being the azimuth that is missing.
+// The nearest permitted point when the azimuth has to stay at `end`. The distance on the sky is smallest at the
+// elevation atan2(sin E, cos E cos D), where D is the missing azimuth.
 AxisPosition nearestAtEnd(const TravelRange& travel, Angle end, const AxisPosition& wanted)
 {
     const double missing = (wanted.azimuth - end).radians();
@@ -156,7 +159,7 @@ const AxisGeometry& MountModel::axis(Axis which) const
     return which == Axis::Azimuth ? m_azimuth : m_elevation;
 }
 
-// Where a direction above 90° is reached over the top.
+// The axis angles for a direction above 90°, reached over the top.
 std::optional<AxisPosition> MountModel::overTheTop(const SkyPointing& direction, const AxisPosition& now) const
 {
     const AxisPosition wanted = present(m_pointing.toAxes(direction).axes);

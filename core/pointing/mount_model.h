@@ -9,12 +9,12 @@
 #include <array>
 #include <optional>
 
-// The one place where a direction in the sky, the mechanical angles of the axes and the turns of the motors become one
-// another. Pure values, any thread. Requirements: tests/REQUIREMENTS.md.
+// The only place that converts between directions in the sky, mechanical angles of the axes and turns of the motors.
+// Pure values, any thread. Requirements: tests/REQUIREMENTS.md.
 namespace boresight::pointing {
 
-// Where the gearbox between motor and axis is reckoned with. When the drive knows the ratio it already reports turns of
-// the axis, and the factor on our side is 1.
+// Where the gear ratio between motor and axis is applied. A drive that knows the ratio reports turns of the axis, and
+// then our factor is 1.
 enum class GearIn
 {
     Drive,
@@ -24,7 +24,7 @@ enum class GearIn
 // motor turns = sign × (angle + offset) / 360° × ratio
 struct AxisGeometry
 {
-    int sign = 1;  // +1 or -1: does the motor count up when the axis angle grows?
+    int sign = 1;  // +1 if the motor count grows with the axis angle, else -1
     Angle offset{};
     double gearRatio = 1.0;  // motor turns per turn of the axis
     GearIn gearIn = GearIn::Drive;
@@ -39,11 +39,11 @@ struct AxisGeometry
     bool operator==(const AxisGeometry&) const = default;
 
 private:
-    [[nodiscard]] double turnsPerTurn() const;  // signed factor from turns of the axis to turns as the drive counts
+    [[nodiscard]] double turnsPerTurn() const;  // turns as the drive counts them, per turn of the axis, with sign
 };
 
-// How the axes reach a direction. `limited` says that they cannot reach it exactly, and why: the caller decides whether
-// the nearest permitted point will do or the command is refused.
+// The axis angles for a direction. If the axes cannot reach it exactly, `limited` is set and `reason` says why. Then
+// the caller decides whether to use the nearest permitted point or to refuse the command.
 struct Resolved
 {
     AxisPosition position{};  // always inside both ranges
@@ -60,35 +60,38 @@ public:
     [[nodiscard]] const AxisGeometry& elevation() const { return m_elevation; }
     [[nodiscard]] const AxisGeometry& axis(Axis which) const;
 
-    // How the true direction differs from what the axes show. Directions are true here, places of the axes mechanical.
+    // The difference between true directions and axis angles. In this class directions are true, positions of the axes
+    // are mechanical.
     [[nodiscard]] const PointingModel& pointing() const { return m_pointing; }
     void setPointing(const PointingModel& pointing);
 
-    // The mount has no such axis: it stands at 0, nothing is asked of it, and no other angle depends on it.
+    // The mount has no such axis: its angle is always 0, it is never moved, and no other angle depends on it.
     void leaveOut(Axis axis);
     [[nodiscard]] std::optional<Axis> missing() const { return m_missing; }
 
-    // Directions are resolved into these ranges, which are the travel of the axes unless set otherwise: a place on a
-    // turn outside of the limits of operation is no answer. Ranges with nothing in them change nothing.
+    // Limits the result of resolve() to these ranges. The default is the travel of the axes. So a result never lies on
+    // a turn outside the soft limits. Empty ranges are ignored.
     void limitTo(const TravelRange& azimuths, const TravelRange& elevations);
 
-    // The axis angles for a direction: of all turns inside the range the one nearest to `now`, so that a path through
-    // north goes on as long as the cable allows. `now` is where the axes are heading (the last target), or where they
-    // stand if there is none. Elevation above 90° is taken over the top if the travel allows it, else as the equal
-    // direction (azimuth + 180°, 180° - elevation). A direction out of reach gives the permitted point nearest to it.
+    // The axis angles for a direction. Among all turns inside the range it takes the one nearest to `now`, so that a
+    // track through north continues as far as the cable allows. `now` is the last target, or the present position if
+    // there is none. An elevation above 90° is reached over the top if the travel allows that, else as the equivalent
+    // direction (azimuth + 180°, 180° - elevation). For an unreachable direction the result is the nearest permitted
+    // point.
     [[nodiscard]] Resolved resolve(const SkyPointing& direction, const AxisPosition& now) const;
 
-    // Mechanical angles taken as they are: out-of-travel angles are brought to the end of the travel and `limited`.
+    // Takes mechanical angles unchanged. Angles outside the travel become the end of the travel, and `limited` is set.
     [[nodiscard]] Resolved resolve(const AxisPosition& position) const;
 
-    // Where the beam points: azimuth in [0°, 360°), elevation -90…90° (over the top is turned to its sky place).
+    // The direction of the beam: azimuth in [0°, 360°), elevation -90…90°. A beam over the top is converted to its
+    // direction in the sky.
     [[nodiscard]] SkyPointing toSky(const AxisPosition& position) const
     {
         return present(upright(m_pointing.toSky(position)));
     }
 
 private:
-    // An AxisPosition or a SkyPointing with 0 for an axis that is missing.
+    // Sets the angle of a missing axis to 0. `Place` is AxisPosition or SkyPointing.
     template <class Place>
     [[nodiscard]] Place present(Place place) const
     {

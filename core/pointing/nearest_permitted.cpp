@@ -19,16 +19,16 @@ Angle gap(const TravelRange& range, Angle angle)
     return std::max({range.min - angle, angle - range.max, Angle{}});
 }
 
-// The nearest permitted place lies at the azimuth or the elevation asked for on an edge of a keep-out or a limit, where
-// two such edges cross, at a corner of the horizon, at the foot of the shortest way to one of its lines, or where a
-// line crosses an edge. What is farther away than the best place so far is passed over.
+// The nearest permitted place is one of these candidates: the wanted azimuth or elevation on an edge of a keep-out or a
+// limit, the crossing of two such edges, a corner of the horizon, the foot of the perpendicular to a line of the
+// horizon, or the crossing of a line and an edge. Candidates farther away than the best place so far are skipped.
 class Search
 {
 public:
     Search(const PermittedRegion& region, const AxisPosition& wanted)
         : m_region(region),
           m_wanted(wanted),
-          // At the zenith any azimuth would do: keep a little, so that the axis does not turn for nothing.
+          // At the zenith any azimuth would do. A small weight remains, so that the axis does not turn without need.
           m_width(std::max(0.05, std::abs(std::cos(wanted.elevation.radians()))))
     {
         const TravelRange& elevations = region.ranges().elevation;
@@ -39,7 +39,7 @@ public:
         }
     }
 
-    // An edge at this azimuth, and what crosses it.
+    // Tries an edge at this azimuth and everything that crosses it.
     void tryAzimuth(Angle azimuth, const TravelRange& elevations = kAll)
     {
         if (squareOf(abs(azimuth - m_wanted.azimuth), gap(elevations, m_wanted.elevation)) >= m_bestSquare) {
@@ -53,7 +53,7 @@ public:
         tryGround(azimuth);
     }
 
-    // A line of the horizon, or its image over the top, as the axes see it.
+    // Tries a line of the horizon, or its image over the top, in axis angles.
     void tryLine(const HorizonPoint& a, const HorizonPoint& b)
     {
         const TravelRange heights{std::min(a.elevation, b.elevation), std::max(a.elevation, b.elevation)};
@@ -81,7 +81,7 @@ public:
     [[nodiscard]] std::optional<AxisPosition> best() const { return m_best; }
 
 private:
-    // An elevation that the axes can move along at these azimuths.
+    // An elevation along which the axes can move at these azimuths.
     struct Level
     {
         Angle elevation;

@@ -9,8 +9,8 @@ namespace boresight::pointing {
 
 class PermittedRegion;
 
-// The permitted place nearest on the sky, azimuth counted as wide as it is at this elevation; the turn is kept. Empty
-// when nothing at all is permitted. Pure values, any thread.
+// The permitted place that is nearest on the sky, where azimuth counts as wide as it is at this elevation. Keeps the
+// turn. Empty if nothing is permitted. Pure values, any thread.
 [[nodiscard]] std::optional<AxisPosition> nearestPermitted(const PermittedRegion& region, const AxisPosition& place);
 
 }  // namespace boresight::pointing

@@ -21,7 +21,7 @@ TravelRange shifted(const TravelRange& range, Angle by)
     return {.min = range.min + by, .max = range.max + by};
 }
 
-// More than an edge in common.
+// True if they share more than an edge.
 bool overlap(const TravelRange& a, const TravelRange& b)
 {
     return a.max > b.min + kRounding && a.min < b.max - kRounding;
@@ -37,7 +37,7 @@ bool within(const TravelRange& inner, const TravelRange& outer)
     return inner.min >= outer.min - kRounding && inner.max <= outer.max + kRounding;
 }
 
-// Takes away from `range` what lies beyond `obstacle`, which is beside `kept`.
+// Removes from `range` everything on the far side of `obstacle`, which lies beside `kept`.
 void cut(TravelRange& range, const TravelRange& kept, const TravelRange& obstacle)
 {
     if (obstacle.min >= kept.max - kRounding) {
@@ -52,13 +52,13 @@ TravelRange hull(const TravelRange& a, const TravelRange& b)
     return {.min = std::min(a.min, b.min), .max = std::max(a.max, b.max)};
 }
 
-// Does `after` begin where `before` ends, or hardly later?
+// True if `after` begins where `before` ends, or within the width of a slit.
 bool follows(const TravelRange& before, const TravelRange& after)
 {
     return after.min >= before.max - kRounding && after.min <= before.max + kSlit;
 }
 
-// What closes the way between two boxes of which the second follows the first along one axis.
+// The box that closes the slit between two boxes, where `b` follows `a` along one axis.
 std::optional<AxisBox> slitBetween(const AxisBox& a, const AxisBox& b)
 {
     AxisBox slit{.azimuth = common(a.azimuth, b.azimuth), .elevation = common(a.elevation, b.elevation)};
@@ -99,12 +99,12 @@ PermittedRegion::PermittedRegion(const Region& region, const TravelRange& azimut
         layOut(cap, m_keepOuts.size());
     }
     closeSlits();
-    dropCovered();  // at once: the next round compares each with each
-    closeSlits();   // where three meet, between what the first round closed
+    dropCovered();  // before the next round, which compares all pairs
+    closeSlits();   // slits where three boxes meet, next to the boxes that the first round added
     dropCovered();
 }
 
-// On every turn that can be reached.
+// Adds the box on every turn that the axis can reach.
 void PermittedRegion::layOut(const AxisBox& box, std::size_t index)
 {
     const TravelRange& azimuth = m_ranges.azimuth;
@@ -119,8 +119,8 @@ void PermittedRegion::layOut(const AxisBox& box, std::size_t index)
     }
 }
 
-// What reaches the end of a range goes on beyond it: below a mast that begins at 0° there is no way, not either for a
-// mount that leans so that its own 0° are lower there.
+// A box that reaches the end of a range is extended beyond that end. Otherwise the axes could pass below a mast that
+// begins at 0°, on a mount whose lean puts its own 0° lower there.
 void PermittedRegion::add(AxisBox box, std::size_t index)
 {
     const bool empty = box.azimuth.max - box.azimuth.min <= 2.0 * kRounding ||
@@ -153,7 +153,7 @@ void PermittedRegion::closeSlits()
     }
 }
 
-// Boxes that lie in another one say nothing.
+// Removes boxes that lie completely inside another box.
 void PermittedRegion::dropCovered()
 {
     for (std::size_t i = m_boxes.size(); i-- > 0;) {
@@ -220,7 +220,7 @@ QString PermittedRegion::reason(const AxisPosition& place) const
     return trueReason(place);
 }
 
-// In the words of who drew it: true directions, which count no turns.
+// In terms of the drawn horizon and keep-outs: true directions without turns.
 QString PermittedRegion::trueReason(const AxisPosition& place) const
 {
     if (const KeepOut* const keepOut = keepOutAt(place)) {

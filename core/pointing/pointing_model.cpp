@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The chain from the axes to the sky. The beam stands at the collimation off the right angle to the elevation axis, is
-// turned about that axis by the elevation, about the line below it by the non-perpendicularity, about the azimuth axis
-// by the azimuth, and leans with the mast. `forward`, `right` and `up` are the beam as the turning mount sees it.
+// The chain from the axes to the sky. The beam differs from the right angle to the elevation axis by the collimation.
+// It is turned about that axis by the elevation, about the line below it by the non-perpendicularity, and about the
+// azimuth axis by the azimuth. Then it leans with the mast. `forward`, `right` and `up` are the beam in the frame of
+// the turning mount.
 #include "core/pointing/pointing_model.h"
 
 #include "core/pointing/ranges.h"
@@ -12,10 +13,8 @@ namespace boresight::pointing {
 
 namespace {
 
-// A direction less than this inside the hole at the zenith is on its edge; rounding alone is 1e-14°.
-
-// Near the zenith of a leaning mount axis and beam may be half a turn apart. Of the two turns that are then as near,
-// one way takes the lower and the way back the upper: so the turn is kept, whatever rounding does.
+// Near the zenith of a leaning mount, axis and beam may differ by half a turn. Then two turns are equally near. toSky()
+// takes the lower and toAxes() the upper of them, so that the turn is kept in spite of rounding.
 constexpr Angle kBelow = Angle::fromDegrees(1e-6);
 
 Angle angleOf(double y, double x)
@@ -45,7 +44,7 @@ Angle PointingModel::skew() const
            abs(m_terms.collimation) + abs(m_terms.nonPerpendicularity);
 }
 
-// Turned about the horizontal line across the lean, as the mast is; backwards with the sine negated.
+// Turns the vector about the horizontal line across the lean, as the mast is turned. A negated sine turns it back.
 PointingModel::Vector PointingModel::leant(const Vector& v, double sinTilt) const
 {
     const double along = v.north * m_lean.cos + v.east * m_lean.sin;
@@ -56,7 +55,7 @@ PointingModel::Vector PointingModel::leant(const Vector& v, double sinTilt) cons
             .up = v.up * m_tilt.cos - along * sinTilt};
 }
 
-// Gravity goes with the cosine of where the beam comes to hang. Newton: a sag of 10° takes five steps.
+// The sag depends on the cosine of the final elevation of the beam. Newton's method: a sag of 10° takes five steps.
 Angle PointingModel::withSag(Angle mechanical) const
 {
     constexpr int kSteps = 8;
@@ -108,7 +107,7 @@ Aim PointingModel::toAxes(const SkyPointing& direction) const
         leant({.north = above.cos * around.cos, .east = above.cos * around.sin, .up = above.sin}, -m_tilt.sin);
     const double raised = (beam.up + m_collimation.sin * m_crossing.sin) / m_crossing.cos;
     const double right = m_collimation.sin * m_crossing.cos + raised * m_crossing.sin;
-    // From the horizontal part, not from `raised`, which hardly changes near the zenith.
+    // Computed from the horizontal part, because `raised` hardly changes near the zenith.
     const double level = std::hypot(beam.north, beam.east);
     const double ahead = std::sqrt(std::fmax((level - right) * (level + right), 0.0));
     const bool overTheTop = direction.elevation > 90_deg;
@@ -120,7 +119,7 @@ Aim PointingModel::toAxes(const SkyPointing& direction) const
             .miss = ahead > 0.0 ? Angle{} : missAt(beam)};
 }
 
-// How much nearer to the zenith (or nadir) of the mount a direction is than the beam can come.
+// How much nearer to the zenith (or nadir) of the mount a direction is than the beam can get.
 Angle PointingModel::missAt(const Vector& wanted) const
 {
     const double raised = std::copysign(m_collimation.cos, wanted.up);

@@ -3,37 +3,38 @@
 
 #include "core/units/sky.h"
 
-// How the true direction of the beam differs from what the axes show: the zero points of both axes, a mast that is not
-// plumb, a beam and axes that are not at right angles, and gravity. No sum of small corrections but a chain of
-// rotations, so that the way back is exact everywhere, also at the zenith and over the top. Pure values, any thread.
+// The difference between the true direction of the beam and the angles of the axes: the zero points of both axes, a
+// mast that is not vertical, a beam and axes that are not at right angles, and gravity. It is not a sum of small
+// corrections but a chain of rotations, so the inverse is exact everywhere, also at the zenith and over the top. Pure
+// values, any thread.
 //
-// To first order, A and E being azimuth and elevation of the axes after their offsets:
+// To first order, with A and E as azimuth and elevation of the axes after their offsets:
 //   true azimuth   = A + (tiltEast cos A - tiltNorth sin A) tan E + collimation / cos E + nonPerpendicularity tan E
 //   true elevation = E - tiltNorth cos A - tiltEast sin A - elevationSag cos E
-// These are the terms of TPOINT (P. T. Wallace), there IA = -azimuthOffset, IE = elevationOffset, AN = tiltNorth,
+// These are the terms of TPOINT (P. T. Wallace): IA = -azimuthOffset, IE = elevationOffset, AN = tiltNorth,
 // AW = -tiltEast, CA = -collimation, NPAE = -nonPerpendicularity, TF = elevationSag. The model of Haystack (Meeks, Ball
 // and Hull, IEEE Trans. AP-16, 1968) and that of the VLBI Field System (Himwich, 1993; P1, P7, P5, P6, P4, P3, P8) have
-// the same seven. Gravity has no term in azimuth: it pulls in the plane in which a vertical mount moves its elevation.
+// the same seven. Gravity has no term in azimuth: it acts in the plane in which a vertical mount moves its elevation.
 namespace boresight::pointing {
 
 struct PointingTerms
 {
-    Angle azimuthOffset;        // the true azimuth where the axis shows 0°; any angle
-    Angle elevationOffset;      // the true elevation where the axis shows 0°
+    Angle azimuthOffset;        // the true azimuth at the axis angle 0°; any angle
+    Angle elevationOffset;      // the true elevation at the axis angle 0°
     Angle tiltNorth;            // the azimuth axis leans to the north
     Angle tiltEast;             // and to the east
-    Angle collimation;          // the beam looks past the right angle to the elevation axis, clockwise
-    Angle nonPerpendicularity;  // the elevation axis leans: a beam to the zenith is moved clockwise
-    Angle elevationSag;         // how much lower the beam hangs at the horizon than at the zenith
+    Angle collimation;          // clockwise angle of the beam from the right angle to the elevation axis
+    Angle nonPerpendicularity;  // lean of the elevation axis: moves a beam at the zenith clockwise
+    Angle elevationSag;         // how much lower the beam points at the horizon than at the zenith
 
     bool operator==(const PointingTerms&) const = default;
 };
 
-// Where the axes look into a direction. A collimation keeps a beam from its zenith, as a hole of that size.
+// The axis angles for a direction. A collimation keeps the beam out of a hole of that size around the zenith.
 struct Aim
 {
     AxisPosition axes;
-    Angle miss;  // by how much the nearest place of the axes looks past a direction in that hole; else zero
+    Angle miss;  // the remaining error for a direction inside the hole; otherwise zero
 
     [[nodiscard]] bool exact() const { return miss == Angle{}; }
 };
@@ -41,19 +42,19 @@ struct Aim
 class PointingModel
 {
 public:
-    PointingModel() = default;  // the axes show the truth; every value is passed through as it is
+    PointingModel() = default;  // no terms: every value is passed through unchanged
     explicit PointingModel(const PointingTerms& terms);
 
     [[nodiscard]] const PointingTerms& terms() const { return m_terms; }
     [[nodiscard]] bool isIdentity() const { return m_terms == PointingTerms{}; }
-    // More than offsets and sag: then azimuth and elevation depend on each other.
+    // There are terms other than offsets and sag. Then azimuth and elevation depend on each other.
     [[nodiscard]] bool isSkewed() const { return skew() != Angle{}; }
-    // As far as tilt, collimation and non-perpendicularity together can move the beam.
+    // The largest angle by which tilt, collimation and non-perpendicularity together can move the beam.
     [[nodiscard]] Angle skew() const;
 
-    // Both ways keep what a direction alone does not tell: the turn of the azimuth, which is the one nearest to the
-    // other azimuth ± the offset, and whether the beam looks over the top, which is an elevation above 90° on both
-    // sides.
+    // Both conversions keep two things that a direction alone does not contain. One is the turn of the azimuth: the
+    // result is on the turn nearest to the argument ± the offset. The other is the side of the zenith: an elevation
+    // above 90° means over the top for both types.
     [[nodiscard]] SkyPointing toSky(const AxisPosition& axes) const;
     [[nodiscard]] Aim toAxes(const SkyPointing& direction) const;
 
@@ -80,13 +81,14 @@ private:
 
     PointingTerms m_terms;
     Angle m_azimuthOffset;  // within half a turn
-    Turn m_lean;            // towards where the azimuth axis leans
-    Turn m_tilt;            // how much
+    Turn m_lean;            // direction of the lean of the azimuth axis
+    Turn m_tilt;            // size of the lean
     Turn m_collimation;
     Turn m_crossing;  // of the axes: the non-perpendicularity
 };
 
-// The direction as an observer reports it: azimuth in [0°, 360°), over the top turned to its place in the sky.
+// The direction in observer's coordinates: azimuth in [0°, 360°), a direction over the top converted to its place in
+// the sky.
 [[nodiscard]] SkyPointing upright(const SkyPointing& direction);
 
 }  // namespace boresight::pointing

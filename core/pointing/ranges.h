@@ -5,11 +5,11 @@
 
 #include <algorithm>
 
-// Ranges of angles, and how exactly they are compared: what every shape on the sky is computed with. Pure.
+// Ranges of angles and their comparison, for all shapes on the sky. Pure.
 namespace boresight::pointing {
 
 inline constexpr Angle kFullTurn = Angle::fromTurns(1.0);
-// Two ways to compute one angle differ by less. An end of a travel lies inside it.
+// Two ways to compute the same angle differ by less than this. The end of a travel counts as inside.
 inline constexpr Angle kRounding = Angle::fromDegrees(1e-9);
 inline constexpr Angle kBeyond = Angle::fromDegrees(3600.0);  // farther than any axis turns
 

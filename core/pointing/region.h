@@ -6,13 +6,14 @@
 #include <string>
 #include <vector>
 
-// Where the mount may point, beyond what the travel of its axes allows: limits of operation (mechanical angles), the
-// horizon seen from the mount and named parts of the sky that the beam must stay out of. Limits count turns of the
-// cable; horizon and keep-outs are directions of the beam and hold for every turn and for a beam that looks over the
-// top. Plain values of the profile: what is drawn, edited and enforced is this one object.
+// Where the mount may point, in addition to the travel of its axes: soft limits (mechanical angles), the horizon seen
+// from the mount, and named keep-outs. Limits count turns of the cable. Horizon and keep-outs are directions of the
+// beam, so they apply on every turn and over the top. Plain values of the profile: the same object is drawn, edited and
+// enforced.
 namespace boresight::pointing {
 
-// The beam stays at or above the line through these points, straight in azimuth and elevation, closed through north.
+// The beam stays at or above the line through these points. The line is straight in azimuth and elevation and closed
+// through north.
 struct HorizonPoint
 {
     Angle azimuth;  // [0°, 360°)
@@ -21,11 +22,11 @@ struct HorizonPoint
     bool operator==(const HorizonPoint&) const = default;
 };
 
-// The beam stays out of this part of the sky; its edge is permitted.
+// The beam stays out of this part of the sky. Its edge is permitted.
 struct KeepOut
 {
     std::string name;
-    Angle azimuthFrom;  // [0°, 360°), clockwise to azimuthTo; from 350° to 10° passes through north
+    Angle azimuthFrom;  // [0°, 360°), clockwise to azimuthTo; from 350° to 10° includes north
     Angle azimuthTo;
     Angle elevationMin;
     Angle elevationMax;
@@ -35,10 +36,10 @@ struct KeepOut
 
 struct Region
 {
-    // Wider than the travel: the travel alone counts.
+    // The defaults are wider than any travel, so only the travel limits the axes.
     TravelRange azimuth{.min = Angle::fromDegrees(-3600.0), .max = Angle::fromDegrees(3600.0)};
     TravelRange elevation{.min = Angle::fromDegrees(-3600.0), .max = Angle::fromDegrees(3600.0)};
-    std::vector<HorizonPoint> horizon;  // by azimuth, each azimuth once; empty: no horizon
+    std::vector<HorizonPoint> horizon;  // sorted by azimuth, each azimuth once; empty: no horizon
     std::vector<KeepOut> keepOuts;
 
     bool operator==(const Region&) const = default;

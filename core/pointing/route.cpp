@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is forbidden is a set of rectangles: the keep-outs as the axes see them and, between the azimuths at which
-// anything begins or ends, the highest horizon. A way that exists at all leads from corner to corner of them, so their
-// corners are the places worth turning at. Among them the quickest way is searched (A*).
+// The forbidden places are a set of rectangles: the keep-outs in axis angles, and the highest horizon between the
+// azimuths at which anything begins or ends. If there is a way, there is one from corner to corner of these rectangles.
+// So only the corners are candidates for turning. A* searches the quickest way among them.
 #include "core/pointing/route.h"
 
 #include "core/base/text.h"
@@ -21,13 +21,13 @@ namespace {
 
 const Angle kHardly = Angle::fromDegrees(1e-6);
 
-// What a search may still cost.
+// The number of steps that a search may still use.
 class Effort
 {
 public:
     explicit Effort(std::size_t steps) : m_left(steps) {}
 
-    // Whether there is enough left for that; when there was not, there is nothing left.
+    // True if that many steps were left. If not, no steps are left afterwards.
     bool spend(std::size_t steps)
     {
         m_left = steps < m_left ? m_left - steps : 0;
@@ -51,7 +51,8 @@ std::vector<Angle> columns(const PermittedRegion& region, const AxisPosition& fr
     const TravelRange& range = region.ranges().azimuth;
     std::vector<Angle> sides{from.azimuth, to.azimuth, range.min, range.max};
     for (const AxisPosition& end : {from, to}) {
-        const TravelRange level = region.azimuthsAround(AxisBox::at(end));  // until the horizon rises above it
+        // The horizontal reach, until the horizon rises above it.
+        const TravelRange level = region.azimuthsAround(AxisBox::at(end));
         sides.push_back(level.min);
         sides.push_back(level.max);
     }
@@ -63,11 +64,11 @@ std::vector<Angle> columns(const PermittedRegion& region, const AxisPosition& fr
     return sides;
 }
 
-// A place to turn at. Around the corner of a rectangle a way leads from one of the two quadrants beside it to the
-// other: those to the upper right and the lower left of a `Falling` corner, of a `Rising` one the other two.
+// A place where the route may turn. At a corner of a rectangle the route leads from one neighbouring quadrant to the
+// opposite one: upper right and lower left for a `Falling` corner, the other two for a `Rising` corner.
 enum class Turn
 {
-    Anyhow,  // an end of the way
+    Anyhow,  // start or end of the route
     Falling,
     Rising
 };
@@ -77,7 +78,7 @@ struct Place
     AxisPosition at;
     Turn turn = Turn::Anyhow;
 
-    // Whether a leg to or from there can be one of a way around this corner.
+    // True if a leg to or from `other` can belong to a route around this corner.
     [[nodiscard]] bool leadsTo(const AxisPosition& other) const
     {
         const double rise = (other.azimuth - at.azimuth).degrees() * (other.elevation - at.elevation).degrees();
@@ -96,7 +97,7 @@ void addCorners(std::vector<Place>& places, const AxisBox& keepOut)
     places.push_back({{azimuth.max, elevation.max}, Turn::Rising});
 }
 
-// Where the highest horizon of one column meets a lower one.
+// Adds the places where the highest horizon of a column meets that of a lower column.
 void addSteps(std::vector<Place>& places, const PermittedRegion& region, const std::vector<Angle>& sides)
 {
     for (std::size_t i = 1; i + 1 < sides.size(); ++i) {
@@ -117,7 +118,7 @@ void addSteps(std::vector<Place>& places, const PermittedRegion& region, const s
     }
 }
 
-// Both ends of the way first.
+// The first two places are the ends of the route.
 std::vector<Place> turningPlaces(const PermittedRegion& region, const AxisPosition& from, const AxisPosition& to,
                                  Effort& effort)
 {
@@ -169,7 +170,7 @@ public:
         m_visits[0] = {.time = 0.0, .left = left(0)};
     }
 
-    // Empty where there is none, and when the effort is spent.
+    // Empty if there is no way, or if the steps are used up.
     [[nodiscard]] std::optional<std::vector<AxisPosition>> find()
     {
         while (const auto here = nextOpen()) {
@@ -192,7 +193,7 @@ private:
     struct Visit
     {
         double time = std::numeric_limits<double>::infinity();  // from the start
-        double left = 0.0;                                      // at least, to the end
+        double left = 0.0;                                      // lower bound of the time to the end
         std::size_t before = 0;
         bool done = false;
     };
@@ -211,8 +212,8 @@ private:
         return best;
     }
 
-    // How far each axis can go alone: no leg leads beyond that. The horizon is asked about from a little above, so that
-    // rounding does not make a hill of a plain.
+    // How far each axis can move alone. No leg leads beyond that. The horizon is queried from slightly above the place,
+    // so that rounding does not turn level ground into an obstacle.
     [[nodiscard]] AxisBox inSight(const AxisPosition& place) const
     {
         const AxisBox thin{.azimuth = {place.azimuth, place.azimuth},
@@ -238,7 +239,7 @@ private:
         }
     }
 
-    // At least one leg more, and two where the end is out of sight.
+    // At least one more leg, or two if the end is not in sight.
     [[nodiscard]] double left(std::size_t place) const
     {
         const double legs = place == 1 ? 0.0 : contains(m_endSight, m_places[place].at) ? 1.0 : 2.0;
@@ -264,7 +265,7 @@ private:
     std::vector<Visit> m_visits;
 };
 
-// What stands on the straight line between two places, as seen from the first.
+// The first obstacle on the straight line from the first place to the second.
 QString obstacleBetween(const PermittedRegion& region, const AxisPosition& from, const AxisPosition& to)
 {
     constexpr int kSteps = 2000;
@@ -307,7 +308,7 @@ Result<std::vector<AxisPosition>> route(const PermittedRegion& region, const Axi
     if (region.permits(AxisBox::between(from, to))) {
         return std::vector{to};
     }
-    const auto start = nearestPermitted(region, from);  // out of a forbidden place first
+    const auto start = nearestPermitted(region, from);  // leaves a forbidden place first
     std::vector<AxisPosition> way;
     if (*start != from) {
         way.push_back(*start);

@@ -7,17 +7,17 @@
 #include <cstddef>
 #include <vector>
 
-// The way from one place of the axes to another around what is forbidden. Both axes move independently of each other,
-// so that each leg of a way is one whose whole box is permitted. Pure, any thread.
+// The route from one position of the axes to another around forbidden places. Both axes move independently of each
+// other, so the whole box of each leg must be permitted. Pure, any thread.
 namespace boresight::pointing {
 
-// A search ends after this many comparisons with a keep-out, found or not: the control tick waits for it. Counted, not
-// timed, so that the same request has the same answer on every computer.
+// A search ends after this many comparisons with a keep-out, whether it found a route or not, because the control tick
+// waits for it. The limit is a count, not a time, so that the same request has the same answer on every computer.
 inline constexpr std::size_t kMostSteps = 1'500'000;
 
-// The places to go to one after the other, the last is `to`; one alone if the way is free. An error with its reason
-// when there is none, or when none was found in so many steps. `speed` of the axes decides which of several ways is the
-// quickest; each leg costs `bend` besides.
+// The positions to visit in order, ending with `to`. It is the only one if the direct way is free. An error, with its
+// reason, if there is no way or none was found within kMostSteps. `speed` of the axes decides which way is the
+// quickest. Each leg costs `bend` in addition.
 [[nodiscard]] Result<std::vector<AxisPosition>> route(const PermittedRegion& region, const AxisPosition& from,
                                                       const AxisPosition& to, const AxisRates& speed,
                                                       Seconds bend = Seconds(0.5), std::size_t steps = kMostSteps);

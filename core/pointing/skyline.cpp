@@ -34,7 +34,7 @@ Skyline::Skyline(const std::vector<HorizonPoint>& points) : m_highest(kNowhere)
     }
 }
 
-// Of an azimuth in [0°, 360°).
+// `azimuth` is in [0°, 360°).
 std::size_t Skyline::firstAfter(Angle azimuth) const
 {
     const auto after = std::ranges::upper_bound(m_points, azimuth, {}, &HorizonPoint::azimuth);

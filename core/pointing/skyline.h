@@ -6,30 +6,30 @@
 #include <cstddef>
 #include <vector>
 
-// The horizon of a Region, laid out for quick answers: straight lines between its points, closed through north. Without
-// points it is nowhere in the way. Azimuths are unwrapped; any turn may be asked about. Pure values, any thread.
+// The horizon of a Region, prepared for fast queries: straight lines between its points, closed through north. Without
+// points there is no horizon. Azimuths are unwrapped and may be on any turn. Pure values, any thread.
 namespace boresight::pointing {
 
 class Skyline
 {
 public:
-    // Points in any order; of several at one azimuth the highest counts.
+    // Points in any order. Among several points at one azimuth the highest counts.
     explicit Skyline(const std::vector<HorizonPoint>& points);
 
     [[nodiscard]] bool empty() const { return m_count == 0; }
     [[nodiscard]] Angle peak() const { return m_highest; }
     [[nodiscard]] Angle at(Angle azimuth) const;
-    // The highest elevation of the line between two azimuths, from <= to.
+    // The highest elevation of the line between two azimuths. Requires from <= to.
     [[nodiscard]] Angle highest(Angle from, Angle to) const;
-    // How far one can go clockwise, or anticlockwise, before the line rises above a height that it is not above at
-    // `from`; ten turns if it never does.
+    // How far the azimuth can go clockwise or anticlockwise before the line rises above `height`. At `from` the line
+    // must not be above it. Ten turns if it never rises.
     [[nodiscard]] Angle clearClockwise(Angle from, Angle height) const;
     [[nodiscard]] Angle clearAnticlockwise(Angle from, Angle height) const;
 
     struct Line
     {
         HorizonPoint from;
-        HorizonPoint to;  // its azimuth may be beyond 360°
+        HorizonPoint to;  // its azimuth may exceed 360°
     };
     [[nodiscard]] std::size_t lineCount() const { return m_count; }
     [[nodiscard]] Line line(std::size_t index) const
@@ -42,7 +42,7 @@ private:
     [[nodiscard]] Angle between(std::size_t right, Angle azimuth) const;
 
     std::size_t m_count = 0;
-    std::vector<HorizonPoint> m_points;  // three turns of them, from -360° to 720°, so that both neighbours are there
+    std::vector<HorizonPoint> m_points;  // on three turns, from -360° to 720°, so that every point has both neighbours
     Angle m_highest;
 };
 

@@ -11,7 +11,7 @@ namespace {
 
 const Angle kTouching = Angle::fromDegrees(1e-6);
 
-// The part of a line of the horizon that is at or above a height; min > max if none is.
+// The part of a line of the horizon that is at or above `height`. min > max if no part is.
 TravelRange partAbove(const HorizonPoint& from, const HorizonPoint& to, Angle height)
 {
     if (from.elevation < height && to.elevation < height) {

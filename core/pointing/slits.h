@@ -6,14 +6,14 @@
 
 #include <vector>
 
-// Edges are permitted, so two keep-outs side by side would leave their common edge as a way through, and a keep-out
-// that stands on the horizon or on a limit the line below it. What is narrower than the axes are exact is no way: it is
-// closed here. Pure.
+// Edges are permitted. So two adjacent keep-outs would leave their common edge as a way through. A keep-out that stands
+// on the horizon or on a limit would leave the line below it. A slit that is narrower than the accuracy of the axes is
+// not a way, so it is closed here. Pure.
 namespace boresight::pointing {
 
 inline constexpr Angle kSlit = Angle::fromDegrees(0.05);
 
-// The parts of a keep-out that stand on the horizon, or reach below it, brought down to the ground.
+// The parts of a keep-out that stand on the horizon or reach below it, extended down to the ground.
 [[nodiscard]] std::vector<KeepOut> standingOnHorizon(const KeepOut& keepOut, const Skyline& skyline);
 
 }  // namespace boresight::pointing

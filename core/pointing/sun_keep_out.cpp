@@ -12,10 +12,10 @@ namespace {
 
 constexpr Angle kDown = Angle::fromDegrees(-2.0);
 
-// The Sun's farthest declination is 23.44°. The air lifts its light by 0.6° at most.
+// The largest declination of the Sun is 23.44°. Refraction lifts it by at most 0.6°.
 constexpr Angle kFarthest = Angle::fromDegrees(23.5 + 0.6);
-// The band is laid out in columns of azimuth and probed at steps of elevation. A step moves the declination by no more
-// than itself, so that a band that is wider by a step and longer by a step at each end has nothing left out.
+// The band is divided into columns of azimuth and tested in steps of elevation. A step changes the declination by at
+// most its own size. So a band that is one step wider, and one step longer at each end, misses nothing.
 constexpr int kColumns = 24;
 constexpr Angle kOverlap = Angle::fromDegrees(0.1);
 constexpr Angle kStep = Angle::fromDegrees(0.5);
@@ -25,7 +25,7 @@ double cosine(Angle angle)
     return std::cos(angle.radians());
 }
 
-// Whether the sine of the declination is within ±limit somewhere at this elevation, cos(azimuth) being in a range.
+// True if the sine of the declination is within ±limit for any azimuth whose cosine is in the range, at this elevation.
 bool isInBand(Angle latitude, Angle elevation, double leastCos, double mostCos, double limit)
 {
     const double upright = std::sin(latitude.radians()) * std::sin(elevation.radians());
@@ -46,7 +46,7 @@ std::optional<KeepOut> sunKeepOut(const SkyPointing& sun, Angle radius)
                     .elevationMin = std::max(sun.elevation - radius, -90_deg),
                     .elevationMax = std::min(sun.elevation + radius, 90_deg)};
     if (sun.elevation + radius < 90_deg) {
-        // Where a circle of latitude touches the one around the Sun: sin(width) = sin(radius) / cos(elevation).
+        // Half width of the circle around the Sun in azimuth: sin(width) = sin(radius) / cos(elevation).
         const double width = std::sin(radius.radians()) / std::cos(sun.elevation.radians());
         const Angle half = Angle::fromRadians(std::asin(std::min(width, 1.0)));
         keepOut.azimuthFrom = (sun.azimuth - half).wrapped360();
@@ -64,7 +64,7 @@ std::vector<KeepOut> sunBand(Angle latitude, Angle radius)
     for (int i = 0; i < kColumns; ++i) {
         const Angle from = i * width - kOverlap;
         const Angle to = (i + 1) * width + kOverlap;
-        // The cosine has its ends at 0° and 180°, which are borders of columns.
+        // The cosine has its extremes at 0° and 180°, which are borders of columns.
         const double least = to > 180_deg && from < 180_deg ? -1.0 : std::min(cosine(from), cosine(to));
         const double most = from < 0_deg || to > 360_deg ? 1.0 : std::max(cosine(from), cosine(to));
         bool before = false;

@@ -9,9 +9,9 @@
 namespace boresight::position {
 namespace {
 
-constexpr double kMetres = 1000.0;  // of a kilometre
+constexpr double kMetres = 1000.0;  // in a kilometre
 
-// From one time of the day to another, by the nearest day.
+// The time between two times of day, on the nearest day.
 Seconds between(std::chrono::milliseconds from, std::chrono::milliseconds to)
 {
     constexpr double kDay = 86400.0;
@@ -65,8 +65,8 @@ Result<> PositionFeed::believe(const PositionText& text, SteadyTime now, UtcTime
     return moveTo(text, now);
 }
 
-// Sent again, or overtaken by a newer one. One that arrives later than two times kOldest cannot be older, and times of
-// the day go round.
+// True for a report that was repeated or overtaken by a newer one. A report that arrives later than 2 × kOldest after
+// the last one cannot be older. Times of day alone would not show that, because they repeat every day.
 bool PositionFeed::isKnown(const PositionText& text, SteadyTime now) const
 {
     const Seconds arrived = now - m_arrived;
@@ -78,7 +78,7 @@ bool PositionFeed::isKnown(const PositionText& text, SteadyTime now) const
     return later < Seconds(0.0) || (isSame && (later == Seconds(0.0) || arrived < kEcho));
 }
 
-// After a silence a new way begins, wherever that is: the speed of the mount is limited anyway.
+// After a silence the path begins anew at any place. The speed of the mount is limited anyway.
 Result<> PositionFeed::moveTo(const PositionText& text, SteadyTime now)
 {
     if (isKnown(text, now)) {

@@ -8,16 +8,16 @@
 #include <cstdint>
 #include <optional>
 
-// What is known of something that flies and reports its position now and then: where it was last, how fast it goes, and
-// whether that still counts. A report that is not believed changes nothing. Pure, one thread.
+// The state of a flying object that reports its position from time to time: its last position, its velocity, and
+// whether they are still valid. A report that is not believed changes nothing. Pure, one thread.
 namespace boresight::position {
 
-// Of the profile.
+// From the profile.
 struct FeedLimits
 {
-    QString name = {};        // of what flies; empty: whoever reports
-    Seconds stale{30.0};      // since the last report
-    double fastest = 2000.0;  // m/s, from one report to the next
+    QString name = {};        // call sign; empty: any
+    Seconds stale{30.0};      // without a report for this time the position is stale
+    double fastest = 2000.0;  // m/s, highest believed speed between two reports
 
     bool operator==(const FeedLimits&) const = default;
 };
@@ -25,27 +25,27 @@ struct FeedLimits
 class PositionFeed
 {
 public:
-    // The same position again so soon came by two ways.
+    // The same position again within this time is the same report on a second way.
     static constexpr Seconds kEcho{0.2};
-    // Its last velocity counts so long.
+    // The last velocity is used for this time.
     static constexpr Seconds kExtrapolated{10.0};
-    // A report that is older than this was kept by somebody.
+    // An older report was delayed by some program and is refused.
     static constexpr Seconds kOldest{60.0};
 
-    // A change of the limits forgets what was known.
+    // A change of the limits clears the state.
     void setLimits(const FeedLimits& limits);
-    // The error says why it is not believed. NotAvailable: another call sign, which is no trouble.
+    // The error says why the report is not believed. NotAvailable: a report of another call sign, which is no problem.
     Result<> take(const Result<PositionText>& read, SteadyTime now, UtcTime utc);
 
-    // The last one that was believed.
+    // The last report that was believed.
     [[nodiscard]] const std::optional<PositionText>& last() const { return m_last; }
     [[nodiscard]] std::uint64_t accepted() const { return m_accepted; }
     [[nodiscard]] std::uint64_t refused() const { return m_refused; }
     [[nodiscard]] const QString& lastRefusal() const { return m_lastRefusal; }
     [[nodiscard]] std::optional<Seconds> age(SteadyTime now) const;
-    // NoAnswer with the reason: nothing came, or nothing for too long.
+    // Error NoAnswer with the reason: no report came, or none for too long.
     [[nodiscard]] Result<> isFresh(SteadyTime now) const;
-    // Where it is, on the way that it had. To be asked while it is fresh.
+    // The position at this time, extrapolated with the last velocity. Call it only while isFresh().
     [[nodiscard]] orbit::GroundState at(SteadyTime now) const;
 
 private:
@@ -55,8 +55,8 @@ private:
 
     FeedLimits m_limits;
     std::optional<PositionText> m_last;
-    orbit::Vector m_place{};     // km, fixed to the Earth
-    orbit::Vector m_velocity{};  // km/s
+    orbit::Vector m_place{};     // km, Earth-fixed
+    orbit::Vector m_velocity{};  // km/s, Earth-fixed
     SteadyTime m_arrived{};
     std::uint64_t m_accepted = 0;
     std::uint64_t m_refused = 0;

@@ -33,7 +33,7 @@ std::string_view trimmed(std::string_view text)
                                            : text.substr(first, text.find_last_not_of(kBlank) - first + 1);
 }
 
-// "12:06:04", "12:06:04.5Z", "2026-11-27T12:06:04+00:00". What has no such time has none.
+// The time of day in "12:06:04", "12:06:04.5Z" or "2026-11-27T12:06:04+00:00". Empty for any other text.
 std::optional<Milliseconds> timeOfDay(std::string_view text)
 {
     text = text.substr(text.find('T') == std::string_view::npos ? 0 : text.find('T') + 1);
@@ -101,7 +101,7 @@ Result<PositionText> fromLine(std::string_view text)
     return read;
 }
 
-// By its long name, else by the short one.
+// The value of the long name, or else that of the short one.
 std::optional<double> numberOf(const QJsonObject& object, const QString& name, qsizetype shortened)
 {
     const QJsonValue value = object.contains(name) ? object[name] : object[name.left(shortened)];
@@ -121,7 +121,7 @@ Result<PositionText> fromJson(std::string_view text)
     const QJsonObject object = document.object();
     const QString type = QStringLiteral("type");
     if (object.contains(type) && object[type].toString() != QLatin1String("PAYLOAD_SUMMARY")) {
-        return refused(Text::tr("the object is not a PAYLOAD_SUMMARY"));  // "GPS" is the car that follows
+        return refused(Text::tr("the object is not a PAYLOAD_SUMMARY"));  // "GPS" is the chase car
     }
     const auto latitude = numberOf(object, QStringLiteral("latitude"), 3);
     const auto longitude = numberOf(object, QStringLiteral("longitude"), 3);

@@ -9,12 +9,13 @@
 #include <optional>
 #include <string_view>
 
-// A record type lists its fields once, in a function template `xFields(visitor, value)` that names each key, its unit
-// and its range. A visitor reads a file or writes one: TomlReader, TomlWriter, JsonReader, JsonWriter. These helpers
-// give the plain numbers of a file their units. A writer gets a copy of the record: rounding may change it. Pure.
+// A record type lists its fields once, in a function template `xFields(visitor, value)` that names the key, the unit
+// and the range of each. A visitor reads or writes a file: TomlReader, TomlWriter, JsonReader, JsonWriter. The
+// functions here give the plain numbers in a file their units. A writer gets a copy of the record, because rounding may
+// change it. Pure.
 namespace boresight::records {
 
-// Both ends included.
+// Both ends are included.
 struct Range
 {
     double min;
@@ -29,7 +30,7 @@ void inDegrees(Visitor& visitor, std::string_view key, Angle& value, Range range
     value = Angle::fromDegrees(degrees);
 }
 
-// Of an angle or a rate.
+// For an angle or a rate.
 template <class Visitor, int PerSecond>
 void inRadians(Visitor& visitor, std::string_view key, Quantity<AngleKind, PerSecond>& value, Range range)
 {
@@ -62,7 +63,7 @@ void inMilliseconds(Visitor& visitor, std::string_view key, std::chrono::millise
     value = std::chrono::milliseconds(count);
 }
 
-// Of an integer, or of an enumeration by the number of its value.
+// For an integer, or for an enumeration by the number of its value.
 template <class Visitor, class Value>
 void asWhole(Visitor& visitor, std::string_view key, Value& value, Range range)
 {
@@ -71,7 +72,7 @@ void asWhole(Visitor& visitor, std::string_view key, Value& value, Range range)
     value = static_cast<Value>(whole);
 }
 
-// True: the record has the value, so its fields follow. A reader makes it where the file has one of the keys.
+// True: the record has the value, so its fields follow. A reader creates the value if the file has one of the keys.
 template <class Visitor, class Value>
 bool isThere(Visitor& visitor, std::initializer_list<std::string_view> keys, std::optional<Value>& value)
 {

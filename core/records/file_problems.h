@@ -6,13 +6,13 @@
 #include <cstddef>
 #include <vector>
 
-// Everything that is wrong with one file, to be reported at once. Pure.
+// Collects all errors of one file, so that they can be reported together. Pure.
 namespace boresight::records {
 
 class FileProblems
 {
 public:
-    // "KEY: REASON" of a line, counted from 1. Control characters of the file become '?'.
+    // Adds "KEY: REASON" for a line, counted from 1. Control characters from the file become '?'.
     void add(std::size_t line, const QString& problem);
 
     [[nodiscard]] std::size_t count() const { return m_problems.size(); }

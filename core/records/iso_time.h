@@ -7,7 +7,7 @@
 
 namespace boresight::records {
 
-// UTC to the millisecond, as every file of records has it: "2026-11-21T21:34:00.000Z".
+// UTC to the millisecond in the form of all record files: "2026-11-21T21:34:00.000Z".
 [[nodiscard]] QString isoTime(UtcTime time);
 
 }  // namespace boresight::records

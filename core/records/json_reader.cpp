@@ -14,7 +14,7 @@
 namespace boresight::records {
 namespace {
 
-constexpr std::chrono::sys_days kFirstDay{std::chrono::year{1970} / 1 / 1};  // where a clock without battery starts
+constexpr std::chrono::sys_days kFirstDay{std::chrono::year{1970} / 1 / 1};  // a clock without a battery starts here
 constexpr std::chrono::sys_days kLastDay{std::chrono::year{2200} / 1 / 1};
 
 bool isUuid(const QString& text)
@@ -51,7 +51,7 @@ void JsonReader::number(std::string_view key, double& value, Range range)
 {
     const QJsonValue found = valueOf(key);
     const double number = found.toDouble();
-    if (found.isNull() || !std::isfinite(number)) {  // JSON has no NaN: it is written as null
+    if (found.isNull() || !std::isfinite(number)) {  // JSON has no NaN, so it is written as null
         complain(key, Text::tr("%1 is not finite"));
     } else if (!found.isDouble()) {
         complain(key, Text::tr("%1 is not a number"));

@@ -12,14 +12,15 @@
 #include <functional>
 #include <string_view>
 
-// Reads a record from a JSON object by the list of its fields (field_list.h), and keeps the first thing that is wrong
-// with it. An unknown key does no harm: a checksum guards these files. Pure.
+// Reads a record from a JSON object by the list of its fields (field_list.h), and keeps the first error. Unknown keys
+// are ignored, because a checksum protects these files. Pure.
 namespace boresight::records {
 
 class JsonReader
 {
 public:
-    // `name`: what a problem of the object's own fields names it. Those of its tables are named by the tables alone.
+    // `name`: the name of the object in an error about one of its own fields. An error in an inner table has only the
+    // name of the table.
     [[nodiscard]] static Result<> read(const QJsonObject& object, const QString& name,
                                        const std::function<void(JsonReader&)>& fields);
 
@@ -32,7 +33,7 @@ public:
     void uuidOrEmpty(std::string_view key, QString& value);
     void time(std::string_view key, UtcTime& value);
 
-    // One that is absent has no fields.
+    // Reads an inner table. An absent table counts as empty.
     template <class Value, class Fields>
     void table(std::string_view key, Value& value, Fields fields)
     {
@@ -49,7 +50,7 @@ private:
 
     QJsonObject m_object;
     QString m_name;
-    QString m_inner;  // before the names of its tables
+    QString m_inner;  // prefix of the names of its tables
     QString& m_problem;
 };
 

@@ -10,13 +10,13 @@
 #include <cstdint>
 #include <string_view>
 
-// Writes a record as a JSON object by the list of its fields (field_list.h). Doubles survive to the last bit. Pure.
+// Writes a record as a JSON object by the list of its fields (field_list.h). Doubles are stored exactly. Pure.
 namespace boresight::records {
 
 class JsonWriter
 {
 public:
-    // What is not there is not written.
+    // An absent value is not written.
     [[nodiscard]] bool has(std::string_view, bool there) const { return there; }
 
     void number(std::string_view key, double value, Range) { insert(key, value); }

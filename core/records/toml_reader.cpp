@@ -29,10 +29,10 @@ UtcTime utcOf(const toml::date_time& time)
 
 }  // namespace
 
-// One table of the file. Complains of what is left over.
+// One table of the file. Reports the keys that nobody has read.
 struct TomlTable
 {
-    // Null if it is missing, which is complained of.
+    // Null if the key is missing. The missing key is reported.
     const toml::node* take(std::string_view key)
     {
         taken.emplace(key);

@@ -16,31 +16,31 @@
 #include <vector>
 
 // Reads a record from TOML by the list of its fields (field_list.h). Strict: a key that is unknown, missing, of another
-// type or out of range is an error, and the value stays as it was. Pure.
+// type or out of range is an error, and its value stays unchanged. Pure.
 namespace boresight::records {
 
-struct TomlTable;  // hides toml++ from those who include this
+struct TomlTable;  // hides toml++ from the files that include this one
 
 class TomlReader
 {
 public:
     using Inner = std::function<void(TomlReader&)>;
 
-    // All errors at once, one "FILE:LINE: KEY: REASON" per line.
+    // Reports all errors together, one "FILE:LINE: KEY: REASON" per line.
     [[nodiscard]] static Result<> read(std::string_view text, const QString& fileName, const Inner& fields);
 
     [[nodiscard]] bool has(std::string_view key, bool) const;
 
     void number(std::string_view key, double& value, Range range);
     void whole(std::string_view key, std::int64_t& value, Range range);
-    // How many of a list's rows count: no more than there are.
+    // The number of rows of a list that are in use. Must not exceed the number of rows.
     void countOf(std::string_view key, std::int64_t& value, std::string_view listKey);
     void text(std::string_view key, std::string& value);
     void text(std::string_view key, QString& value);
     void flag(std::string_view key, bool& value);
     void time(std::string_view key, UtcTime& value);
 
-    // One of two `names`, in the order of the enumeration.
+    // One of two names, in the order of the enumeration.
     template <class Choice>
     void choice(std::string_view key, Choice& value, std::span<const std::string_view, 2> names)
     {
@@ -55,7 +55,7 @@ public:
         inside(key, [&](TomlReader& reader) { fields(reader, value); });
     }
 
-    // A list that is absent has no rows.
+    // An absent list counts as empty.
     template <class Value, class Fields>
     void list(std::string_view key, std::vector<Value>& values, Fields fields)
     {

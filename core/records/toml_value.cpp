@@ -19,7 +19,7 @@ std::string inQuotes(std::string_view text)
     return result + "\"";
 }
 
-// What is not finite has no point.
+// A number that is not finite has no decimal point.
 std::string decimal(double value)
 {
     std::string text = formatFixed(value, kDecimals);

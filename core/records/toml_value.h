@@ -4,12 +4,13 @@
 #include <string>
 #include <string_view>
 
-// Texts and numbers as a TOML file has them. Pure.
+// Texts and numbers in the form of a TOML file. Pure.
 namespace boresight::records {
 
 [[nodiscard]] std::string inQuotes(std::string_view text);
 
-// Of the numbers in a file: a millionth of an arc second. They hide the rounding between degrees and radians.
+// Decimals of the numbers in a file: a millionth of an arc second. Rounding to them hides the errors of converting
+// between degrees and radians.
 inline constexpr int kDecimals = 9;
 [[nodiscard]] std::string decimal(double value);
 

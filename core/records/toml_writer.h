@@ -16,13 +16,13 @@
 #include <utility>
 #include <vector>
 
-// Writes a record as TOML by the list of its fields (field_list.h). TOML wants what is simple before the tables. Pure.
+// Writes a record as TOML by the list of its fields (field_list.h). TOML requires simple keys before tables. Pure.
 namespace boresight::records {
 
 class TomlWriter
 {
 public:
-    // What is not there is not written.
+    // An absent value is not written.
     [[nodiscard]] bool has(std::string_view, bool there) const { return there; }
 
     void number(std::string_view key, double value, Range) { line(key, decimal(value)); }

@@ -14,19 +14,19 @@
 namespace boresight {
 namespace {
 
-// Such a control loop is fast enough for every rate, and the fewest ticks make the shortest rehearsal.
+// A control loop with this rate is fast enough for every motion, and fewer ticks make the rehearsal shorter.
 constexpr int kTickHz = 20;
-constexpr Seconds kPatience{0.2};  // of what waits for some ticks
+constexpr Seconds kPatience{0.2};  // longer than a few ticks
 constexpr std::chrono::nanoseconds kTick = std::chrono::nanoseconds(std::chrono::seconds(1)) / kTickHz;
-// Until the control has taken the mount over.
+// The time that the control needs to take over the mount.
 constexpr std::chrono::seconds kBegin{2};
 constexpr std::chrono::minutes kBetweenLooks{1};
-// What is looked at of each minute in which the mount stands and no pass is near.
+// While the mount stands and no pass is near, only this part of each minute is computed.
 constexpr std::chrono::milliseconds kLook{500};
 constexpr std::size_t kMostRemarks = 200;
 const Source kRehearser{.kind = SourceKind::Operator, .name = QStringLiteral("operator")};
 
-// As it is in force, but for what belongs to real drives and to an operator who is away.
+// The profile in force, without the settings for real drives and for the absence of the operator.
 profile::Profile rehearsed(profile::Profile profile)
 {
     profile.control.tickHz = kTickHz;
@@ -42,7 +42,7 @@ AxisSet axesOf(const profile::Profile& profile)
                   profile.elevation.driver != profile::AxisDriver::None);
 }
 
-// The parts of a station that decide, on a stage of their own.
+// The deciding parts of a station, with a clock, a log and a mount of their own.
 class Stage
 {
 public:
@@ -62,7 +62,7 @@ public:
         m_night.leastAzimuth = m_night.mostAzimuth = task.standing.azimuth;
     }
 
-    // Until the next look.
+    // Advances to the next look.
     void goOn()
     {
         const bool idle = isIdle();
@@ -133,7 +133,7 @@ private:
     StationControl m_control;
     ReportFile m_report{QString()};
     NightDesk m_desk;
-    std::uint64_t m_read = 0;  // the last line of the log
+    std::uint64_t m_read = 0;  // the last line of the log that was read
     RehearsedNight m_night;
 };
 
@@ -147,7 +147,7 @@ Result<RehearsedNight> rehearse(const RehearsalTask& task, const std::stop_token
     if (const Result<> armed = stage.arm(); !armed) {
         return tl::unexpected(armed.error());
     }
-    // Of what is found later the end would not be seen.
+    // Later passes are left out, because their end is outside the rehearsal.
     const schedule::NightPlan plan = stage.schedule().plan;
     if (plan.chosen.empty()) {
         return failure(ErrorCode::NotAvailable, Text::tr("The schedule has no pass within a day."));

@@ -11,20 +11,21 @@
 #include <stop_token>
 
 // Runs the schedule of the next day on a copy of the mount, as fast as this computer can: the same plan, control,
-// limits and cable as for the real mount, with axes that follow exactly. Moves nothing and writes nothing. Any thread,
-// which it keeps busy until it is done.
+// limits and cable as for the real mount, with axes that follow exactly. Moves nothing and writes nothing. Blocking
+// until it is done, so use a separate thread.
 namespace boresight {
 
 struct RehearsalTask
 {
     profile::Profile profile;
-    NightDesk::Satellites satellites;              // in the order of the numbers
-    std::string antenna = pointing::kMainAntenna;  // that is chosen
-    AxisPosition standing;                         // where the mount stands at the beginning; mechanical angles
+    NightDesk::Satellites satellites;              // sorted by number
+    std::string antenna = pointing::kMainAntenna;  // the selected antenna
+    AxisPosition standing;                         // the position at the beginning; mechanical angles
     UtcTime from{};
 };
 
-// `progress` is called with 0 to 1 now and then. An error: why the schedule cannot be armed, or that it was stopped.
+// `progress` is called with 0 to 1 from time to time. The error says why the schedule cannot be armed, or that the
+// rehearsal was stopped.
 [[nodiscard]] Result<RehearsedNight> rehearse(const RehearsalTask& task, const std::stop_token& stop,
                                               const std::function<void(double)>& progress);
 

@@ -3,7 +3,7 @@
 
 #include "core/base/clock.h"
 
-// The clock of a rehearsal: it begins at a given UTC, and its owner turns it on. One thread.
+// The clock of a rehearsal. It begins at a given UTC, and its owner advances it. One thread.
 namespace boresight {
 
 class TurnedClock final : public Clock
@@ -22,7 +22,7 @@ public:
         m_now += time;
         skip(time);
     }
-    // Of what nothing happens in.
+    // Skips a time in which nothing happens. Only the UTC advances.
     void skip(std::chrono::nanoseconds time) { m_utc += std::chrono::duration_cast<UtcTime::duration>(time); }
 
 private:

@@ -9,7 +9,7 @@
 namespace boresight::schedule {
 namespace {
 
-// Less: the first one is to be preferred by this.
+// "Less" means that the first pass is preferred by this criterion.
 std::partial_ordering compare(const WatchedPass& a, const WatchedPass& b, Reason by)
 {
     switch (by) {
@@ -72,7 +72,7 @@ bool fitBoth(const WatchedPass& a, const WatchedPass& b, Seconds lead)
 
 }  // namespace
 
-// The most preferred pass first. What it leaves out cannot leave out others.
+// Takes the most preferred pass first. A pass that is left out does not exclude other passes.
 NightPlan planNight(std::vector<WatchedPass> candidates, const PlanRules& rules)
 {
     const Reasons reasons = reasonsOf(rules.policy);

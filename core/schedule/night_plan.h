@@ -9,8 +9,8 @@
 #include <cstdint>
 #include <vector>
 
-// Which passes of a night are tracked, and which are not because another one is. The same passes give the same plan,
-// in whatever order they come. Pure, any thread.
+// Which passes of a night are tracked, and which are left out because of another pass. The same passes give the same
+// plan in any order. Pure, any thread.
 namespace boresight::schedule {
 
 struct WatchedPass
@@ -20,7 +20,7 @@ struct WatchedPass
     QString name = {};
     passes::Pass pass;  // with the parts in which the antenna sees the sky
 
-    // What is tracked of it: from the first to the last moment in which the antenna sees it.
+    // The tracked part: from the first to the last moment in which the antenna sees the satellite.
     [[nodiscard]] bool isHidden() const { return pass.clear.empty(); }
     [[nodiscard]] UtcTime begins() const { return isHidden() ? pass.aos.utc : pass.clear.front().from; }
     [[nodiscard]] UtcTime ends() const { return isHidden() ? pass.los.utc : pass.clear.back().to; }
@@ -28,14 +28,14 @@ struct WatchedPass
     bool operator==(const WatchedPass&) const = default;
 };
 
-// A pass that was searched again begins and ends this much earlier or later at most.
+// A repeated search finds the begin and end of the same pass at most this much earlier or later.
 inline constexpr std::chrono::seconds kSamePass{30};
 [[nodiscard]] inline bool isSamePass(const WatchedPass& one, const WatchedPass& other)
 {
     return one.number == other.number && std::chrono::abs(one.pass.aos.utc - other.pass.aos.utc) < kSamePass;
 }
 
-// Why one of two passes was chosen. The first that tells them apart counts.
+// Why one of two passes was chosen: the first criterion that differs.
 enum class Reason
 {
     Priority,
@@ -49,7 +49,7 @@ struct Conflict
     WatchedPass leftOut;
     WatchedPass chosen;
     Reason reason = Reason::Priority;
-    bool overlaps = true;  // else the time between them is too short to be in place for the second
+    bool overlaps = true;  // false: the mount would not be in place for the second pass in time
 
     bool operator==(const Conflict&) const = default;
 };
@@ -57,8 +57,8 @@ struct Conflict
 struct NightPlan
 {
     std::vector<WatchedPass> chosen;  // in the order in which they begin
-    std::vector<Conflict> conflicts;  // in the order in which begins what was left out
-    std::vector<WatchedPass> hidden;  // all of it behind the horizon of the mount, in a keep-out or beyond a limit
+    std::vector<Conflict> conflicts;  // in the order in which the omitted passes begin
+    std::vector<WatchedPass> hidden;  // completely behind the horizon of the mount, in a keep-out or beyond a limit
 
     bool operator==(const NightPlan&) const = default;
 };
@@ -66,7 +66,7 @@ struct NightPlan
 struct PlanRules
 {
     OverlapPolicy policy = OverlapPolicy::Priority;
-    Seconds lead{60.0};  // from the end of one pass to the beginning of the next one, at least
+    Seconds lead{60.0};  // shortest time from the end of one pass to the beginning of the next
 };
 
 // A pass that is already up when the plan begins needs no lead.

@@ -27,7 +27,7 @@ int partsOf(const NightReport& report, const PassRecord& pass)
     }));
 }
 
-// Once it was on its target, all that follows counts until the end of the pass.
+// After the beam was on target, everything until the end of the pass counts.
 bool PassTally::settles(const Look& look)
 {
     if (m_onTarget < kSettled) {

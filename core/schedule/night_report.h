@@ -10,19 +10,19 @@
 #include <optional>
 #include <vector>
 
-// How well each pass of a night was tracked: where the beam was, against where the satellite was. Pure, any thread.
+// How well each pass of a night was tracked, from the directions of the beam and of the satellite. Pure, any thread.
 namespace boresight::schedule {
 
-// What a beam loses at this distance from its middle, in dB. A Gaussian beam whose gain is half at half its width B:
-// 40 log10(2) (distance / B)^2, so 3.01 dB at B / 2, and 1 dB at 0.288 B.
+// The loss in dB at this distance from the centre of the beam. A Gaussian beam with half the gain at half its width B:
+// 40 log10(2) (distance / B)^2, which is 3.01 dB at B / 2 and 1 dB at 0.288 B.
 [[nodiscard]] double beamLoss(Angle distance, Angle beamWidth);
 
 enum class PassEnd
 {
     Set,          // it was tracked until its end
-    Manual,       // somebody has taken the mount, or pressed STOP
-    Fault,        // or the connection was lost
-    Refused,      // the station did not begin to track it, or gave it up
+    Manual,       // somebody used the mount or pressed STOP
+    Fault,        // a fault, or the connection was lost
+    Refused,      // the station refused to track it, or gave up
     Interrupted,  // Boresight ended without a shutdown
     Running
 };
@@ -36,8 +36,8 @@ struct PassRecord
     Seconds tracked{0.0};  // with a measured beam, while the satellite is up
     Seconds within1dB{0.0};
     Seconds within3dB{0.0};
-    // Of the beam, on the sky, since it was first on its target. Empty: it never was. The way there counts as seconds
-    // only.
+    // Errors of the beam on the sky, from the first time on target. Empty: it was never on target. The slew to the
+    // satellite only counts in the times.
     std::optional<Angle> rmsError = {};
     std::optional<Angle> peakError = {};
     PassEnd end = PassEnd::Running;
@@ -57,16 +57,16 @@ struct NightReport
     bool operator==(const NightReport&) const = default;
 };
 
-// The pass that is tracked, or was tracked last, as it is kept beside the report.
+// The pass that is tracked, or was tracked last, as stored in its own file.
 struct NewestPass
 {
     PassRecord pass;
-    int earlier = 0;  // the parts of the same pass that the report had before it
+    int earlier = 0;  // number of parts of the same pass that the report had before
 
     bool operator==(const NewestPass&) const = default;
 };
 
-// Of a pass that was begun again the report has several parts.
+// The number of parts of a pass in the report. A pass that was begun again has several.
 [[nodiscard]] int partsOf(const NightReport& report, const PassRecord& pass);
 
 // One pass while it is tracked: what is added in each tick.
@@ -76,14 +76,15 @@ public:
     PassTally() = default;
     explicit PassTally(PassRecord begun) : m_record(std::move(begun)) {}
 
-    // The beam is on its target when it was there for so long without a break: while it slews it may cross it.
+    // The beam counts as on target after this time without interruption, because a slewing beam may only cross the
+    // target.
     static constexpr Seconds kSettled{1.0};
 
     struct Look
     {
         Angle error;
         bool isOnTarget = true;
-        Seconds during{0.0};  // it was so
+        Seconds during{0.0};  // duration of this state
     };
     void add(const Look& look, Angle beamWidth);
     [[nodiscard]] PassRecord record() const;
@@ -93,9 +94,9 @@ private:
     [[nodiscard]] bool settles(const Look& look);
 
     PassRecord m_record;
-    Seconds m_onTarget{0.0};  // without a break
-    Seconds m_judged{0.0};    // since it was first on its target
-    double m_squares = 0.0;   // deg² s, in this time
+    Seconds m_onTarget{0.0};  // without interruption
+    Seconds m_judged{0.0};    // since it was first on target
+    double m_squares = 0.0;   // deg² s, during m_judged
 };
 
 }  // namespace boresight::schedule

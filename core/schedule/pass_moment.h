@@ -13,7 +13,7 @@ enum class Moment
 {
     BeforeAos,
     Aos,
-    Los,  // or the pass has ended before
+    Los,  // or the pass ended earlier
     Fault
 };
 

@@ -18,7 +18,7 @@ namespace boresight::schedule {
 // Strict: all errors are reported at once, one "FILE:LINE: key: reason" per line.
 [[nodiscard]] Result<NightReport> parseReport(std::string_view text, const QString& fileName);
 
-// The same for the pass that is kept beside it.
+// The same for the pass that is stored in its own file.
 [[nodiscard]] Result<std::string> toText(const NewestPass& newest);
 [[nodiscard]] Result<NewestPass> parsePass(std::string_view text, const QString& fileName);
 

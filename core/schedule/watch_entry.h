@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-// What is watched for, and what counts where two passes cannot both be tracked. Pure values.
+// The entries of the watch list, and the policy for passes that overlap. Pure values.
 namespace boresight::schedule {
 
 struct WatchEntry

@@ -6,12 +6,13 @@
 
 #include <QString>
 
-// A table of a file. Blocking, for seconds where it is a large one: not on the gui thread, nor the station's.
+// Reads a table from a file. Blocking, for seconds if the file is large: neither on the gui thread nor on the station
+// thread.
 namespace boresight::tables {
 
 inline constexpr qint64 kMostTableMegabytes = 100;
 
-// The error begins with the path. Only a file: a pipe would keep the reader waiting.
+// The error begins with the path. Only a regular file: a pipe would block the reader.
 [[nodiscard]] Result<SharedTable> readTableFile(const QString& path);
 
 }  // namespace boresight::tables

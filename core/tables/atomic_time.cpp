@@ -53,7 +53,7 @@ AtomicTime atomicTime(UtcTime utc)
     return utc.time_since_epoch() + leap(std::chrono::floor<std::chrono::days>(utc));
 }
 
-// The day by TAI may be one too late, by which the first step is at most a second wrong.
+// The day by TAI may be one day late, so the first step may be wrong by a second.
 UtcTime utcTime(AtomicTime time)
 {
     const UtcTime atomic(std::chrono::duration_cast<UtcTime::duration>(time));

@@ -8,10 +8,10 @@
 #include <optional>
 #include <string_view>
 
-// The time between two rows of a table does not jump, so tables are kept in time without leap seconds. Pure.
+// Tables use time without leap seconds, so that the time between two rows does not jump. Pure.
 namespace boresight::tables {
 
-// TAI since its midnight of 1970-01-01.
+// TAI since midnight TAI of 1970-01-01.
 using AtomicTime = std::chrono::nanoseconds;
 
 enum class TimeSystem
@@ -22,13 +22,13 @@ enum class TimeSystem
     Tt    // 32.184 s ahead of TAI
 };
 
-// "UTC", "TAI", "GPS", "TT" or its older name "TDT".
+// The time system of "UTC", "TAI", "GPS", "TT" or its older name "TDT".
 [[nodiscard]] std::optional<TimeSystem> timeSystem(std::string_view name);
 
-// To the microsecond. A fraction of 1 and more is a leap second.
+// To the microsecond. A fraction of 1 or more is inside a leap second.
 [[nodiscard]] AtomicTime atomicTime(const orbit::JulianDate& written, TimeSystem system);
 [[nodiscard]] AtomicTime atomicTime(UtcTime utc);
-// A leap second is the second after it, because UtcTime has none.
+// A time in a leap second becomes the second after it, because UtcTime has no leap seconds.
 [[nodiscard]] UtcTime utcTime(AtomicTime time);
 
 }  // namespace boresight::tables

@@ -19,7 +19,7 @@ namespace boresight::tables {
 namespace {
 
 constexpr std::string_view kSeparators = ",; \t";
-constexpr Angle kFarthest = 90_deg;  // from a row to the next
+constexpr Angle kFarthest = 90_deg;  // between two rows
 
 // The first columns of a line.
 struct Columns
@@ -28,7 +28,7 @@ struct Columns
     std::size_t count = 0;
 };
 
-// Blanks around a comma belong to it. Two commas have an empty column between them.
+// Blanks around a comma are part of the separator. Two commas enclose an empty column.
 Columns columnsOf(std::string_view line)
 {
     Columns columns;
@@ -51,7 +51,7 @@ bool isClock(std::string_view text)
     return text.find(':') != std::string_view::npos;
 }
 
-// A line of names has no number where a row has its time.
+// A header line has no digit in the column of the time.
 bool isHeader(const Columns& columns)
 {
     return columns.texts[0].find_first_of("0123456789") == std::string_view::npos;
@@ -123,7 +123,8 @@ Result<> follows(const DirectionRow& row, const DirectionRows& rows)
     return {};
 }
 
-// Where it is alone on both sides nobody knows how it goes on.
+// True for a row without a neighbour within kLongestStep on either side. Such a row is an error, because nothing can be
+// interpolated there.
 bool isAlone(const DirectionRows& rows, std::size_t at)
 {
     const bool hasBefore = at > 0 && rows[at].time - rows[at - 1].time <= kLongestStep;
@@ -145,7 +146,7 @@ TableReading<DirectionRows> readDirections(std::string_view text)
     DirectionRows rows;
     orbit::TextLines lines(text);
     bool mayBeHeader = true;
-    int lastLine = 1;  // of a row
+    int lastLine = 1;  // line number of the last row
     while (lines.next()) {
         const std::string_view line = orbit::trimmed(lines.line());
         if (line.empty() || line.front() == '#') {

@@ -7,17 +7,17 @@
 #include <chrono>
 #include <string_view>
 
-// A tracking table: in each line a time, an azimuth and an elevation, with commas, semicolons, tabs or blanks between.
-// The time is UTC in the forms of core/elements/written_time.h. Further columns, blank lines, lines that begin with #,
-// and one line of names above all rows are left out. Pure.
+// Reads a tracking table. Each line has a time, an azimuth and an elevation, separated by commas, semicolons, tabs or
+// blanks. The time is UTC in the forms of core/elements/written_time.h. Further columns, blank lines, lines that begin
+// with #, and one header line above all rows are ignored. Pure.
 namespace boresight::tables {
 
-// Over a longer step nothing is interpolated: there the table has a gap.
+// A longer step is a gap, in which nothing is interpolated.
 inline constexpr std::chrono::hours kLongestStep{1};
 
 [[nodiscard]] TableReading<DirectionRows> readDirections(std::string_view text);
 
-// The stretches without a gap.
+// The parts of the table without a gap.
 [[nodiscard]] std::vector<TableSpan> spansOf(const DirectionRows& rows);
 
 }  // namespace boresight::tables

@@ -17,9 +17,9 @@ namespace {
 constexpr std::array<std::string_view, 12> kMetaKeys{
     "OBJECT_NAME", "OBJECT_ID",          "CENTER_NAME",       "REF_FRAME", "REF_FRAME_EPOCH", "TIME_SYSTEM",
     "START_TIME",  "USEABLE_START_TIME", "USEABLE_STOP_TIME", "STOP_TIME", "INTERPOLATION",   "INTERPOLATION_DEGREE"};
-constexpr int kUsualDegree = 7;  // below a metre for low orbits with a row each minute
+constexpr int kUsualDegree = 7;  // error below a metre for low orbits with one row per minute
 
-// GRC and TDR turn with the true equator and Greenwich, which is what is left of ITRF without the motion of the pole.
+// GRC and TDR turn with the true equator and Greenwich. This is ITRF without polar motion.
 constexpr std::array kFrames{std::pair{"EFG", OrbitFrame::Earth},       std::pair{"ECEF", OrbitFrame::Earth},
                              std::pair{"GRC", OrbitFrame::Earth},       std::pair{"TDR", OrbitFrame::Earth},
                              std::pair{"WGS84", OrbitFrame::Earth},     std::pair{"WGS-84", OrbitFrame::Earth},
@@ -103,7 +103,7 @@ Result<> OemMeta::isComplete() const
     return {};
 }
 
-// A frame of a fixed date is another one in each file.
+// A frame of a fixed epoch differs from file to file, so it is not supported.
 Result<OrbitFrame> OemMeta::frame() const
 {
     const std::string name = capital(value("REF_FRAME"));

@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-// The block between META_START and META_STOP of an OEM, and what it says of the rows behind it. Pure.
+// The block between META_START and META_STOP of an OEM, which describes the rows after it. Pure.
 namespace boresight::tables {
 
 struct OemEntry
@@ -18,21 +18,21 @@ struct OemEntry
     std::string_view value;
 };
 
-// Of "KEY = value". Empty for all else.
+// Parses "KEY = value". Empty for any other text.
 [[nodiscard]] std::optional<OemEntry> oemEntry(std::string_view line);
 
 class OemMeta
 {
 public:
-    // Refused: it is no entry, no key of such a block, or there a second time.
+    // Refused if the line is no entry, if its key does not belong into such a block, or if the key occurs again.
     Result<> take(std::string_view line);
 
-    // Empty: the block does not have it.
+    // Empty if the block does not have the key.
     [[nodiscard]] std::string_view value(std::string_view key) const;
-    // Of a block for which segment() answers.
+    // Call it only if segment() succeeded.
     [[nodiscard]] TimeSystem timeSystem() const;
-    // Without rows. Usable from and to are those of the block, or as early and late as a time can be. Refused with the
-    // reason: something is missing, or Boresight cannot do it.
+    // The segment without rows. The usable times are those of the block, or unlimited. Refused with the reason if an
+    // entry is missing or not supported.
     [[nodiscard]] Result<OrbitSegment> segment() const;
 
 private:

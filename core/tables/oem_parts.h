@@ -8,14 +8,15 @@
 #include <cstddef>
 #include <string_view>
 
-// The lines of an OEM as KVN, one after the other. Each belongs to the part in which it stands. An OEM as XML becomes
-// the same lines. Pure.
+// Takes the lines of an OEM in KVN form one after the other and passes each to the part of the file it is in. An OEM in
+// XML becomes the same lines. Pure.
 namespace boresight::tables {
 
 class OemParts
 {
 public:
-    // Without blanks at both ends, no comment, not empty. After a refusal nothing more is taken.
+    // `line` is not empty, is not a comment, and has no blanks at both ends. After a refusal nothing more may be
+    // passed.
     Result<> take(std::string_view line);
     Result<> end();
     [[nodiscard]] Oem& oem() { return m_oem; }
@@ -42,7 +43,7 @@ private:
     Oem m_oem;
     OemMeta m_meta;
     OrbitSegment m_segment;
-    std::size_t m_rows = 0;  // of all segments
+    std::size_t m_rows = 0;  // in all segments
     Part m_part = Part::Start;
 };
 

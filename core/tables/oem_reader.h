@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
-// Orbit ephemeris messages as KVN: CCSDS 502.0-B, section 5. Of one object, around the Earth. Accelerations,
-// covariances and comments are left out. Pure.
+// Reads orbit ephemeris messages in KVN form: CCSDS 502.0-B, section 5. Only one object, and only around the Earth.
+// Accelerations, covariances and comments are ignored. Pure.
 namespace boresight::tables {
 
 struct Oem
@@ -17,12 +17,12 @@ struct Oem
     OrbitSegments segments;
 };
 
-// What every such text begins with.
+// The first word of every OEM in KVN form.
 inline constexpr std::string_view kOemStart = "CCSDS_OEM_VERS";
 
 [[nodiscard]] TableReading<Oem> readOem(std::string_view text);
 
-// The usable times. Segments that touch are one.
+// The usable times. Adjacent segments are joined.
 [[nodiscard]] std::vector<TableSpan> spansOf(const OrbitSegments& segments);
 
 }  // namespace boresight::tables

@@ -15,12 +15,12 @@
 namespace boresight::tables {
 namespace {
 
-constexpr double kLeastRadius = 6000.0;      // km from the centre of the Earth, below all of its ground
-constexpr double kMostRadius = 2'000'000.0;  // beyond the points of Lagrange
+constexpr double kLeastRadius = 6000.0;      // km from the centre of the Earth, below any ground
+constexpr double kMostRadius = 2'000'000.0;  // km, beyond the Lagrange points
 constexpr double kMostSpeed = 100.0;         // km/s
-constexpr double kWidest = 60.0;             // degrees around the Earth, from a row to the next
+constexpr double kWidest = 60.0;             // degrees around the Earth between two rows
 
-// A time and up to nine numbers, and one more that is too many.
+// A time and up to nine numbers. One more field is kept to detect a line that is too long.
 struct Fields
 {
     std::array<std::string_view, 11> texts{};

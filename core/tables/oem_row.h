@@ -6,12 +6,13 @@
 
 #include <string_view>
 
-// A row of an OEM: a time, a place in km and a velocity in km/s. Three accelerations behind them are left out. Pure.
+// A row of an OEM: a time, a position in km and a velocity in km/s. Three accelerations may follow and are ignored.
+// Pure.
 namespace boresight::tables {
 
 [[nodiscard]] Result<OrbitRow> oemRow(std::string_view line, TimeSystem system);
 
-// Whether a way leads from one row to the next. The error says what is in the way.
+// Whether a plausible path leads from one row to the next. The error says why not.
 [[nodiscard]] Result<> follows(const OrbitRow& before, const OrbitRow& row);
 
 }  // namespace boresight::tables

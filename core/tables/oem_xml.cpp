@@ -17,11 +17,11 @@
 namespace boresight::tables {
 namespace {
 
-// Of a row in the order of the KVN form. The accelerations may be left out.
+// The elements of a row in the order of the KVN form. The accelerations may be missing.
 constexpr std::array<QStringView, 10> kColumns{u"EPOCH", u"X",     u"Y",      u"Z",      u"X_DOT",
                                                u"Y_DOT", u"Z_DOT", u"X_DDOT", u"Y_DDOT", u"Z_DDOT"};
 constexpr std::size_t kColumnsWithoutAccelerations = 7;
-constexpr int kDeepest = 32;  // of a valid message 7
+constexpr int kDeepest = 32;  // a valid message has 7 levels
 
 tl::unexpected<Error> badXml(const QString& reason)
 {
@@ -49,7 +49,7 @@ public:
     }
 
 private:
-    // The reader counts a CR within a line, too.
+    // The XML reader also counts a CR inside a line, so the number is limited.
     [[nodiscard]] int line() const { return static_cast<int>(std::clamp<qint64>(m_xml.lineNumber(), 1, m_lastLine)); }
     Result<> root();
     Result<> message();
@@ -60,7 +60,7 @@ private:
     std::string value();
     void skip();
 
-    // Hands each element inside the present one to `take`, which reads it to its end. Comments are left out.
+    // Calls `take` for each element inside the present one. `take` reads the element to its end. Comments are skipped.
     template <class Take>
     Result<> eachInside(const Take& take)
     {
@@ -182,13 +182,14 @@ Result<> OemXmlReader::row()
     return m_parts.take(orbit::trimmed(line));
 }
 
-// Of the present element, to its end.
+// The text of the present element. Reads to its end.
 std::string OemXmlReader::value()
 {
     return std::string(orbit::trimmed(m_xml.readElementText().toStdString()));
 }
 
-// Of the present element, to its end. The reader keeps each open element, so a file of nothing else is not read on.
+// Skips the present element to its end. The XML reader keeps every open element in memory, so a file of nothing but
+// opening tags is rejected.
 void OemXmlReader::skip()
 {
     for (int depth = 1; depth > 0 && !m_xml.atEnd();) {

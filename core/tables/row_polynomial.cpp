@@ -17,8 +17,8 @@ std::span<const OrbitRow> rowsAround(const OrbitSegment& segment, AtomicTime at)
     return std::span(segment.rows).subspan(static_cast<std::size_t>(first), segment.nodes);
 }
 
-// By Newton's divided differences. A row with its velocity counts as two that have come together. Times are counted in
-// spans of the rows, so that their powers stay small.
+// Newton's divided differences. A row with its velocity counts as two rows at the same time. Times are in units of the
+// span of the rows, so that their powers stay small.
 orbit::Vector placeBetween(std::span<const OrbitRow> rows, AtomicTime at, bool usesVelocities)
 {
     const std::size_t each = usesVelocities ? 2 : 1;

@@ -12,11 +12,11 @@
 #include <variant>
 #include <vector>
 
-// What a file says of a way through the sky: directions of one site, or places around the Earth. Values that nobody
-// changes, so threads share them. Where it leads over a site: table_path.h.
+// The content of a file that describes a path through the sky: directions of one site, or positions around the Earth.
+// The values never change, so threads share them. table_path.h computes the directions at a site.
 namespace boresight::tables {
 
-// Of both kinds together. A day at 20 Hz has fewer.
+// The limit for both kinds. A day at 20 Hz has fewer rows.
 inline constexpr std::size_t kMostRows = 2'000'000;
 
 struct DirectionRow
@@ -27,15 +27,15 @@ struct DirectionRow
     bool operator==(const DirectionRow&) const = default;
 };
 
-// In the order of time. Rows that follow one another are less than 90° apart.
+// In the order of time. Consecutive rows are less than 90° apart.
 using DirectionRows = std::vector<DirectionRow>;
 
 enum class OrbitFrame
 {
-    Earth,      // turns with the Earth: ITRF and its kin
+    Earth,      // turns with the Earth: ITRF and similar frames
     Celestial,  // GCRF, ICRF, EME2000
-    Teme,       // of the date, as SGP4 has it
-    OfDate      // TOD: true equator and equinox of the date
+    Teme,       // of date, as in SGP4
+    OfDate      // TOD: true equator and equinox of date
 };
 
 struct OrbitRow
@@ -47,23 +47,23 @@ struct OrbitRow
     bool operator==(const OrbitRow&) const = default;
 };
 
-// Nothing is interpolated from one segment to the next: there was a manoeuvre, or nobody knows.
+// Nothing is interpolated between two segments, because there may be a manoeuvre between them.
 struct OrbitSegment
 {
     OrbitFrame frame = OrbitFrame::Earth;
-    bool usesVelocities = true;  // Hermite's polynomials, else those of Lagrange
-    std::size_t nodes = 2;       // rows of a polynomial, at most rows.size()
-    AtomicTime from{};           // usable, inside the rows
+    bool usesVelocities = true;  // true: Hermite interpolation; false: Lagrange
+    std::size_t nodes = 2;       // number of rows of a polynomial, at most rows.size()
+    AtomicTime from{};           // usable range, inside the rows
     AtomicTime to{};
     std::vector<OrbitRow> rows;  // two or more, in the order of time
 
     bool operator==(const OrbitSegment&) const = default;
 };
 
-// In the order of time. One ends before the next begins, or as it begins.
+// In the order of time. A segment ends before the next begins, or at the same time.
 using OrbitSegments = std::vector<OrbitSegment>;
 
-// Without a gap.
+// A span of time without a gap.
 struct TableSpan
 {
     AtomicTime from{};
@@ -74,7 +74,7 @@ struct TableSpan
 
 struct Table
 {
-    QString name;  // of the object, or of the file
+    QString name;  // of the object or of the file
     std::variant<DirectionRows, OrbitSegments> rows;
     std::vector<TableSpan> spans;  // one or more, in the order of time
 
@@ -83,7 +83,7 @@ struct Table
 
 using SharedTable = std::shared_ptr<const Table>;
 
-// Directions are those of one site already.
+// A table of directions is already for one site.
 [[nodiscard]] inline bool needsSite(const Table& table)
 {
     return std::holds_alternative<OrbitSegments>(table.rows);

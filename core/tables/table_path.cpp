@@ -14,7 +14,7 @@
 namespace boresight::tables {
 namespace {
 
-// A stay above the horizon that is shorter may be missed.
+// A shorter stay above the horizon may be missed.
 constexpr std::chrono::seconds kLookEach{20};
 constexpr std::chrono::milliseconds kExact{1};
 
@@ -31,7 +31,7 @@ SkyPointing directionOf(const orbit::Vector& unit)
             .elevation = Angle::fromRadians(std::atan2(unit.z, std::hypot(unit.x, unit.y)))};
 }
 
-// On the great circle, at an even rate. They are less than 90° apart.
+// On the great circle, at a constant rate. The directions are less than 90° apart.
 SkyPointing between(const SkyPointing& first, const SkyPointing& second, double part)
 {
     const orbit::Vector a = unitVector(first);
@@ -53,7 +53,7 @@ SkyPointing directionIn(const DirectionRows& rows, AtomicTime time)
                          Seconds(time - before.time).count() / Seconds(after->time - before.time).count());
 }
 
-// The last one that has begun: where two touch, the later.
+// The last segment that has begun. At a border of two segments it is the later one.
 const OrbitSegment& segmentAt(const OrbitSegments& segments, AtomicTime time)
 {
     return *(std::ranges::upper_bound(segments, time, {}, &OrbitSegment::from) - 1);
@@ -80,7 +80,7 @@ TablePath::TablePath(SharedTable table, const orbit::Observer& observer)
     : m_table(std::move(table)), m_observer(observer)
 {}
 
-// The first one that has not ended by then.
+// The first span that has not ended by this time.
 TablePath::Span TablePath::spanFrom(AtomicTime time) const
 {
     return std::ranges::lower_bound(m_table->spans, time, {}, &TableSpan::to);
@@ -150,8 +150,8 @@ bool TablePath::isUp(AtomicTime time)
     return seen && seen->direction.elevation >= Angle{};
 }
 
-// Between two directions above the horizon the great circle is above it as well, so there each row is enough. The rows
-// are walked: a day of them, each one searched, would keep the station waiting.
+// Between two directions above the horizon the great circle is above it, too. So for directions it is enough to look at
+// each row. The rows are visited in order, because a search for each row of a day would delay the station.
 TablePath::Look TablePath::nextLook(AtomicTime time, bool up, const TableSpan& span) const
 {
     const auto* const rows = std::get_if<DirectionRows>(&m_table->rows);
@@ -166,7 +166,7 @@ TablePath::Look TablePath::nextLook(AtomicTime time, bool up, const TableSpan& s
             .now = found == rows->end() ? span.to : std::min(found->time, span.to)};
 }
 
-// Where it rises or sets between two times: the last moment there at which it is up, or the first.
+// The rise or set between two times: the first or the last moment above the horizon.
 AtomicTime TablePath::change(AtomicTime before, AtomicTime after)
 {
     const bool rises = isUp(after);

@@ -9,8 +9,8 @@
 
 #include <optional>
 
-// Where a table leads over a site, airless as the table is. It remembers for ten minutes how the Earth's axis stands,
-// so it belongs to one thread.
+// The directions of a table at a site, airless like the table. The object keeps the orientation of the Earth's axis for
+// ten minutes, so it belongs to one thread.
 namespace boresight::tables {
 
 struct TablePlace
@@ -21,11 +21,11 @@ struct TablePlace
     bool operator==(const TablePlace&) const = default;
 };
 
-// Above the horizon, without a gap. Both ends have a place.
+// A time above the horizon without a gap. at() succeeds at both ends.
 struct TableStay
 {
     UtcTime from;
-    std::optional<UtcTime> to;  // empty: not before the end of the search
+    std::optional<UtcTime> to;  // empty: it lasts beyond the end of the search
 
     bool operator==(const TableStay&) const = default;
 };
@@ -33,19 +33,21 @@ struct TableStay
 class TablePath
 {
 public:
-    // `table` is not null. The observer is without meaning where the table needs no site.
+    // `table` must not be null. `observer` is ignored if the table needs no site.
     TablePath(SharedTable table, const orbit::Observer& observer);
 
-    // NotAvailable with the reason: the table has nothing there. It is never extrapolated, nor interpolated over a gap.
+    // NotAvailable, with the reason, if the table has nothing at this time. Nothing is extrapolated or interpolated
+    // over a gap.
     [[nodiscard]] Result<TablePlace> at(UtcTime utc);
-    // The stay in which `from` is, or the next one that begins before `until`. Refused with the reason: there is none.
+    // The stay that contains `from`, or the next one that begins before `until`. Refused with the reason if there is
+    // none.
     [[nodiscard]] Result<TableStay> nextStay(UtcTime from, UtcTime until);
 
 private:
     using Span = std::vector<TableSpan>::const_iterator;
     struct Look
     {
-        AtomicTime before;  // nothing changes until then
+        AtomicTime before;  // nothing changes before this time
         AtomicTime now;
     };
 

@@ -5,7 +5,8 @@
 
 #include <tl/expected.hpp>
 
-// Why a text is no table. Of a table with a mistake nothing is used: a way that jumps moves a mount. Pure value.
+// Why a text is not a valid table. A table with an error is refused as a whole, because a jump in it would move the
+// mount. Pure value.
 namespace boresight::tables {
 
 struct TableProblem

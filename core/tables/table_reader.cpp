@@ -13,7 +13,7 @@
 namespace boresight::tables {
 namespace {
 
-// Of the first line that has something.
+// The first line that is not empty.
 struct Beginning
 {
     std::string_view text;

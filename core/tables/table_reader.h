@@ -8,10 +8,11 @@
 
 #include <string_view>
 
-// Reads a table in whichever form it is: an OEM by its first word, all else is a tracking table. Pure.
+// Reads a table in any supported format. An OEM is recognised by its beginning; any other text is a tracking table.
+// Pure.
 namespace boresight::tables {
 
-// `file` is how messages name it: "FILE:LINE: reason". Its last part is the name of a tracking table.
+// `file` is the name in messages: "FILE:LINE: reason". Its last part becomes the name of a tracking table.
 [[nodiscard]] Result<SharedTable> readTable(std::string_view text, const QString& file);
 
 }  // namespace boresight::tables

@@ -11,10 +11,11 @@ namespace boresight::targets {
 
 namespace {
 
-// A pass begins and ends at the horizon, which is the end of many a travel: to the rounding of its times.
+// A pass begins and ends at the horizon, which is also the end of many travels. The times are rounded, so this
+// tolerance is needed.
 constexpr Angle kAtTheRim = Angle::fromDegrees(0.01);
 
-// Of two moments as far as both are seen.
+// The part of the time between two moments in which the limits hide neither of them.
 Seconds seenBetween(const SkyMoment& from, const SkyMoment& to, UtcTime begin, UtcTime end)
 {
     if (from.isHidden || to.isHidden) {
@@ -40,7 +41,7 @@ UtcTime crossing(const SkyMoment& from, const SkyMoment& to, const TravelRange& 
     return from.utc + std::chrono::round<UtcTime::duration>(part * Seconds(to.utc - from.utc));
 }
 
-// From the first moment on one wrap, as the station resolves each direction.
+// Starts on one wrap and resolves each direction as the station does.
 CableTurns turnsFrom(AxisPosition place, const std::vector<SkyMoment>& way, const MountReach& reach)
 {
     const auto turnTime = std::chrono::round<UtcTime::duration>(tracking::fullTurnTime(reach.turning));
@@ -58,7 +59,7 @@ CableTurns turnsFrom(AxisPosition place, const std::vector<SkyMoment>& way, cons
     return found;
 }
 
-// Each wrap on which the mount may wait for it: the station takes the one that is nearest then.
+// Every wrap on which the mount may wait. The station later takes the nearest one.
 std::vector<AxisPosition> starts(const SkyPointing& direction, const MountReach& reach)
 {
     const AxisPosition axes = reach.model.pointing().toAxes(direction).axes;
@@ -69,7 +70,7 @@ std::vector<AxisPosition> starts(const SkyPointing& direction, const MountReach&
     for (int wrap = wraps.first; wrap <= wraps.last; ++wrap) {
         all.push_back({axes.azimuth + Angle::fromTurns(wrap), axes.elevation});
     }
-    if (all.empty()) {  // beyond its travel it waits at an end
+    if (all.empty()) {  // for a direction beyond its travel the mount waits at an end
         all.push_back(reach.model.resolve(direction, axes).position);
     }
     return all;

@@ -7,12 +7,12 @@
 
 #include <vector>
 
-// Whether a mount tracks a way through the sky in one go, or has to turn back in the middle of it because its cable
-// ends. As the station does it: the wrap is chosen for all of the way, and where none has room the mount turns back by
-// 360° at the end of the cable. Pure, any thread.
+// Whether a mount can track a whole path, or must unwrap the cable in the middle of it. Computed as in the station: the
+// wrap is chosen for the whole path. If no wrap has room, the mount turns back by 360° at the end of the cable. Pure,
+// any thread.
 namespace boresight::targets {
 
-// Of one antenna on one mount.
+// The limits for one antenna on one mount.
 struct MountReach
 {
     pointing::MountModel model{{}, {}};  // within the ranges
@@ -27,16 +27,17 @@ struct MountReach
 
 struct CableTurns
 {
-    bool hasRoom = true;          // on one wrap, for all of the way
-    bool hasGap = false;          // and there is none because the mount turns less than 360°
-    int turns = 0;                // back, within the way
-    Seconds lost{0.0};            // of what the limits do not hide, at most: it depends on where the mount comes from
+    bool hasRoom = true;  // there is a wrap with room for the whole path
+    bool hasGap = false;  // no wrap has room, because the mount turns less than 360°
+    int turns = 0;        // how often the cable is unwrapped within the path
+    // Longest time lost while the limits do not hide the target. Depends on where the mount comes from.
+    Seconds lost{0.0};
     bool fitsOverTheTop = false;  // with elevations above 90° the mount would lose nothing
 
     bool operator==(const CableTurns&) const = default;
 };
 
-// Of a way whose moments are a few seconds apart, as they are in passes.
+// The moments of the path must be a few seconds apart, as in passes.
 [[nodiscard]] CableTurns cableTurns(const std::vector<SkyMoment>& way, const MountReach& reach);
 
 }  // namespace boresight::targets

@@ -28,7 +28,7 @@ constexpr double kLongitudeStep = 360.0 / kLocatorSteps;
 
 std::int64_t stepsOf(double degrees, double step)
 {
-    // The edge of a square belongs to it, also where degrees and radians have rounded it off.
+    // The edge of a square belongs to it, even if the conversion between degrees and radians has rounded it down.
     constexpr double kRounding = 1e-6;
     return std::clamp(static_cast<std::int64_t>(std::floor(degrees / step + kRounding)), std::int64_t{0},
                       kLocatorSteps - 1);

@@ -9,7 +9,7 @@
 
 namespace boresight::targets {
 
-// A direction, and when something is there.
+// A direction and the time at which an object is there.
 struct SkyMoment
 {
     UtcTime utc{};
@@ -19,7 +19,7 @@ struct SkyMoment
     bool operator==(const SkyMoment&) const = default;
 };
 
-// In the order of time. Shared by threads, because nobody changes it.
+// In the order of time. Never changed, so threads share it.
 using SkyWay = std::shared_ptr<const std::vector<SkyMoment>>;
 
 }  // namespace boresight::targets

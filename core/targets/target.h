@@ -12,9 +12,8 @@
 #include <variant>
 #include <vector>
 
-// What a mount can be sent to and kept on: a satellite by its elements, what stands in the sky by itself, a direction
-// that stays, a position on or above the Earth, or the way that a table describes. Pure value, any thread. Where it
-// stands: target_path.h.
+// A target for the mount: a satellite by its elements, a natural object in the sky, a fixed direction, a position on or
+// above the Earth, or the path in a table. Pure value, any thread. target_path.h computes where it is.
 namespace boresight::targets {
 
 // The way around the Earth to a position: the shorter one, or the one over its other side.
@@ -32,7 +31,7 @@ struct EarthPosition
     bool operator==(const EarthPosition&) const = default;
 };
 
-// A SkyPointing is a direction that stays. A table is not null.
+// A SkyPointing is a fixed direction. A table must not be null.
 using TargetKind =
     std::variant<orbit::ElementSet, ephemeris::SkyObject, SkyPointing, EarthPosition, tables::SharedTable>;
 
@@ -44,7 +43,7 @@ struct Target
     bool operator==(const Target&) const = default;
 };
 
-// Its number where it has no name.
+// The name of a satellite, or its number if it has no name.
 [[nodiscard]] QString satelliteName(const orbit::ElementSet& elements);
 [[nodiscard]] Target satelliteTarget(const orbit::ElementSet& elements);
 // Sun, Moon, a planet or a radio source, by its name in the language of the program.
@@ -53,7 +52,7 @@ struct Target
 [[nodiscard]] std::vector<Target> objectTargets();
 [[nodiscard]] Target tableTarget(const tables::SharedTable& table);
 
-// A direction and the directions of a table are those of one site already.
+// False for a fixed direction and a table of directions, which are already for one site.
 [[nodiscard]] bool needsSite(const Target& target);
 // The Sun, which a profile may forbid.
 [[nodiscard]] bool isSun(const Target& target);

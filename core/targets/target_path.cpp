@@ -12,7 +12,7 @@
 namespace boresight::targets {
 namespace {
 
-// Nearer to the antenna a position has no direction that means anything.
+// The direction of a nearer position is meaningless.
 constexpr double kNearest = 0.001;  // km
 
 Result<SkyPointing> directionOf(const EarthPosition& position, const QString& name, const orbit::Observer& observer)
@@ -124,7 +124,7 @@ Result<UpTime> TargetPath::nextPass(const orbit::Sgp4& orbit, UtcTime from) cons
     return up;
 }
 
-// At the horizon as it appears, through the air.
+// At the apparent horizon, with refraction.
 Result<UpTime> TargetPath::nextStay(const ephemeris::SkyObject& object, UtcTime from)
 {
     const Angle horizon = ephemeris::airless({}, refractionOf(object)).elevation;

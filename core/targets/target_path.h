@@ -14,18 +14,18 @@
 #include <optional>
 #include <variant>
 
-// Where a target stands over one site at any time, and when it is up. It remembers what the almanac needs for a minute,
-// so it belongs to one thread.
+// The direction of a target at one site at any time, and when it is up. It keeps data of the almanac for a minute, so
+// it belongs to one thread.
 //
-// Directions are those that the beam is pointed to. By kind, satellites are airless, Sun, Moon and planets appear where
-// the air bends their light to, radio sources where it bends radio waves to. Another rule bends all of them alike. A
-// position below the horizon is pointed to along it: its bearing, elevation 0°. The long path is the opposite bearing,
-// elevation 0°. No rule bends what stays in its place. A satellite rises and sets by geometry under each rule. A table
-// of positions is bent as a satellite, one of directions is not. It is up while it leads above the horizon without a
-// gap.
+// Directions are apparent, for pointing the beam. The rule ByKind applies no refraction to satellites, that of light to
+// Sun, Moon and planets, and that of radio waves to radio sources. Another rule applies one refraction to all of them.
+// Under every rule a satellite rises and sets by geometry. A position below the horizon is pointed to along the
+// horizon: its bearing with elevation 0°. The long path has the opposite bearing and elevation 0°. No refraction is
+// applied to a fixed direction or position, or to a table of directions. A table of positions is treated like a
+// satellite. A table is up while its path is above the horizon without a gap.
 namespace boresight::targets {
 
-// From a rise, or from the time that was asked about, to the set.
+// From a rise, or from the requested time, to the set.
 struct UpTime
 {
     UtcTime rises;
@@ -34,13 +34,13 @@ struct UpTime
     bool operator==(const UpTime&) const = default;
 };
 
-// By a rule, where a satellite appears whose direction is airless.
+// The apparent direction of a satellite under a rule.
 [[nodiscard]] SkyPointing satelliteSeen(const SkyPointing& airless, ephemeris::RefractionRule rule);
 
 class TargetPath
 {
 public:
-    // How far a rise and a set are looked for.
+    // How far ahead a rise and a set are searched.
     static constexpr std::chrono::hours kSearched{24};
 
     TargetPath(const Target& target, const Site& site,
@@ -51,8 +51,8 @@ public:
 
     // NotAvailable with the reason: the orbit or the table has ended, or the position is that of the site.
     [[nodiscard]] Result<SkyPointing> at(UtcTime utc);
-    // The present stay above the horizon, or the next one. What stays in its place is always up. Refused with the
-    // reason: it does not rise within kSearched, or its orbit or its table has ended.
+    // The present or the next time above the horizon. A fixed direction or position is always up. Refused, with the
+    // reason, if the target does not rise within kSearched, or if its orbit or its table has ended.
     [[nodiscard]] Result<UpTime> nextUp(UtcTime from);
 
 private:

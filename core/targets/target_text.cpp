@@ -18,11 +18,11 @@
 namespace boresight::targets {
 namespace {
 
-constexpr std::size_t kMostNamed = 3;  // of satellites that fit
+constexpr std::size_t kMostNamed = 3;  // matching satellites that a message names
 constexpr double kLowest = -1000.0;    // m
 constexpr double kHighest = 100'000.0;
 
-// Whatever the locale is.
+// Independent of the locale.
 char lower(char character)
 {
     return character >= 'A' && character <= 'Z' ? static_cast<char>(character - 'A' + 'a') : character;
@@ -35,7 +35,7 @@ std::string lowered(std::string_view text)
     return all;
 }
 
-// "5.5", or "5:30:00", or "-5:30"
+// A number like "5.5", "5:30:00" or "-5:30".
 std::optional<double> sexagesimal(std::string_view text)
 {
     const bool isNegative = text.starts_with('-');
@@ -55,7 +55,7 @@ std::optional<double> sexagesimal(std::string_view text)
     }
 }
 
-// Of "38.757,-9.117"; one that is no number is NaN.
+// The numbers of, for example, "38.757,-9.117". A text that is not a number becomes NaN.
 std::vector<double> numbersOf(std::string_view text)
 {
     std::vector<double> numbers;
@@ -125,7 +125,7 @@ struct Form
 };
 constexpr std::array kForms{Form{"azel ", directionTarget}, Form{"radec ", starTarget}, Form{"place ", placeTarget}};
 
-// "Cas A", "cas-a" and "CAS_A" are "cas-a"; "sgr a*" is "sgr-a".
+// Compares names of objects: "Cas A", "cas-a" and "CAS_A" mean "cas-a", and "sgr a*" means "sgr-a".
 std::optional<Target> objectOf(std::string_view small)
 {
     std::string key(small);
@@ -140,14 +140,14 @@ std::optional<Target> objectOf(std::string_view small)
     return objectTarget(*found);
 }
 
-// Of a text in small letters; all that is not ASCII is a letter.
+// `text` is in small letters. Every character that is not ASCII counts as a letter.
 bool isPartOfWord(std::string_view text, std::size_t at)
 {
     const char c = at < text.size() ? text[at] : ' ';
     return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || static_cast<unsigned char>(c) >= 0x80;
 }
 
-// As whole words: "iss" is in "iss (zarya)", and not in "swisscube".
+// True if `text` has `words` as whole words: "iss" is in "iss (zarya)", but not in "swisscube".
 bool hasWords(std::string_view text, std::string_view words)
 {
     for (std::size_t at = text.find(words); at != std::string_view::npos; at = text.find(words, at + 1)) {
@@ -160,7 +160,7 @@ bool hasWords(std::string_view text, std::string_view words)
 
 using Satellites = std::vector<const orbit::ElementSet*>;
 
-// Those of this number or name; else those whose name has these words.
+// The satellites with this number or name. If there are none: those with these words in their name.
 Satellites satellitesOf(std::string_view small, std::span<const orbit::ElementSet> known)
 {
     const auto number = parseInteger(small);

@@ -8,7 +8,7 @@ namespace boresight::tracking {
 
 namespace {
 
-// Below the resolution of any encoder and far above rounding: 6e-11°.
+// rad: below the resolution of any encoder (6e-11°) and far above rounding.
 constexpr double kRounding = 1e-12;
 
 double filterLengthFor(const MotionLimits& limits)
@@ -43,7 +43,7 @@ void AxisProfile::setTravel(const TravelRange& travel)
     m_travel = travel;
 }
 
-// The averaging turns a jump from full braking to full acceleration into a jerk of 2 × acceleration / length.
+// Averaging turns a jump from full braking to full acceleration into a jerk of 2 × acceleration / length.
 double AxisProfile::acceleration() const
 {
     return std::min(m_limits.acceleration.radians(), 0.5 * m_limits.jerk.radians() * m_motion.length());
@@ -55,7 +55,7 @@ Setpoint AxisProfile::follow(Seconds dt, Angle target, AngularRate targetRate)
     if (duration <= 0.0) {
         return m_setpoint;
     }
-    // The average of a steady motion is late by half the filter length: aim that much ahead.
+    // The average of a uniform motion lags by half the filter length. So the profile aims that far ahead.
     const double speed = m_limits.speed.radians();
     double rate = std::clamp(targetRate.radians(), -speed, speed);
     const Angle lead = target + Angle::fromRadians(0.5 * m_motion.length() * rate);
@@ -100,7 +100,7 @@ Setpoint AxisProfile::run(Seconds dt, AngularRate rate)
     return advance(obstacle ? stopAt(*obstacle, fastest, duration) : path);
 }
 
-// It rests before every place at which the limits could have stopped it.
+// The axis may stop earlier than with the limits, never later.
 Setpoint AxisProfile::brake(Seconds dt, AngularAcceleration deceleration)
 {
     const double duration = dt.count();
@@ -110,8 +110,9 @@ Setpoint AxisProfile::brake(Seconds dt, AngularAcceleration deceleration)
     return advance(changeRate(m_motion.latest(), 0.0, std::max(acceleration(), deceleration.radians()), duration));
 }
 
-// The end of the travel that the axis could no longer stop at after the path. It is enough to look at the end of each
-// segment: between them the place of a stop moves outwards only while the axis does. Motion back inside is always fine.
+// The end of the travel before which the axis could not stop after this path. Testing the end of each segment is
+// enough, because within a segment the stopping place moves outwards only while the axis does. Motion back inside is
+// always safe.
 std::optional<double> AxisProfile::endInTheWay(const std::vector<Segment>& path) const
 {
     for (const Segment& segment : path) {
@@ -127,8 +128,8 @@ std::optional<double> AxisProfile::endInTheWay(const std::vector<Segment>& path)
     return std::nullopt;
 }
 
-// As far towards the end as goes, and to rest there. After limits or travel were narrowed in flight the braking may
-// have to be harder than the limit; an axis already beyond the end only comes to rest.
+// Moves towards the end and stops there. If limits or travel were reduced during the motion, the braking may have to
+// exceed the limit. An axis beyond the end only stops.
 std::vector<Segment> AxisProfile::stopAt(double end, double speed, double duration) const
 {
     const MotionState now = m_motion.latest();

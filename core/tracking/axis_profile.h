@@ -7,9 +7,9 @@
 #include <optional>
 #include <vector>
 
-// The set-point of one axis, moved each control tick towards its goal within speed, acceleration, jerk and travel.
-// A time-optimal second-order profile (bang-bang, exact inside the tick) is averaged over the last 2 × acceleration /
-// jerk seconds: the average of a motion is never outside of it, and its jerk is bounded. METHOD.md argues it.
+// The set-point of one axis. Each control tick moves it towards its goal within speed, acceleration, jerk and travel. A
+// time-optimal second-order profile (bang-bang, exact within the tick) is averaged over the last 2 × acceleration /
+// jerk seconds. The average of a motion stays inside the motion, and its jerk is limited. METHOD.md gives the reasons.
 // Pure values, one thread.
 namespace boresight::tracking {
 
@@ -22,7 +22,7 @@ struct MotionLimits
     bool operator==(const MotionLimits&) const = default;
 };
 
-// What the axis is asked to be at the end of a tick.
+// What the axis must do at the end of a tick.
 struct Setpoint
 {
     Angle position;
@@ -35,42 +35,43 @@ struct Setpoint
 class AxisProfile
 {
 public:
-    // At rest at `position`, which may lie outside the travel: it is held there, and every motion leads back inside.
+    // Standing still at `position`. It may be outside the travel: then the axis stays there, and every motion leads
+    // back inside.
     AxisProfile(const MotionLimits& limits, const TravelRange& travel, Angle position);
 
-    // At rest at a measured position, everything before forgotten. For the moment when the drive takes over the first
-    // command, and after it was out of our hands. Between them this would be a step.
+    // Standing still at a measured position, with no memory of earlier motion. Call it when the drive takes the first
+    // command, and after the drive was not under our control. During control it would be a step.
     void reset(Angle position);
 
-    // From the next tick on. A filter length that follows from new limits takes force when the axis next rests;
-    // until then acceleration is lowered where the new jerk asks for it. Where lowered limits would no longer stop the
-    // axis before the end of its travel, the travel wins.
+    // Applies from the next tick on. A new filter length applies only when the axis next stands still. Until then the
+    // acceleration is reduced if the new jerk limit requires that. If reduced limits would no longer stop the axis
+    // before the end of its travel, the travel has priority.
     void setLimits(const MotionLimits& limits);
     void setTravel(const TravelRange& travel);
 
-    // One tick. The returned set-point belongs to its end, `dt` after the previous one.
+    // One tick. The returned set-point is for its end, `dt` after the previous set-point.
     //
-    // Goes to a target that at the end of the tick is at `target` and moves at `targetRate`. Targets beyond the travel
-    // mean its end. Reached, a moving target is followed without lag.
+    // Moves to a target that will be at `target` at the end of the tick and moves at `targetRate`. A target beyond the
+    // travel means the end of the travel. Once reached, a moving target is tracked without lag.
     Setpoint follow(Seconds dt, Angle target, AngularRate targetRate = {});
-    // Goes to a target that stands, and rests there no sooner than after `time`, which restTime() gives for the axis
-    // that is later.
+    // Moves to a fixed target and stops there after `time` at the earliest. Used so that both axes arrive together:
+    // `time` is restTime() of the slower axis.
     Setpoint arrive(Seconds dt, Angle target, Seconds time);
-    // Runs at a rate until told otherwise; comes to rest at the end of the travel.
+    // Moves at this rate until another call. Stops at the end of the travel.
     Setpoint run(Seconds dt, AngularRate rate);
-    // Comes to rest as fast as the limits allow, and stays there.
+    // Stops as fast as the limits allow, and stays there.
     Setpoint brake(Seconds dt) { return run(dt, AngularRate{}); }
-    // The same with a stronger deceleration, averaged as every motion.
+    // The same with a higher deceleration, averaged like every motion.
     Setpoint brake(Seconds dt, AngularAcceleration deceleration);
 
     [[nodiscard]] const Setpoint& setpoint() const { return m_setpoint; }
-    // All that the set-point still passes when the axis brakes from now on, where it is now included.
+    // The range that the set-point still passes if the axis brakes from now on, including its present position.
     [[nodiscard]] TravelRange untilRest() const;
-    // The set-point rests (exactly: rate and acceleration are zero and stay so until the goal changes).
+    // The set-point stands still: rate and acceleration are exactly zero and stay so until the goal changes.
     [[nodiscard]] bool atRest() const;
-    // How long it takes at least until the axis rests at a target that stands.
+    // The shortest time until the axis stands still at a fixed target.
     [[nodiscard]] Seconds restTime(Angle target) const;
-    // How long the averaging takes, hence how much later than the time-optimal profile the axis arrives.
+    // The duration of the averaging. The axis arrives later than the time-optimal profile by this time.
     [[nodiscard]] Seconds filterLength() const;
 
 private:

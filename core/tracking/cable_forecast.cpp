@@ -12,7 +12,7 @@ using Vector = std::array<double, 3>;  // north, east, up
 
 constexpr int kSteps = 180;  // of one degree along the great circle: half of the sky
 constexpr Angle kStep = Angle::fromDegrees(1.0);
-// A quarter of the rate of the stars: slower is a fixed target that trembles.
+// A quarter of the rate of the stars. A slower target counts as fixed, with some jitter.
 constexpr AngularRate kStanding = AngularRate::fromDegrees(0.001);
 
 struct Course
@@ -57,7 +57,7 @@ Angle azimuthOf(const Vector& direction)
     return Angle::fromRadians(std::atan2(direction[1], direction[0]));
 }
 
-// Of the way from one azimuth to the other, from 0 to 1.
+// The part of the way between the two azimuths that is outside the range, 0 to 1.
 double partBeyond(Angle from, Angle to, const TravelRange& azimuths)
 {
     const auto [low, high] = std::minmax(from, to);

@@ -6,31 +6,32 @@
 #include <optional>
 #include <vector>
 
-// Where a path that is followed will lead beyond the range of the azimuth, told in time. The path is taken to go on as
-// a great circle through the sky with its present speed: near the zenith an azimuth rate of this moment says nothing
-// about the next minute. Pure.
+// Predicts when a tracked path will leave the range of the azimuth. It assumes that the path continues as a great
+// circle through the sky with its present speed. Near the zenith the present azimuth rate would not predict even the
+// next minute. Pure.
 namespace boresight::tracking {
 
 struct CableForecast
 {
     Angle end;   // the end of the range that will be reached
     Seconds in;  // from now
-    Angle left;  // from the target of now to it
+    Angle left;  // angle from the present target to the end
 };
 
-// Empty: the target sets, or turns back, before it comes there; or it stands.
+// Empty if the target stands still, or if it sets or turns back before it reaches the end.
 [[nodiscard]] std::optional<CableForecast> forecastCableEnd(const MovingTarget& target, const TravelRange& azimuths);
 
-// A path that is known ahead, as a satellite's is. The azimuth is counted beyond 360°.
+// One moment of a path that is known in advance, for example of a satellite. The azimuth is unwrapped and may exceed
+// 360°.
 struct PathMoment
 {
     Seconds in;  // from now
     Angle azimuth;
-    bool isReachable = true;  // the limits do not hide it
+    bool isReachable = true;  // false: the limits hide it
 };
 
-// How much of the path the mount loses if it waits at the end of the range until the path comes back. What the limits
-// hide is lost anyway, and does not count. Between two moments the azimuth is taken to run evenly.
+// The part of the path that the mount loses if it waits at the end of the range until the path comes back. The parts
+// that the limits hide are lost anyway and do not count. The azimuth is taken as linear between two moments.
 [[nodiscard]] Seconds timeBeyond(const std::vector<PathMoment>& path, const TravelRange& azimuths);
 
 }  // namespace boresight::tracking

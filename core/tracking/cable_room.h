@@ -5,11 +5,11 @@
 
 #include <optional>
 
-// Whether the cable of the azimuth has room for all of a path, on which wraps, and how long one is gone back. Pure;
+// Whether the cable of the azimuth has room for a whole path, on which wraps, and how long an unwrap takes. Pure;
 // mechanical angles.
 namespace boresight::tracking {
 
-// By how many whole turns: from `first` to `last`. None if first > last.
+// The permitted numbers of whole turns, from `first` to `last`. None if first > last.
 struct WholeTurns
 {
     int first = 0;
@@ -18,13 +18,13 @@ struct WholeTurns
     [[nodiscard]] bool any() const { return first <= last; }
 };
 
-// What a path sweeps: each place is taken on the turn nearest to the one before it.
+// The arc that a path sweeps. Each place is taken on the turn nearest to the previous place.
 class SweptArc
 {
 public:
     void add(Angle azimuth);
 
-    // By which turns all of the arc can be moved and lies in the range. Without a place: none.
+    // By how many turns the arc can be shifted so that all of it lies inside the range. None if the arc has no place.
     [[nodiscard]] WholeTurns turnsInside(const TravelRange& range) const;
 
 private:
@@ -32,7 +32,7 @@ private:
     TravelRange m_swept;
 };
 
-// One turn from standstill to standstill, ramps included. The jerk adds a part of a second.
+// The time of one turn from standstill to standstill, including ramps. The jerk adds less than a second.
 [[nodiscard]] Seconds fullTurnTime(const MotionLimits& limits);
 
 }  // namespace boresight::tracking

@@ -5,12 +5,13 @@
 
 namespace boresight::tracking {
 
-// Room of the drive's own planner above what the host's profile asks for: it must never be the slower one.
+// The limits of the drive's own planner are higher than those of the profile by this factor, so that the drive never
+// lags.
 inline constexpr double kLimitGuard = 1.5;
 
-// What stops an axis that must not run on: at STOP, where its drive is not seen any more, and by the drive itself when
-// the orders end. From full speed to rest in 0.08 s, behind a watchdog of 0.1 s within 0.2 s of the last order. But
-// never more than fifteen times the acceleration that the profile asks of the mount.
+// The deceleration of an axis that must not run on: at STOP, when its drive is silent, and by the drive itself when the
+// commands end. It stops the axis from full speed in 0.08 s. With the watchdog of 0.1 s the axis stands still within
+// 0.2 s of the last command. At most fifteen times the acceleration of the profile.
 [[nodiscard]] AngularAcceleration emergencyBraking(const MotionLimits& limits);
 
 }  // namespace boresight::tracking

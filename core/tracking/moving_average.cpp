@@ -7,7 +7,7 @@ namespace boresight::tracking {
 
 namespace {
 
-// Of the position relative to `origin`, from `begin` to the end of the segment.
+// Integral of the position relative to `origin`, from `begin` to the end of the segment.
 double integral(const Segment& segment, double begin, double origin)
 {
     const MotionState from = segment.at(begin);
@@ -26,7 +26,7 @@ void MovingAverage::reset(double position, double length)
 void MovingAverage::append(std::span<const Segment> segments)
 {
     m_segments.insert(m_segments.end(), segments.begin(), segments.end());
-    double newer = 0.0;  // than the segment in hand
+    double newer = 0.0;  // duration of the segments after the present one
     auto oldest = m_segments.end();
     while (oldest != m_segments.begin() && newer < m_length) {
         --oldest;
@@ -57,14 +57,14 @@ bool MovingAverage::atRest() const
     return std::all_of(m_segments.begin(), m_segments.end(), [](const Segment& segment) { return segment.atRest(); });
 }
 
-// While the motion never turned, the average goes straight to the stop. Where it turned once, the average turns once,
-// too, and not beyond where the motion did; where it turned more often, all that is known is that it stays inside.
+// If the motion never reversed, the average goes straight to the stop. If it reversed once, the average reverses at
+// most once and stays inside the motion. If it reversed more often, the average only surely stays inside the motion.
 MovingAverage::Extremes MovingAverage::untilRestAt(double stop) const
 {
     const double now = sample().position;
     Extremes motion{.lowest = latest().position, .highest = latest().position};
     int turns = 0;
-    double way = 0.0;  // the sign of the last rate that was none
+    double way = 0.0;  // the sign of the last nonzero rate
     const auto look = [&](const MotionState& state) {
         motion = {std::min(motion.lowest, state.position), std::max(motion.highest, state.position)};
         if (state.rate != 0.0) {

@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
-// The average of a motion over the last `length` seconds, exact for segments of constant acceleration and ticks of any
-// length. An average never leaves what it averages over, and its acceleration changes no faster than
-// (largest - smallest acceleration) / length. Radians and seconds, pure.
+// The average of a motion over the last `length` seconds. Exact for segments of constant acceleration and ticks of any
+// duration. The average stays inside the averaged motion, and its jerk is at most (largest - smallest acceleration) /
+// length. Radians and seconds, pure.
 namespace boresight::tracking {
 
 class MovingAverage
@@ -27,21 +27,20 @@ public:
         double highest = 0.0;
     };
 
-    // As if the motion had rested at `position` for ever.
+    // Starts with a motion that has always been at `position`.
     void reset(double position, double length);
     void append(std::span<const Segment> segments);
 
     [[nodiscard]] double length() const { return m_length; }
     [[nodiscard]] Sample sample() const;
-    // The motion as it was last appended, not averaged.
+    // The last appended motion, not averaged.
     [[nodiscard]] MotionState latest() const { return m_segments.back().end(); }
     [[nodiscard]] bool atRest() const;
-    // Between which bounds the average stays on its way to `stop`, where the motion comes to rest without turning
-    // again.
+    // The range of the average on its way to `stop`, where the motion stops without reversing again.
     [[nodiscard]] Extremes untilRestAt(double stop) const;
 
 private:
-    std::vector<Segment> m_segments;  // oldest first; the oldest may begin before the averaging does
+    std::vector<Segment> m_segments;  // oldest first; the oldest may begin before the averaging window
     double m_length = 0.0;
 };
 

@@ -8,46 +8,47 @@ namespace boresight::tracking {
 
 namespace {
 
-// How many points make a path. Eight is the best of 4…14 for Gpredict's stream at its finest threshold (METHOD.md).
+// The number of points that form a path. Eight is the best of 4…14 for Gpredict's stream at its finest threshold
+// (METHOD.md).
 constexpr std::size_t kMostPoints = 8;
 constexpr std::size_t kFewestPoints = 4;
 
-// Points further apart are no stream, unless the client reads the position meanwhile. Clients that send faster are
-// thinned, or the path would be drawn through a moment's rounding.
+// With longer pauses the points are not a stream, unless the client reads the position meanwhile. Points that are
+// closer than kSpacing are thinned out. Otherwise the rounding of a moment would determine the path.
 constexpr Seconds kLongestPause{5.0};
 constexpr Seconds kSpacing{0.5};
 
-// Points further off the straight path than this belong to another target. Satellites pass at up to 2.3 °/s
-// (200 km); what is faster is a slew.
+// A point that is farther off the straight path belongs to another target. Satellites move at up to 2.3 °/s (200 km);
+// anything faster is a slew.
 constexpr double kMostDeviation = 1.0 * std::numbers::pi / 180.0;
 constexpr double kFastest = 3.0 * std::numbers::pi / 180.0;
 
-// Slower than this is a point sent again and again; the stars move at 0.004 °/s.
+// A slower target is one point that is sent again and again. The stars move at 0.004 °/s.
 constexpr double kSlowest = 0.001 * std::numbers::pi / 180.0;
 
-// Never further ahead of the last point than this, in the sky and in azimuth (which runs away near the zenith), and no
-// longer than two average pauses.
+// The largest distance of the target ahead of the last point, on the sky and in azimuth (which grows without limit near
+// the zenith), and the longest time in average pauses.
 constexpr double kFurthestAhead = 2.0 * std::numbers::pi / 180.0;
 const Angle kFurthestAzimuth = Angle::fromDegrees(45.0);
 constexpr double kPausesAhead = 2.0;
 
 // A client that reads the position at least this often (Gpredict: every 0.8 s) and sends no point is content. The
-// better it is followed, the longer it is silent (16 s in a low orbit); the target then runs on within these bounds and
-// waits. If that is too far or too little, Gpredict says so as soon as its satellite has moved on by the threshold.
-// Only a longer silence is an end. (Story: going back to the last point after two pauses swung the antenna 1.5°
-// backwards in mid-pass, each time it had followed well.)
+// better the mount tracks, the longer the client is silent (16 s in a low orbit). The target then continues within
+// these bounds and waits. If its position becomes wrong, Gpredict sends a point as soon as its satellite is off by the
+// threshold. Only a longer silence is an end. (An earlier version returned to the last point after two pauses. That
+// swung the antenna 1.5° backwards in the middle of a pass, each time the mount had tracked well.)
 constexpr Seconds kReadsWithin{2.0};
 constexpr Seconds kLongestRun{12.0};
 constexpr Seconds kLongestWait{12.0};
 constexpr double kFurthestRun = 5.0 * std::numbers::pi / 180.0;
 
-// A content client may begin a stream with pauses longer than kLongestPause if its steps are this fine. Twice the
-// threshold is the step of a Gpredict that is not yet followed: from a threshold of 0.25° on, sparse points would make
-// a path that leads the satellite by the threshold all the time, which is worse than none.
+// A content client may begin a stream with pauses longer than kLongestPause if its steps are this small. A Gpredict
+// whose satellite is not tracked yet sends steps of twice its threshold. From a threshold of 0.25° on, such sparse
+// points would form a path that leads the satellite by the threshold all the time. That is worse than no path.
 constexpr double kFineStep = 0.5 * std::numbers::pi / 180.0;
 
-// Each point bends the path a little. The target goes over from the old path to the new one in this time, so that the
-// antenna is not jerked with every point.
+// Each point changes the path a little. The target moves from the old path to the new one in this time, so that the
+// antenna does not jerk with every point.
 constexpr Seconds kCorrectionTime{1.0};
 
 using Vector = std::array<double, 3>;
@@ -64,13 +65,13 @@ Vector along(const Vector& base, const Vector& rate, double time)
     return {base[0] + rate[0] * time, base[1] + rate[1] * time, base[2] + rate[2] * time};
 }
 
-// Between directions of about unit length and a few degrees apart: the chord is the angle.
+// For directions of about unit length that are a few degrees apart, the chord equals the angle.
 double distance(const Vector& a, const Vector& b)
 {
     return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
-// The axes that point along `direction` as it moves, on the turn and the side of the zenith of `near`.
+// The axis angles for a moving `direction`, on the turn and the side of the zenith of `near`.
 MovingTarget axesFor(const Vector& direction, const Vector& rate, const AxisPosition& near)
 {
     const double horizontal = std::max(std::hypot(direction[0], direction[1]), 1e-9);  // the zenith has no azimuth
@@ -106,7 +107,7 @@ void TargetStream::clear()
 void TargetStream::confirm(SteadyTime now)
 {
     if (m_path && !target(now)->streaming) {
-        m_path.reset();  // it has ended: a late reader must not bring it back
+        m_path.reset();  // the path has ended, and a late read must not restore it
     }
     m_confirmed = now;
 }
@@ -116,7 +117,7 @@ bool TargetStream::content(SteadyTime now) const
     return m_confirmed && now - *m_confirmed <= kReadsWithin;
 }
 
-// Whether the next point belongs to those before it.
+// True if the next point belongs to the points before it.
 bool TargetStream::continues(SteadyTime now, const AxisPosition& point) const
 {
     const Seconds pause = now - m_points.back().time;
@@ -149,7 +150,7 @@ void TargetStream::add(SteadyTime now, const AxisPosition& point)
     }
 }
 
-// Drops points from the front until the rest lies along one path, or is too little for one.
+// Drops the oldest points until the rest lies along one path, or is too small for a path.
 void TargetStream::updatePath()
 {
     m_path = fittedPath();
@@ -162,7 +163,7 @@ void TargetStream::updatePath()
     }
 }
 
-// Least squares through the last points, each component by itself.
+// Least squares through the last points, for each component separately.
 std::optional<TargetStream::Path> TargetStream::fittedPath() const
 {
     if (m_points.size() < kFewestPoints) {
@@ -181,7 +182,8 @@ std::optional<TargetStream::Path> TargetStream::fittedPath() const
     for (const Point& point : m_points) {
         const double time = Seconds(point.time - last).count() - meanTime;
         spread += time * time;
-        rate = along(rate, point.direction, time);  // the mean drops out: the times add up to zero
+        // The mean needs no correction, because the sum of the times is zero.
+        rate = along(rate, point.direction, time);
     }
     rate = along({}, rate, 1.0 / spread);
     const Seconds pause = Seconds(last - m_points.front().time) / (count - 1.0);
@@ -206,7 +208,7 @@ TargetStream::Reach TargetStream::reachOf(const Path& path, SteadyTime now) cons
     }
     return {.run = std::min(kLongestRun, Seconds(kFurthestRun / distance(path.rate, {}))),
             .wait = kLongestWait,
-            .angle = kFurthestRun + kMostDeviation};  // the last point may be that much off the path
+            .angle = kFurthestRun + kMostDeviation};  // the last point itself may be this far off the path
 }
 
 std::optional<AxisPosition> TargetStream::lastPoint() const

@@ -8,31 +8,31 @@
 #include <deque>
 #include <optional>
 
-// Turns the points a client sends (Gpredict: `P` every 0.8…4 s in steps of its threshold) into a target that moves
+// Turns the points of a client (Gpredict: `P` every 0.8…4 s in steps of its threshold) into a target that moves
 // smoothly. While the points look like a path in the sky, the target follows that path and runs ahead of the last point
-// for a bounded time: short, unless the client goes on reading the position and has nothing to object. Otherwise, and
-// when the points cease, the target is the last point itself.
-// Pure values, times are steady, any one thread. Bounds and measured errors: METHOD.md.
+// for a limited time. The time is short, unless the client goes on reading the position without sending a point.
+// Otherwise, and when no more points come, the target is the last point itself. Pure values, times are steady, any one
+// thread. Limits and measured errors: METHOD.md.
 namespace boresight::tracking {
 
-// Where the target is now and how it moves: what AxisProfile::follow wants, for both axes.
+// Where the target is and how it moves: the arguments of AxisProfile::follow for both axes.
 struct MovingTarget
 {
     AxisPosition position;
     AxisRates rates;
-    bool streaming = false;  // follows a path (state TRACK) rather than a fixed point (SLEW, HOLD)
+    bool streaming = false;  // true: follows a path (state TRACK); false: a fixed point (SLEW, HOLD)
 };
 
 class TargetStream
 {
 public:
-    // The next point of a client, already resolved to the turn of the axes it means. Times do not run backwards.
+    // The next point of a client, already on the turn of the axes that it means. Times must not decrease.
     void add(SteadyTime now, const AxisPosition& point);
-    // A new target: whatever came before says nothing about it.
+    // A new target. Earlier points are forgotten.
     void restart(SteadyTime now, const AxisPosition& point);
     void clear();
-    // The client has read the position. Gpredict sends a point only while what it read is off by its threshold: one
-    // that goes on reading and sends none is content with the path.
+    // The client has read the position. Gpredict sends a point only while the position that it read is off by its
+    // threshold. So a client that reads but sends no point is content with the path.
     void confirm(SteadyTime now);
 
     [[nodiscard]] std::optional<AxisPosition> lastPoint() const;  // empty before the first point
@@ -48,20 +48,20 @@ private:
         Vector direction{};
     };
 
-    // Straight through space, as a satellite flies by: direction = base + rate × (time since the last point).
+    // A straight line in space, like a satellite flying by: direction = base + rate × (time since the last point).
     struct Path
     {
         Vector base{};
         Vector rate{};
-        Seconds pause;  // between its points, on average
+        Seconds pause;  // average time between its points
     };
 
-    // How far ahead of the last point a path may be followed.
+    // How far the target may follow a path ahead of the last point.
     struct Reach
     {
         Seconds run;
-        Seconds wait;  // at the end of the run
-        double angle;  // in the sky
+        Seconds wait;  // time to wait at the end of the run
+        double angle;  // on the sky
     };
 
     [[nodiscard]] std::optional<Path> fittedPath() const;
@@ -74,7 +74,7 @@ private:
     std::deque<Point> m_points;  // oldest first
     std::optional<Path> m_path;
     std::optional<SteadyTime> m_confirmed;
-    AxisPosition m_correction;  // from the present path to the one before, at the time of the last point
+    AxisPosition m_correction;  // from the present path to the previous one, at the time of the last point
 };
 
 }  // namespace boresight::tracking

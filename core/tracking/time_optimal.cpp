@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kForever = std::numeric_limits<double>::infinity();
 
-// Strings segments together until the duration is used up.
+// Joins segments until the duration is used up.
 class Path
 {
 public:
@@ -26,29 +26,30 @@ public:
             m_left -= used;
         }
     }
-    // Goes on exactly from here: takes away the rounding of the segments before.
+    // Continues exactly from this state, which removes the rounding of the previous segments.
     void continueFrom(const MotionState& state) { m_state = state; }
 
     [[nodiscard]] double left() const { return m_left; }
     [[nodiscard]] std::vector<Segment> take() { return std::move(m_segments); }
 
 private:
-    static constexpr std::size_t kMost = 4;  // faster or slower, at one speed, to the rate of the target, with it
+    // The parts of a way: change of speed, constant speed, change to the rate of the target, motion with the target.
+    static constexpr std::size_t kMost = 4;
 
     std::vector<Segment> m_segments;
     MotionState m_state;
     double m_left;
 };
 
-// A target as seen from the motion, mirrored so that the way leads upwards: `ahead` is the distance still to go,
-// `closing` how fast it shrinks. Where a stop now would end beyond the target the way leads back.
+// The target as seen from the motion, mirrored so that the way leads upwards: `ahead` is the remaining distance,
+// `closing` the speed at which it shrinks. If an immediate stop would end beyond the target, the way leads back.
 struct Ahead
 {
     double way = 1.0;  // or -1
     double ahead = 0.0;
     double closing = 0.0;
 
-    // Of a way without a cruise.
+    // The peak speed of a way without a phase of constant speed.
     [[nodiscard]] double peak(double acceleration) const
     {
         return std::sqrt(std::max(0.0, 0.5 * closing * closing + acceleration * ahead));
@@ -111,9 +112,9 @@ double restTime(const MotionState& now, double position, const MotionBounds& bou
     return accelerating + std::max(0.0, rest) / cruise + cruise / a;
 }
 
-// The time of a way falls with its cruise v, from closing speed c over the distance d: it takes
-// (v - c) / a + (d - (2 v² - c²) / 2a) / v + v / a, or c / a + (d - c² / 2a) / v where it slows down to v first. Solved
-// for v.
+// The duration of a way decreases with its cruise speed v. From closing speed c over the distance d it takes (v - c) /
+// a + (d - (2 v² - c²) / 2a) / v + v / a, or c / a + (d - c² / 2a) / v if it first slows down to v. This function
+// solves it for v.
 double speedForRestTime(const MotionState& now, double position, const MotionBounds& bounds, double time)
 {
     const double a = bounds.acceleration;
@@ -122,7 +123,7 @@ double speedForRestTime(const MotionState& now, double position, const MotionBou
     const double sum = time + to.closing / a;
     const double root = sum * sum - 4.0 * (to.ahead + stopping) / a;
     if (root <= 0.0) {
-        return bounds.speed;  // it can not be there so soon
+        return bounds.speed;  // the axis cannot arrive that early
     }
     double speed = 0.5 * a * (sum - std::sqrt(root));
     if (speed < to.closing) {

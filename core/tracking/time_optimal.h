@@ -3,9 +3,9 @@
 
 #include <vector>
 
-// The quickest motion of one axis under a speed and an acceleration limit: accelerate, cruise, brake. Closed forms,
-// exact inside a tick, so a target is met and not hunted. Bare numbers in radians and seconds: this is the arithmetic
-// beneath AxisProfile, which speaks in quantities. Pure.
+// The fastest motion of one axis under a speed and an acceleration limit: accelerate, cruise, brake. Closed formulas,
+// exact within a tick, so a target is reached without oscillation. Plain numbers in radians and seconds: the arithmetic
+// below AxisProfile, which uses types for quantities. Pure.
 namespace boresight::tracking {
 
 struct MotionState
@@ -32,23 +32,23 @@ struct MotionBounds
     double acceleration = 0.0;
 };
 
-// The first `duration` seconds of the quickest way onto a target that now is at `target.position` and moves on with
-// `target.rate` (at most the speed bound). Once met, the target is followed exactly.
+// The first `duration` seconds of the fastest way to a target that is at `target.position` now and moves at
+// `target.rate` (at most the speed limit). Once reached, the target is followed exactly.
 [[nodiscard]] std::vector<Segment> approach(const MotionState& now, const MotionState& target,
                                             const MotionBounds& bounds, double duration);
 
-// The first `duration` seconds of the quickest change to a rate, which is then kept.
+// The first `duration` seconds of the fastest change to a rate. The rate is then kept.
 [[nodiscard]] std::vector<Segment> changeRate(const MotionState& now, double rate, double acceleration,
                                               double duration);
 
-// How long the quickest way takes to rest at `position`.
+// The time of the fastest way to stand still at `position`.
 [[nodiscard]] double restTime(const MotionState& now, double position, const MotionBounds& bounds);
 
-// The speed bound with which the way to rest at `position` takes `time`, at most that of `bounds`. Never so small that
-// it never ends.
+// The speed limit with which the way to `position` takes `time`, at most that of `bounds`. Never so small that the way
+// would not end.
 [[nodiscard]] double speedForRestTime(const MotionState& now, double position, const MotionBounds& bounds, double time);
 
-// Where the quickest stop would come to rest.
+// Where the fastest stop would end.
 [[nodiscard]] double stopPosition(const MotionState& state, double acceleration);
 
 }  // namespace boresight::tracking

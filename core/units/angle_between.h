@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-// How far two directions are apart, on the great circle through both: 0…180°, exact for small and large angles alike.
+// The angle between two directions on the great circle, 0…180°. Exact for small and large angles.
 namespace boresight {
 
 [[nodiscard]] inline Angle angleBetween(const SkyPointing& a, const SkyPointing& b)

@@ -6,7 +6,7 @@
 
 #include <QString>
 
-// An angle as people read it: degreesText(Angle::fromDegrees(12.345)) is "12.3°"; never "-0.0°".
+// An angle as a text for people: degreesText(Angle::fromDegrees(12.345)) is "12.3°". Never "-0.0°".
 namespace boresight {
 
 [[nodiscard]] inline QString degreesText(Angle angle, int decimals = 1)
@@ -14,7 +14,7 @@ namespace boresight {
     return QString::fromStdString(formatFixed(angle.degrees(), decimals)) + QStringLiteral("°");
 }
 
-// An azimuth as people read it, of any turn: never "-0.0°", and what rounds to "360.0°" is "0.0°".
+// An azimuth of any turn as a text for people. Never "-0.0°". A value that would round to "360.0°" becomes "0.0°".
 [[nodiscard]] inline QString azimuthText(Angle azimuth, int decimals = 1)
 {
     const QString text = degreesText(azimuth.wrapped360(), decimals);

@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-// How long something takes, as people read it: "9 s", "1 min 40 s", "13 h 1 min".
+// A duration as a text for people: "9 s", "1 min 40 s", "13 h 1 min".
 namespace boresight {
 
 [[nodiscard]] inline QString durationText(Seconds time)

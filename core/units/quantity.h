@@ -8,9 +8,9 @@
 #include <concepts>
 #include <numbers>
 
-// Strong types for angles and motor turns and their time derivatives. Inside is one double: radians for what the sky
-// and the axes measure, turns for what the drive receives. Nothing converts from or to a bare double by itself, and the
-// two kinds never mix: only MountModel turns one into the other.
+// Strong types for angles and motor turns and their time derivatives. Each holds one double: radians for the sky and
+// the axes, turns for the drive. There is no implicit conversion from or to double, and the two kinds never mix. Only
+// MountModel converts between them.
 namespace boresight {
 
 struct AngleKind;  // radians
@@ -73,7 +73,7 @@ public:
     friend constexpr Quantity operator/(Quantity a, double divisor) { return Quantity(a.m_value / divisor); }
     friend constexpr double operator/(Quantity a, Quantity b) { return a.m_value / b.m_value; }
 
-    // Per second, and back: Angle / Seconds is an AngularRate, AngularRate * Seconds is an Angle.
+    // Division by time and its inverse: Angle / Seconds is an AngularRate, AngularRate * Seconds is an Angle.
     friend constexpr Quantity<Kind, PerSecond + 1> operator/(Quantity a, Seconds time)
     {
         return Quantity<Kind, PerSecond + 1>(a.m_value / time.count());
@@ -83,12 +83,12 @@ public:
         return Quantity<Kind, PerSecond - 1>(a.m_value * time.count());
     }
 
-    // The same direction in [0°, 360°), in [-180°, 180°), or as the turn nearest to a reference.
+    // The same direction in [0°, 360°), in [-180°, 180°), or on the turn nearest to a reference.
     [[nodiscard]] Quantity wrapped360() const requires(std::same_as<Kind, AngleKind>&& PerSecond == 0)
     {
         const double full = 2.0 * std::numbers::pi;
         const double rest = m_value - full * std::floor(m_value / full);
-        return Quantity(rest < full ? rest : 0.0);  // a tiny negative angle rounds up to a full turn
+        return Quantity(rest < full ? rest : 0.0);  // rounding makes a full turn of a tiny negative angle
     }
     [[nodiscard]] Quantity wrapped180() const requires(std::same_as<Kind, AngleKind>&& PerSecond == 0)
     {

@@ -3,9 +3,9 @@
 
 #include "core/units/quantity.h"
 
-// A place on the Earth: geodetic latitude and longitude on the ellipsoid of WGS-84, as maps and GPS receivers give
-// them. The height is the one above it; one above sea level differs by up to 100 m, which is below what the Sun, the
-// Moon and the magnetic field can show.
+// A place on the Earth: geodetic latitude and longitude on the ellipsoid of WGS-84, as in maps and GPS receivers. The
+// height is above the ellipsoid. The height above sea level differs by up to 100 m, which has no visible effect on the
+// Sun, the Moon or the magnetic field.
 namespace boresight {
 
 struct Site

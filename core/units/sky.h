@@ -7,8 +7,8 @@
 #include <cstddef>
 #include <span>
 
-// Where the beam points, and where the axes stand: two types, because 370° and 10° are one direction but two places
-// of the cable. MountModel is the only way from one to the other.
+// The direction of the beam and the position of the axes are two types, because 370° and 10° are the same direction but
+// two positions of the cable. Only MountModel converts between them.
 namespace boresight {
 
 enum class Axis
@@ -19,7 +19,7 @@ enum class Axis
 
 inline constexpr std::array<Axis, 2> kAxes{Axis::Azimuth, Axis::Elevation};
 
-// Some of kAxes, in their order.
+// A part of kAxes, in the same order.
 using AxisSet = std::span<const Axis>;
 
 [[nodiscard]] constexpr AxisSet axesIf(bool azimuth, bool elevation)
@@ -27,14 +27,14 @@ using AxisSet = std::span<const Axis>;
     return AxisSet(kAxes).subspan(azimuth ? 0U : 1U, (azimuth ? 1U : 0U) + (elevation ? 1U : 0U));
 }
 
-// Of an axis in what is kept for both.
+// The index of an axis in an array for both axes.
 [[nodiscard]] constexpr std::size_t index(Axis axis)
 {
     return axis == Axis::Azimuth ? 0 : 1;
 }
 
-// A direction in the sky, seen from the mount. Azimuth from true north through east; elevation above the horizon,
-// above 90° means over the top (the beam points to azimuth + 180°).
+// A direction in the sky, seen from the mount. Azimuth from true north through east. Elevation above the horizon; above
+// 90° means over the top (the beam points to azimuth + 180°).
 struct SkyPointing
 {
     Angle azimuth;
@@ -60,7 +60,7 @@ struct AxisRates
     bool operator==(const AxisRates&) const = default;
 };
 
-// Where an axis may be, ends included.
+// The permitted range of an axis, ends included.
 struct TravelRange
 {
     Angle min;

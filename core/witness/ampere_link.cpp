@@ -7,11 +7,12 @@
 namespace boresight {
 namespace {
 
-constexpr Seconds kNotesKept{25.0};      // the longest latency and average of the profile, and more
-constexpr std::size_t kFewest = 15;      // of a sensor that speaks once a second
-constexpr double kLeastAmperes = 0.3;    // between the least and the most: less does not turn a needle
-constexpr int kFewestChanges = 3;        // from little current to much, or back
-constexpr double kLeastExplained = 0.8;  // of the coefficient: two thirds of the variance
+constexpr Seconds kNotesKept{25.0};  // s: the longest latency and average that a profile allows, with some reserve
+constexpr std::size_t kFewest = 15;  // for a sensor with one value per second
+// A smaller difference between the lowest and the highest current does not disturb a compass.
+constexpr double kLeastAmperes = 0.3;
+constexpr int kFewestChanges = 3;        // between a low and a high current, in both directions
+constexpr double kLeastExplained = 0.8;  // of the coefficient: this explains two thirds of the variance
 
 SteadyTime later(SteadyTime time, Seconds by)
 {
@@ -45,7 +46,7 @@ void AmpereLink::take(SteadyTime middle, Seconds width, Angle difference)
     m_pairs.push_back({middle, sum / static_cast<double>(last - first), difference.degrees()});
 }
 
-// How often the current went from the lowest quarter of its range to the highest, or back.
+// How often the current changed between the lowest and the highest quarter of its range, in both directions.
 int AmpereLink::changes(double low, double high) const
 {
     const double quarter = (high - low) / 4.0;

@@ -7,8 +7,8 @@
 #include <deque>
 #include <optional>
 
-// Whether what the sensor differs from the axes by goes with the current of the motors: their field turns the needle.
-// Values of the last minute, each beside the mean current of the time that it is about. Pure; station thread.
+// Whether the difference between sensor and axes follows the current of the motors, whose field disturbs the compass.
+// Uses the values of the last minute, each with the mean current at its own time. Pure; station thread.
 namespace boresight {
 
 struct CurrentCorrelation
@@ -22,14 +22,14 @@ class AmpereLink
 public:
     static constexpr Seconds kSpan{60.0};
 
-    // A of both motors together, without sign, once per tick.
+    // Sum of the absolute currents of both motors, in A. Once per tick.
     void note(SteadyTime now, double amperes);
-    // A difference of the sensor that is about the time around `middle`.
+    // A difference of the sensor, measured during `width` around `middle`.
     void take(SteadyTime middle, Seconds width, Angle difference);
     void forget() { m_pairs.clear(); }
 
-    // Only where it is beyond doubt: enough values, a current that rose and fell more than once, so that it is not the
-    // one motion that happened, and hardly anything left that it does not explain.
+    // Only if it is certain: there are enough values, the current rose and fell more than once (so that it is not the
+    // effect of a single motion), and the current explains nearly the whole difference.
     [[nodiscard]] std::optional<CurrentCorrelation> correlation() const;
 
 private:

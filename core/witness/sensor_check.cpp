@@ -7,11 +7,11 @@
 namespace boresight {
 namespace {
 
-constexpr Seconds kKept{25.0};  // the longest latency and average of the profile, and their jitter
-// How far a sentence may be early or late within the sensor's loop.
+constexpr Seconds kKept{25.0};  // the longest latency and average that a profile allows, plus jitter
+// A sentence may be this early or late because of the loop of the sensor.
 constexpr Seconds kJitter{0.3};
-constexpr int kSensorCheckFewest = 2;  // values that differ, or agree again
-// Agrees again: clearly below the threshold, so that the alarm does not flicker.
+constexpr int kSensorCheckFewest = 2;  // number of values that must differ, or agree again
+// Agrees again clearly below the threshold, so that the alarm does not flicker.
 constexpr double kAgreesBelow = 0.7;
 constexpr Angle kMoved = Angle::fromDegrees(1.0);
 
@@ -41,13 +41,13 @@ void SensorCheck::take(const SensorDirection& reading)
     const auto elevations = passed(&Place::elevation, reading.arrival, Seconds(0.0));
     Case& azimuth = m_cases[index(Axis::Azimuth)];
     Case& elevation = m_cases[index(Axis::Elevation)];
-    // Without an elevation axis the sensor alone knows how high the antenna looks.
+    // Without an elevation axis only the sensor knows the elevation of the antenna.
     const Angle height = m_missing == Axis::Elevation ? reading.direction.elevation
                          : elevations                 ? elevations->mean
                                                       : 90_deg;
     if (azimuths && abs(height) < kHighestForCompass && reading.azimuthCounts && m_missing != Axis::Azimuth) {
         const Angle difference = (reading.direction.azimuth - azimuths->mean).wrapped180();
-        // As an angle on the sky: near the zenith a degree of azimuth is less than a degree.
+        // The difference as an angle on the sky, which is smaller than that in azimuth near the zenith.
         const double shrink = std::cos(height.radians());
         judge(azimuth, difference, (abs(difference) - azimuths->spread) * shrink, reading.arrival);
     } else {

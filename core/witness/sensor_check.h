@@ -8,19 +8,20 @@
 #include <deque>
 #include <optional>
 
-// Compares the sensor with the axes, both as true directions. A value of the sensor is old when it arrives, and an
-// average: so it is compared with where the axes were then, and as much as they moved about that time is forgiven. A
-// difference counts when it lasts and at least two values have it; a single outlier never does. Pure; station thread.
+// Compares the sensor with the axes, both as true directions. A value of the sensor is an average and some time old
+// when it arrives. So it is compared with the position of the axes at that time, and their motion around that time is
+// allowed for. A difference counts if it lasts and at least two values have it. A single outlier never counts. Pure;
+// station thread.
 namespace boresight {
 
-// Near the zenith a compass on the boom says nothing, and beyond it the box lies on its back and says the opposite.
+// Near the zenith a compass on the boom is useless. Beyond it the box is upside down and shows the opposite direction.
 inline constexpr Angle kHighestForCompass = Angle::fromDegrees(75.0);
 
 struct SensorCheckSettings
 {
     Angle threshold;
-    Seconds time{0.0};       // how long the difference may last
-    Seconds latency{0.0};    // of the azimuth: age of the middle of its average on arrival
+    Seconds time{0.0};       // a longer difference counts as lasting
+    Seconds latency{0.0};    // of the azimuth: age of the middle of its average at arrival
     Seconds averaging{0.0};  // of the azimuth
 
     bool operator==(const SensorCheckSettings&) const = default;
@@ -30,35 +31,35 @@ struct SensorDirection
 {
     SkyPointing direction;  // true
     SteadyTime arrival;
-    bool azimuthCounts = true;  // else its compass is not calibrated
+    bool azimuthCounts = true;  // false: the compass is not calibrated
     bool elevationCounts = true;
 };
 
 class SensorCheck
 {
 public:
-    // Azimuth and elevation apart: one may be right while the other is not.
+    // The result for one axis. Azimuth and elevation are independent: one may agree while the other does not.
     struct Difference
     {
         std::optional<Angle> now;  // sensor minus axes; empty: not compared
-        bool beyond = false;       // the threshold, now
+        bool beyond = false;       // now above the threshold
         bool lasts = false;
-        bool beganMoving = false;  // it began while the axes moved
+        bool beganMoving = false;  // began while the axes moved
     };
 
     explicit SensorCheck(const SensorCheckSettings& settings) : m_settings(settings) {}
-    // From the next value on. It knows no profile: the same check judges a mounting that is only proposed.
+    // Applies from the next value on. The class knows no profile, so it can also check a proposed mounting.
     void setSettings(const SensorCheckSettings& settings) { m_settings = settings; }
 
-    // The mount has no such axis: it is not compared.
+    // The mount does not have this axis, so the axis is not compared.
     void leaveOut(Axis axis) { m_missing = axis; }
 
-    // Where the axes point, once per tick; empty: not known, and nothing is compared across that.
+    // Where the axes point, once per tick. Empty: unknown; values that overlap such a time are not compared.
     void note(SteadyTime now, const std::optional<SkyPointing>& axes);
     void take(const SensorDirection& reading);
-    // Time goes on: a difference becomes a lasting one between two values too.
+    // Advances the time. A difference may become a lasting one between two values.
     void tick(SteadyTime now);
-    // There is no sensor any more, or another.
+    // The sensor is gone or was replaced.
     void forget();
 
     [[nodiscard]] const Difference& difference(Axis axis) const { return m_cases[index(axis)].difference; }
@@ -71,16 +72,16 @@ private:
         Angle azimuth;  // unwrapped
         Angle elevation;
     };
-    // Where an axis was within a span of time.
+    // The range of an axis during a span of time.
     struct Passed
     {
         Angle mean;
-        Angle spread;  // to either side
+        Angle spread;  // half of the range
     };
     struct Case
     {
         Difference difference;
-        std::optional<SteadyTime> since;  // the first value of those in a row that differ
+        std::optional<SteadyTime> since;  // time of the first of the consecutive values that differ
         int differing = 0;
         int agreeing = 0;
     };

@@ -4,7 +4,7 @@
 namespace boresight {
 namespace {
 
-// A compass below this is not tied to magnetic north, or about to lose it.
+// Below these levels the compass is not related to magnetic north, or may soon lose it.
 constexpr int kFewestMagnetometer = 2;
 constexpr int kFewestSystem = 1;
 constexpr int kFewestAccelerometer = 1;

@@ -5,11 +5,11 @@
 #include "core/witness/sensor_check.h"
 #include "core/witness/sensor_curve.h"
 
-// The sensor by one mounting and curve, compared with the axes: how its values become true directions, and whether
-// these differ. There is one of what is in force, and one of what is proposed. Pure.
+// Converts the sensor's values to true directions by one mounting and curve, and compares them with the axes. One
+// object uses the mounting in force, another the proposed one. Pure.
 namespace boresight {
 
-// Its compass is tied to magnetic north, its elevation to the vertical.
+// isTiedToNorth: the compass is related to magnetic north. isLevel: the elevation is related to the vertical.
 [[nodiscard]] bool isTiedToNorth(const orientation::Calibration& calibration);
 [[nodiscard]] bool isLevel(const orientation::Orientation& value);
 
@@ -18,15 +18,15 @@ class SensorComparison
 public:
     explicit SensorComparison(const profile::SensorSettings& settings);
 
-    // How far apart and for how long, from the next value on.
+    // Sets the threshold and the time of a difference, from the next value on.
     void judgeBy(const profile::SensorSettings& settings);
-    // Another mounting or curve. What was compared before is forgotten.
+    // Sets another mounting or curve. Earlier comparisons are forgotten.
     void convertBy(const SensorToSky& toSky);
     void forget() { m_check.forget(); }
     void leaveOut(Axis axis) { m_check.leaveOut(axis); }
 
     void take(const orientation::Orientation& value);
-    // As those of SensorCheck.
+    // As in SensorCheck.
     void note(SteadyTime now, const std::optional<SkyPointing>& axes) { m_check.note(now, axes); }
     void tick(SteadyTime now) { m_check.tick(now); }
 

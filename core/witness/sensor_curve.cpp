@@ -9,7 +9,7 @@ namespace {
 using calibration::AzimuthSense;
 using calibration::DeviationCurve;
 
-// About the heading without any declination.
+// The curve for a heading without any declination.
 DeviationCurve bareCurve(const profile::SensorSettings& settings)
 {
     const profile::CompassDeviation& deviation = settings.deviation;
@@ -77,7 +77,7 @@ bool wasSwung(const profile::SensorSettings& settings)
 DeviationCurve curveOf(const profile::SensorSettings& settings, Angle declination)
 {
     DeviationCurve curve = bareCurve(settings);
-    const Angle added = settings.declinationInSensor;  // by the sensor, whichever way it counts
+    const Angle added = settings.declinationInSensor;  // by the sensor, in either sense
     curve.constant += (curve.sense == AzimuthSense::Clockwise ? added : -added) - declination;
     return curve;
 }

@@ -8,41 +8,41 @@
 
 #include <optional>
 
-// The sensor's mounting and the deviation of its compass: as a profile keeps them, as a calibration records them, and
-// as the one curve that leads from what the sensor sends to a true heading. Pure.
+// The mounting of the sensor and the deviation of its compass, in three forms: as a profile stores them, as a
+// calibration records them, and as one curve from the sent heading to a true heading. Pure.
 namespace boresight {
 
 [[nodiscard]] calibration::SensorMounting mountingOf(const profile::SensorSettings& settings);
 void setMounting(profile::SensorSettings& settings, const calibration::SensorMounting& mounting);
 
-// Whether a reading means the same with both. What only judges (how long without one, how far apart, how much current)
-// changes none.
+// Whether a reading has the same meaning with both settings. Settings that only judge readings (how long without a
+// value, how large a difference, how much current) make no difference.
 [[nodiscard]] bool readAlike(profile::SensorSettings one, const profile::SensorSettings& other);
 
-// Whether a swing has found what iron does to its compass.
+// Whether a swing has measured the deviation of the compass.
 [[nodiscard]] bool wasSwung(const profile::SensorSettings& settings);
 
-// From the heading as sent. `declination`: what counts, whoever applies it.
+// The curve for the heading as sent. `declination`: the one that applies, whether the sensor or Boresight adds it.
 [[nodiscard]] calibration::DeviationCurve curveOf(const profile::SensorSettings& settings, Angle declination);
 
-// How what the sensor sends becomes a true direction.
+// Converts the values of the sensor to true directions.
 struct SensorToSky
 {
     SensorToSky() = default;
     SensorToSky(const profile::SensorSettings& settings, const geomagnetism::Declination& declination);
 
     orientation::Correction correction;
-    std::optional<calibration::DeviationCurve> deviation;  // if a swing found one: mounting and declination are in it
+    std::optional<calibration::DeviationCurve> deviation;  // only after a swing; includes mounting and declination
 
     [[nodiscard]] SkyPointing directionOf(const orientation::Orientation& value) const;
-    // The swing found no steel that steers the compass there.
+    // False if the swing found iron that disturbs the compass in this direction.
     [[nodiscard]] bool isReliable(const SkyPointing& direction) const;
 };
 
-// Of the azimuth of a true direction that the curve led to: what is the same in all readings. Empty: not known.
+// The sigma of an azimuth that the curve gave: the error that all readings have in common. Empty: unknown.
 [[nodiscard]] std::optional<Angle> azimuthSigma(const calibration::DeviationCurve& curve, const SkyPointing& direction);
 
-// After north was found to be elsewhere: what was azimuth ψ is really ψ + correction, and known to `sigma`.
+// After a correction of north: azimuth ψ becomes ψ + correction, and is known to `sigma`.
 [[nodiscard]] calibration::SensorMounting withNorthMoved(calibration::SensorMounting mounting, Angle correction,
                                                          Angle sigma);
 

@@ -9,13 +9,13 @@
 namespace boresight {
 namespace {
 
-const QString kWatchSource = QStringLiteral("sensor");  // of its lines in the log
-// The sensor waits for its WiFi and the time before it says anything.
+const QString kWatchSource = QStringLiteral("sensor");  // in the log
+// After its start the sensor waits for WiFi and the time before it sends anything.
 constexpr Seconds kFirstPatience{10.0};
 constexpr Seconds kFrozen{5.0};
 constexpr Angle kToldAnew = Angle::fromDegrees(1.0);
 
-// Nearer to the zenith a heading jumps to the other side of the circle.
+// Nearer to the zenith the heading may jump to the opposite side.
 constexpr Angle kHighestCourse = Angle::fromDegrees(75.0);
 
 orientation::JudgeSettings judgeSettings(const profile::Profile& profile)
@@ -26,7 +26,8 @@ orientation::JudgeSettings judgeSettings(const profile::Profile& profile)
             .declinationInSensor = profile.sensor.declinationInSensor};
 }
 
-// Whatever tells where north is. An axis whose own zero was set to north tells nothing in the profile.
+// Whether anything in the profile shows where north is. If the zero of an axis itself was set to north, the profile
+// does not show that.
 bool holdsNorth(const profile::Profile& profile)
 {
     return profile.pointing.azimuthOffset != Angle{} || profile.sensor.mounting.azimuthOffset != Angle{} ||
@@ -70,7 +71,7 @@ void SensorWatch::profileChanged(const profile::Profile& before, const profile::
     m_judge.setSettings(judgeSettings(after));
     m_inForce.judgeBy(after.sensor);
     m_afterApply.judgeBy(after.sensor);
-    // A disagreement that lasts outlives settings that change no reading and no direction of the axes.
+    // A lasting disagreement survives a change of settings that affects neither readings nor directions of the axes.
     if (!readAlike(after.sensor, before.sensor) || after.pointing != before.pointing) {
         correct();
     }
@@ -83,7 +84,7 @@ void SensorWatch::setSiteDeclination(const std::optional<Result<Angle>>& declina
     correct();
 }
 
-// What was compared before is compared again: the difference was perhaps that of a wrong setting.
+// Starts the comparison anew, because a wrong setting may have caused the old difference.
 void SensorWatch::correct()
 {
     m_inForce.convertBy(SensorToSky(settings(), m_site.of(settings())));
@@ -136,7 +137,7 @@ void SensorWatch::take(const orientation::Orientation& value)
 
 void SensorWatch::compare(const orientation::Orientation& value)
 {
-    // Outliers too: a sensor that was knocked over differs at once, and one outlier alone never counts.
+    // Outliers are included: a sensor that was knocked over differs at once, and a single outlier never counts.
     m_inForce.take(value);
     m_afterApply.take(value);
     if (const auto difference = m_inForce.difference(Axis::Azimuth).now) {
@@ -226,14 +227,14 @@ bool SensorWatch::isNorthUnknown() const
 bool SensorWatch::disagrees(Axis axis) const
 {
     const bool expected = axis == Axis::Azimuth && isNorthUnknown();
-    // An alarm that stands goes only when a value has agreed with what is proposed.
+    // An active alarm ends only after a value has agreed with the proposal.
     const SensorCheck::Difference& proposed = m_afterApply.difference(axis);
     const bool agrees = proposed.now && !proposed.beyond;
     const bool explained = m_proposed && !proposed.lasts && (agrees || !m_told.stands);
     return m_inForce.difference(axis).lasts && !expected && !explained;
 }
 
-// No beep, nothing amber: a newcomer is shown the way.
+// An advisory without sound: a new user is shown the way.
 void SensorWatch::tellNorth()
 {
     const SensorCheck::Difference& azimuth = m_inForce.difference(Axis::Azimuth);
@@ -250,7 +251,8 @@ void SensorWatch::tellDisagreement()
 {
     tellNorth();
     const bool disagrees = this->disagrees();
-    // That it goes with the current shows after some motions only: then it is told again, with its cause.
+    // That the difference follows the current becomes visible only after some motions. Then the alarm is raised again
+    // and names the current as its cause.
     const bool byCurrent = this->disagrees(Axis::Azimuth) && m_currentLink.correlation();
     if (disagrees && (!m_told.stands || (byCurrent && !m_told.currentNamed) || hasChanged())) {
         raiseDisagreement();
@@ -266,7 +268,7 @@ Axis SensorWatch::axisInDoubt() const
     return disagrees(Axis::Azimuth) ? Axis::Azimuth : Axis::Elevation;
 }
 
-// The sentence follows the present difference, though not each tremble of it.
+// The sentence follows the present difference, but not its small changes.
 bool SensorWatch::hasChanged() const
 {
     const Axis axis = axisInDoubt();
@@ -363,7 +365,7 @@ SensorEvidence SensorWatch::evidence() const
             .course = course(*last)};
 }
 
-// The true azimuth, on the turn that the count of the headings says.
+// The true azimuth, on the turn given by the count of the headings.
 std::optional<SensorCourse> SensorWatch::course(const orientation::Orientation& last) const
 {
     const SkyPointing direction = m_inForce.directionOf(last);

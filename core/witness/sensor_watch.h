@@ -12,17 +12,17 @@
 #include "core/witness/sensor_comparison.h"
 #include "core/witness/site_declination.h"
 
-// What the station makes of the orientation sensor: judges its values, turns them into true directions, compares these
-// with the axes, and tells all that in the status, by at most two alarms and few lines of the log. It is a witness: it
-// moves nothing and stops nothing. Pure but for the log; station thread.
+// The orientation sensor as an independent check: judges its values, converts them to true directions and compares
+// these with the axes. Reports the result in the status, by at most two alarms and a few lines of the log. It moves
+// nothing and stops nothing. Pure except for the log; station thread.
 namespace boresight {
 
-// True angles that are young and calibrated enough to speak for a place of the axes.
+// True angles that are young and calibrated enough to be evidence for a position of the axes.
 struct SensorEvidence
 {
     std::optional<Angle> azimuth;
     std::optional<Angle> elevation;
-    std::optional<SensorCourse> course;  // how the azimuth went, while it can be followed
+    std::optional<SensorCourse> course;  // how far the azimuth has turned, as long as it could be followed
 
     bool operator==(const SensorEvidence&) const = default;
 };
@@ -30,28 +30,28 @@ struct SensorEvidence
 class SensorWatch
 {
 public:
-    // All of them outlive it.
+    // All arguments must outlive this object.
     SensorWatch(const profile::InForce& profile, const Clock& clock, EventLog& log, AlarmBoard& alarms);
 
-    // The mount has no such axis: it is not compared.
+    // The mount does not have this axis, so the axis is not compared.
     void leaveOut(Axis axis);
     void profileChanged(const profile::Profile& before, const profile::Profile& after);
-    // Of the site by the magnetic model, or why it is not known; empty: the model is still read, or there is no site.
-    // Counts while the profile names a file of one.
-    // `model`: its name and years; `expiry`: that it ends or has ended.
+    // The declination of the site by the magnetic model, or why it is unknown. Empty: the model is still being read, or
+    // there is no site. Used only if the profile names a file of a model. `model`: its name and years. `expiry`: a text
+    // if the model ends soon or has ended.
     void setSiteDeclination(const std::optional<Result<Angle>>& declination, const QString& model = {},
                             const QString& expiry = {});
 
-    // Another source from now on, by its name; empty: none.
+    // Another source, by its name. Empty: none.
     void begin(const QString& source);
     void show(const orientation::SourceStatus& status) { m_source.status = status; }
     void take(const orientation::Orientation& value);
-    // A mounting and curve that were found and wait for Apply; empty: none. As long as the sensor agrees with the axes
-    // by what is proposed, that it does not by what is in force is no alarm; it becomes one when it is not proposed any
-    // more, and a difference that the proposal does not explain is one at once.
+    // A mounting and curve that wait for Apply; empty: none. As long as the sensor agrees with the axes by the
+    // proposal, its disagreement by the settings in force is no alarm. It becomes an alarm when the proposal is
+    // withdrawn. A difference that the proposal does not explain is an alarm at once.
     void setProposed(const std::optional<calibration::SensorMounting>& mounting);
-    // Once per tick; where the axes point, if that is known, and the current of both motors, without sign. `proposed`:
-    // where they point by what is proposed.
+    // Once per tick. `axes`: where the axes point, if known. `amperes`: sum of the absolute currents of both motors.
+    // `proposed`: where the axes point by the proposal.
     void tick(const std::optional<SkyPointing>& axes, double amperes = 0.0,
               const std::optional<SkyPointing>& proposed = std::nullopt);
 
@@ -59,29 +59,29 @@ public:
     [[nodiscard]] SensorEvidence evidence() const;
 
 private:
-    // The source that is open, and what was noticed of it.
+    // The open source and its state.
     struct SourceInUse
     {
         QString name;  // empty: none is open
         orientation::SourceStatus status{};
         SteadyTime begun{};
-        bool heard = false;   // as the log reported
+        bool heard = false;   // values arrive, as the log last reported
         bool agreed = false;  // in azimuth, at least once
         bool unknownTold = false;
         std::uint64_t restartsTold = 0;
     };
 
-    // What the alarm of a difference says now.
+    // The present content of the alarm about a difference.
     struct Told
     {
         bool stands = false;
-        bool currentNamed = false;  // as its cause
+        bool currentNamed = false;  // the current is named as the cause
         Axis axis = Axis::Azimuth;
         Angle apart;
     };
 
     [[nodiscard]] const profile::SensorSettings& settings() const { return m_profile->sensor; }
-    // Why its azimuth is no evidence; empty: it is.
+    // Why the azimuth of this value is no evidence. Empty: it is evidence.
     [[nodiscard]] QString doubtOf(const orientation::Orientation& value) const;
     [[nodiscard]] bool isYoung() const;
     [[nodiscard]] std::optional<SensorCourse> course(const orientation::Orientation& last) const;
@@ -90,10 +90,10 @@ private:
     void correctProposed();
     void note(const orientation::Orientation& value);
     void tellPresence();
-    // No north was found or set, and the sensor has never agreed with the axes: that they differ in azimuth is then
-    // what has to be expected, and no sign that something is wrong.
+    // North was never found or set, and the sensor has never agreed with the axes. Then a difference in azimuth is
+    // expected and no sign of a fault.
     [[nodiscard]] bool isNorthUnknown() const;
-    // For long enough, and neither expected nor explained by what waits for Apply.
+    // The difference lasts, is not expected, and is not explained by a proposal.
     [[nodiscard]] bool disagrees(Axis axis) const;
     [[nodiscard]] bool disagrees() const { return disagrees(Axis::Azimuth) || disagrees(Axis::Elevation); }
     void tellDisagreement();
@@ -112,12 +112,12 @@ private:
     SiteDeclination m_site;
     SensorComparison m_inForce;
     std::optional<calibration::SensorMounting> m_proposed;
-    SensorComparison m_afterApply;  // what m_inForce would say after Apply
+    SensorComparison m_afterApply;  // the comparison as it would be after Apply
     SourceInUse m_source;
     AmpereLink m_currentLink;
-    std::uint64_t m_breaks = 0;  // of the course, besides those that the judge sees
+    std::uint64_t m_breaks = 0;  // of the course, in addition to those in the judge
     Told m_told;
-    std::optional<Angle> m_northTold;  // in the advice that north is not set
+    std::optional<Angle> m_northTold;  // difference that the advice to set north shows
 };
 
 }  // namespace boresight

@@ -10,19 +10,20 @@
 
 #include <optional>
 
-// The declination at the site: what the magnetic model says of it, where the profile names a file of one, else what the
-// profile says. Pure.
+// The declination at the site: by the magnetic model if the profile names a file of one, otherwise the value in the
+// profile. Pure.
 namespace boresight {
 
 struct SiteDeclination
 {
-    // By the model, or why it is not known; empty: the model is still read, or there is no site.
+    // By the model, or why it is unknown. Empty: the model is still being read, or there is no site.
     std::optional<Result<Angle>> byModel;
     QString model;   // its name and years
-    QString expiry;  // that it ends or has ended
+    QString expiry;  // a text if the model ends soon or has ended
 
     [[nodiscard]] geomagnetism::Declination of(const profile::SensorSettings& settings) const;
-    // Why it may be wrong. A declination of exactly 0° was mostly not typed at all: it accuses nobody.
+    // Why the declination may be wrong. A value of exactly 0° was probably never entered, so no doubt is reported for
+    // it.
     [[nodiscard]] QString doubt(const profile::SensorSettings& settings) const;
 };
 
