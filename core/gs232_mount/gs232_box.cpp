@@ -157,7 +157,7 @@ bool Gs232Box::send(Axis axis, std::string_view digits)
         return false;
     }
     if (target == whole(motor.place) && !motor.runs) {
-        return true;  // the potentiometer shows it already
+        return true;  // the potentiometer already shows this degree
     }
     if (!motor.runs) {
         ++m_starts;
