@@ -13,7 +13,7 @@ namespace boresight::socketcan {
 inline constexpr PhaseTiming kWantedNominal{.bitRate = 1'000'000, .samplePoint = 0.666};
 inline constexpr PhaseTiming kWantedData{.bitRate = 5'000'000, .samplePoint = 0.666};
 
-// By its usual name, for interfaces whose kind is not known.
+// True if the interface has the usual name of a virtual one. For interfaces whose kind is not known.
 [[nodiscard]] bool looksVirtual(const QString& interface);
 
 // "ip link set can0 up type can bitrate …", or the command for a virtual interface.

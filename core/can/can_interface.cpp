@@ -183,7 +183,7 @@ void KernelCanInterface::watchChanges()
     connect(m_changesNotifier.get(), &QSocketNotifier::activated, this, &KernelCanInterface::readChanges);
 }
 
-// The messages are only read away. A query for the state after them is never out of date and never lost.
+// The messages themselves are dropped. The state that is queried afterwards is never out of date.
 void KernelCanInterface::readChanges()
 {
     std::array<char, 8192> message{};

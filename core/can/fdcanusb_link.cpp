@@ -221,7 +221,7 @@ void FdcanusbLink::readPort()
 void FdcanusbLink::handleLine(std::string_view line)
 {
     if (m_status.state == LinkState::Closed || m_status.state == LinkState::Lost) {
-        return;  // closed by the receiver of an earlier line, or the last data of a lost adapter
+        return;  // a receiver has closed the link, or the adapter is lost
     }
     const auto rule =
         m_checksum == LineChecksum::On ? fdcanusb::ChecksumRule::Require : fdcanusb::ChecksumRule::VerifyIfPresent;

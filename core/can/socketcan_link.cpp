@@ -267,7 +267,7 @@ void SocketCanLink::checkInterface()
     updateStatus();
 }
 
-// The state of the controller from before we opened, or after a lost error frame.
+// Reads the state of the controller, which may have changed before we opened, or while its error frames were lost.
 void SocketCanLink::follow(socketcan::ControllerState controller)
 {
     m_trouble.busOff = controller == socketcan::ControllerState::BusOff;

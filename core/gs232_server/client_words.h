@@ -13,7 +13,6 @@
 
 // The commands of a program to a GS-232 box and the answers of the box, bytes <-> values. The other direction is
 // core/gs232. Pure.
-// Pure.
 namespace boresight::gs232 {
 
 enum class Ask

@@ -24,8 +24,8 @@ using Query = std::vector<RegisterRead>;
 // The default of the official clients: mode, position, velocity, torque, voltage, temperature, fault (22 bytes of
 // reply).
 [[nodiscard]] const Query& basicQuery();
-// The query of a rotator in every frame: also q and d current, power, control position and velocity, the echo of a
-// PositionCommand, motor temperature, trajectory and home state (55 bytes of reply).
+// The query of a rotator in every frame: the values of basicQuery(), and q and d current, power, control position and
+// velocity, the echo of a PositionCommand, motor temperature, trajectory and home state (55 bytes of reply).
 [[nodiscard]] const Query& rotatorQuery();
 // For finding drives, as the maker's tools do: the UUID, and whether the drive can be addressed by its UUID.
 [[nodiscard]] const Query& discoveryQuery();

@@ -369,7 +369,7 @@ void Drive::judgePhase(moteus::Mode mode, Seconds inPhase)
     }
 }
 
-// An axis that is captured in motion brakes first. A set-point at its position of now would pull it back.
+// An axis that is captured in motion brakes first. A set-point at its present position would pull it back.
 void Drive::judgeCapture(Seconds inPhase)
 {
     const bool slow = m_report->rate && abs(*m_report->rate) < kDriveStanding;

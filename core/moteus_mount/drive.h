@@ -107,7 +107,7 @@ public:
     // Orders of the station; they take effect in the next frame.
     void engage();  // Listening -> (Recovering, after a time-out ->) Capturing -> Engaged
     void seize();   // engage(), but only for a drive that is active without our commands
-    void listen();  // stop commanding. The watchdog of the drive then ends what it did
+    void listen();  // stop commanding. The watchdog of the drive then ends its motion
     // Clears a fault or time-out. If the time-out mode of the drive held the axis, the drive is captured again. An
     // unbalanced axis then falls only until mode 0 is reported (two ticks) and for the 13 ms of enabling. After a fault
     // the drive stays off.

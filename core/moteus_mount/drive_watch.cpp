@@ -106,7 +106,7 @@ void DriveWatch::beginSilence(const Drive& drive, Silence::Kind kind, const Cont
     m_silences.tell(m_which, {.kind = kind, .since = m_silent->since, .needsRearm = context.faultLatched});
 }
 
-// A drive can go silent and return many times before a re-arm. The alarm always shows its state of now.
+// A drive can go silent and return many times before a re-arm. The alarm always shows its present state.
 void DriveWatch::watchSilence(const Drive& drive, const Context& context)
 {
     if (drive.answering(context.now) || context.silenceExpected) {

@@ -47,7 +47,7 @@ private:
     const Clock& m_clock;
     EventLog& m_log;
     AlarmBoard& m_alarms;
-    // The built-in simulated mount starts anew with the program. It is where its drives report it.
+    // A simulated mount starts with the program and is where its drives report it. So it needs no position journal.
     const bool m_simulated;
     memory::MemoryFile m_memoryFile;
     Result<> m_claim;  // of the position journal

@@ -80,7 +80,7 @@ void RateFollower::heard(MotorTurns control, MotorRate rate, int ticksAgo)
 
 void RateFollower::leave()
 {
-    m_ticks = {Tick{.began = m_ticks.back().began}};  // the drive may count from another zero when it is led again
+    m_ticks = {Tick{.began = m_ticks.back().began}};  // the drive may count from another zero when orders begin again
     m_lastAcceleration.reset();
 }
 

@@ -313,7 +313,7 @@ std::optional<TurnQuestion> TurnKeeper::question(Axis axis, const Drive& drive) 
         addTurning(axis, question);
         return question;
     }
-    // The candidates of now: by jogging, one may have come inside the stops and another may have left them.
+    // The present candidates: by jogging, one may have come inside the stops and another may have left them.
     const pointing::AxisGeometry& geometry = m_profile->axis(axis).geometry;
     question.candidates =
         memory::placesAround(geometry.toAxis(drive.place()->position), question.period, geometry.travel);

@@ -27,7 +27,7 @@ public:
     {
         memory::MountMemory memory;
         QString problem;  // why there is no journal, or only an old one: "the journal file is missing"
-        // True for the built-in simulated mount, which is where its drives report it.
+        // True for the simulated mount: the first reported position is the right one.
         bool trustFirstContact = false;
         // Where the axes are, as the operator entered at the start of the program, within 20°. Answers the first
         // question about each axis and no later one, if it is not older than kPlaceAge and was never used before.

@@ -15,7 +15,7 @@ namespace {
 using pointing::AxisBox;
 using tracking::AxisProfile;
 
-// How far beyond an edge the region is searched to which the edge belongs.
+// The region that an edge belongs to is looked up this far beyond the edge.
 constexpr Angle kBeyondEdge = Angle::fromDegrees(0.1);
 
 // A rotator that moves by itself is never exactly at its set-points.

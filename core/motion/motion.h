@@ -58,7 +58,7 @@ public:
     // With `hard` the axes brake as hard as a drive that gets no commands, still with limited jerk. Otherwise within
     // the limits.
     void setHardBraking(bool hard) { m_hardBraking = hard; }
-    // One step of braking. The target stays for the time when both axes can move again.
+    // One step of braking. The target is kept until both axes can move again.
     void brake(Seconds step);
     // Moves the set-points on to `now`, which is `step` after the previous call.
     void advance(SteadyTime now, Seconds step);

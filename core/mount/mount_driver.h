@@ -14,7 +14,7 @@
 #include <optional>
 
 // The port of the mount: what the control needs from any rotator, whatever its protocol. A driver decides nothing about
-// motion. It promises four things: nothing moves before engage(). An axis is held where it was measured before it
+// motion. It makes four promises. Nothing moves before engage(). An axis is held where it was measured before it
 // follows a set-point. Silence is reported within the time of the driver. After a trouble nothing moves before
 // recover() and engage(). Station thread only. Never blocks. Angles are mechanical (unwrapped).
 namespace boresight {

@@ -24,7 +24,8 @@ public:
     [[nodiscard]] virtual Result<> mayBeWritten() const = 0;
     // Success if the gains of this axis can be read and changed while it stands still, otherwise the reason.
     [[nodiscard]] virtual Result<> mayBeTuned(Axis axis) const = 0;
-    // Switches off one axis, which must be on, or all. Then nothing holds them. Returns the text for the log.
+    // maySwitchOff(): success if the axis is on, otherwise the reason. switchOff() switches one axis or all off, so
+    // that nothing holds them, and returns the text for the log.
     [[nodiscard]] virtual Result<> maySwitchOff(Axis axis) const = 0;
     [[nodiscard]] virtual QString switchOff(std::optional<Axis> only) = 0;
 

@@ -33,7 +33,7 @@ class BrokerSession : public QObject
     Q_OBJECT
 
 public:
-    // The deadline from open() until the broker accepts the login.
+    // The longest time from open() until the broker accepts the login.
     static constexpr std::chrono::seconds kPatience{10};
     // After this time of silence the broker is asked for a sign of life. Without an answer in the same time again, it
     // is given up.

@@ -14,7 +14,7 @@
 
 // A BrokerClient on a thread of its own, for an owner whose thread must not wait for a broker (station thread). However
 // much a broker sends, the owner gets at most NewestMessages::kMost messages in each PacedOutlet::kPeriod, the newest
-// ones. Requests of the owner are queued to the thread, so they never wait. The first request starts the thread.
+// ones. Requests of the owner are queued to the thread, so the owner never waits. The first request starts the thread.
 namespace boresight::mqtt {
 
 class ClientWorker;

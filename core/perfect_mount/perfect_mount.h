@@ -5,8 +5,8 @@
 
 #include <array>
 
-// The mount of a rehearsal as a MountDriver: its axes are always at the last set-points. A target that such a mount
-// loses is lost because of the limits of the profile or the cable. It never fails. Mechanical angles. One thread.
+// The mount of a rehearsal as a MountDriver: its axes are always at the last set-points. If even this mount loses a
+// target, the limits of the profile or the cable are the reason. It never fails. Mechanical angles. One thread.
 namespace boresight {
 
 class PerfectMount final : public MountDriver

@@ -361,7 +361,7 @@ void BoxMount::leave(profile::OnExit /*how*/)
     }
 }
 
-// The target is not farther ahead than the axis needs to stop, because the range is permitted up to that point.
+// The target is not farther ahead than the axis needs to stop: only the way up to that point is known to be permitted.
 Angle BoxMount::aimOf(Axis axis) const
 {
     const tracking::Setpoint& setpoint = of(axis).setpoint;

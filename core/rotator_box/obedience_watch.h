@@ -20,7 +20,7 @@ public:
     static constexpr std::chrono::seconds kCoast{3};  // after a stop; then it is stopped again
     static constexpr std::chrono::seconds kRunsOn{6};
     static constexpr std::chrono::seconds kStands{
-        2};  // no other place for so long: slower than half a degree in a second is none
+        2};  // time without another position until the axis counts as standing
 
     enum class Verdict
     {

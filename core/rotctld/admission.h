@@ -17,7 +17,7 @@ namespace boresight::rotctld {
 class Admission
 {
 public:
-    // Addresses and networks; empty: whoever can reach the port.
+    // Addresses and networks. Empty: everybody who reaches the port.
     explicit Admission(const std::vector<std::string>& allow) : m_allowed(allow) {}
     void setAllowed(const std::vector<std::string>& entries) { m_allowed = AllowList(entries); }
 

@@ -10,7 +10,6 @@
 
 // Every command of the rotctld protocol, described once. The parser, the replies and the help text use this table.
 // Constant data, any thread.
-// Constant data, any thread.
 namespace boresight::rotctld {
 
 enum class CommandId : std::uint8_t

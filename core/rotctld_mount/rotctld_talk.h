@@ -13,8 +13,8 @@
 // The conversation with a rotctld. rotctld carries out one command at a time. So the next command waits for the answer,
 // however long that takes: a command sent earlier would wait in the queue of rotctld, and a stop would wait behind it.
 // The position is asked at most four times a second, and a target is sent at most twice a second. A stop is sent at
-// once, and only questions may follow it before its answer. A refused stop is repeated. A rotator without a stop
-// command is sent to where it is.
+// once. A refused stop is repeated, and until then only questions are sent. A rotator without a stop command is sent to
+// where it is.
 //
 // First the limits are asked for. The answer shows whether the server is a rotctld. A server that does not know the
 // extended form is asked in the plain form, and then only for the position. Each attempt uses a new connection, because

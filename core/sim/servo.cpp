@@ -10,8 +10,7 @@ namespace {
 
 using moteus::Mode;
 
-// The gate driver needs 4 to 5 ms to start. The calibration of the current sensors takes 256 control periods of 1/30000
-// s.
+// The gate driver needs 4 to 5 ms to start. Calibrating the current sensors takes 256 control periods of 1/30000 s.
 constexpr double kEnablingTime = 5.0e-3;
 constexpr double kCalibratingTime = 256.0 / 30000.0;
 constexpr double kTimeTolerance = 1.0e-9;  // rounding errors in sums of steps

@@ -55,7 +55,7 @@ public:
     void setPowered(bool powered);
     // Turns the axis by hand without power, so the drive does not see the movement.
     void place(double position);
-    // From here on the encoder reads so many turns more.
+    // From here on the encoder reads `turns` more.
     void slipEncoder(double turns) { m_slip += turns; }
     void raiseFault(int code) { m_servo->raiseFault(code); }
     void setRegisterMapVersion(int version) { m_registerMapVersion = version; }

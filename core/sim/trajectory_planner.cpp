@@ -20,8 +20,8 @@ constexpr double kPeriodsToArrive = 10.0;
 // If stopping at the target needs at least this share of the acceleration limit, the device brakes with just that
 // acceleration.
 constexpr double kFittedShare = 0.9;
-// Within a·T² times this factor a moving axis does not accelerate any more. Within this distance it has arrived when it
-// brakes and is slower than this share of the speed from which the limit would stop it at the target.
+// Within a·T² times kNearFactor a moving axis does not accelerate any more. Within this distance it has arrived when it
+// brakes and is slower than kSlowShare times the speed from which the limit would stop it at the target.
 constexpr double kNearFactor = 400.0;
 constexpr double kSlowShare = 0.6;
 

@@ -33,8 +33,8 @@ public:
     void read(const moteus::Uuid& board);
     // Sets what differs, reads it back, and stores it only if every value was accepted. Then reads everything again.
     void fix();
-    // Reads only the uptime and the origin of the position count. The rest stays as read. So do these two without an
-    // answer.
+    // Reads only the uptime and the origin of the position count. All other values stay, and without an answer these
+    // two stay, too.
     void readOrigin();
     void forget();
 

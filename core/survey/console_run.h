@@ -30,7 +30,7 @@ public:
     [[nodiscard]] bool isFinished() const { return m_answers.size() == m_commands.size() || !m_trouble.isEmpty(); }
     [[nodiscard]] const QString& trouble() const { return m_trouble; }              // why the run ended early
     [[nodiscard]] const std::vector<Answer>& answers() const { return m_answers; }  // in the order of the commands
-    [[nodiscard]] std::string current() const;                                      // waits for its answer
+    [[nodiscard]] std::string current() const;                                      // the command in progress
 
 private:
     void collect();

@@ -16,7 +16,7 @@ class Heartbeat
 public:
     explicit Heartbeat(int drive) : m_drive(drive) {}
 
-    // Starts another round of queries. `board`: an exchange of boards is no power-up.
+    // Starts another round of queries. `board`: the board that answers now. An exchange of boards is no power-up.
     void begin(const moteus::Uuid& board);
     // The query when it is due. An unanswered query is repeated soon.
     [[nodiscard]] std::optional<CanFrame> frame(SteadyTime now);

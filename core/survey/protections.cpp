@@ -93,7 +93,7 @@ QString brief(const Protection& protection, double value)
     return protection.isAngle && std::isfinite(value) ? protection.explain(value) : shown(protection, value);
 }
 
-// Fix writes this value, and it is shown to the operator as the wanted one.
+// Without a text for the wanted value, the value that Fix writes is shown as the wanted one.
 void addWithRemedy(List& list, Protection protection)
 {
     if (protection.wanted.isEmpty() && protection.remedy) {

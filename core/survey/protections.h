@@ -57,7 +57,8 @@ struct Protection
 [[nodiscard]] QString foundText(const Protection& protection, const Reading& reading);
 [[nodiscard]] ProtectionLine judged(const Protection& protection, const Reading& reading);
 
-// The value in the form for `conf set`, and whether the value that reads back is the written one.
+// settingText(): the value in the form for `conf set`. tookEffect(): true if the value that reads back is the written
+// one.
 [[nodiscard]] std::string settingText(double value);
 [[nodiscard]] bool tookEffect(double written, const Reading& reading);
 

@@ -130,7 +130,7 @@ Angle farthestOf(const std::vector<TuningLeg>& legs, Angle begin)
     return farthest;
 }
 
-// Acceleration and braking: one second per leg contains what the limited jerk adds.
+// The time at full speed, plus one second for acceleration, braking and the limited jerk.
 Seconds durationOf(const std::vector<TuningLeg>& legs, const tracking::MotionLimits& limits)
 {
     Seconds sum{0.0};

@@ -13,7 +13,7 @@ namespace {
 constexpr Angle kArrived = Angle::fromDegrees(1e-4);
 // Gains with a larger error are not tried any longer.
 constexpr Angle kLargestError = Angle::fromDegrees(1.0);
-constexpr Seconds kPatience{10.0};  // more time than the run should take
+constexpr Seconds kPatience{10.0};  // a run may take this much longer than planned
 
 }  // namespace
 
