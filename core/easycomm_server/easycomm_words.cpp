@@ -52,7 +52,7 @@ constexpr std::array kVelocities{Velocity{"VL", MoveDirection::Left}, Velocity{"
 
 // Frequencies, modes and numbers of radios, begin and end of a pass, the clock, outputs.
 constexpr std::array<std::string_view, 10> kNotForARotator{"UP", "DN", "UM", "DM", "UR", "DR", "AO", "LO", "ST", "OP"};
-// Registers, inputs.
+// Registers and inputs of a real controller.
 constexpr std::array<std::string_view, 4> kNotOffered{"CR", "CW", "IP", "AN"};
 
 std::string upper(std::string_view line)

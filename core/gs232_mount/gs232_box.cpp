@@ -124,7 +124,7 @@ std::optional<std::string> Gs232Box::query(const std::string& command) const
     return command == "B" ? std::optional(elevation) : std::nullopt;
 }
 
-// False: refused.
+// False if the box refuses the command.
 bool Gs232Box::move(const std::string& command)
 {
     if (command == "S" || command == "A" || command == "E") {

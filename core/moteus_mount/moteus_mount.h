@@ -38,7 +38,7 @@ public:
 
     [[nodiscard]] AxisSet axes() const { return m_drives.axes(); }
 
-    // The bus.
+    // For the owner of the bus.
     void take(const CanFrame& frame) { m_drives.take(frame); }
     [[nodiscard]] std::vector<CanFrame> frames() const { return m_drives.frames(); }  // azimuth, elevation
     // These frames were passed to the link, or there is no link now. If this computer is held up after frames(), it

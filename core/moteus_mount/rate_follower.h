@@ -27,7 +27,7 @@ struct MotionOrder
 {
     std::optional<MotorTurns> place{};
     MotorRate rate{};
-    MotorAcceleration acceleration{};  // at most
+    MotorAcceleration acceleration{};  // the most that the drive may use
 };
 
 class RateFollower

@@ -68,7 +68,7 @@ double besidePole(double latitude)
 
 std::optional<std::string> toLocator(LongitudeLatitude place, int length)
 {
-    constexpr double kMostTurned = 270.0;  // beyond, Hamlib's letters leave the alphabet
+    constexpr double kMostTurned = 270.0;  // beyond this, the letters of Hamlib leave the alphabet
     if (length < 2 || length / 2 * 2 > kMaxLocatorLength || std::abs(place.longitude) > 2.0 * kMostTurned ||
         std::abs(place.latitude) > kMostTurned) {
         return std::nullopt;

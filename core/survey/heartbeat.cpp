@@ -17,7 +17,7 @@ constexpr auto kPeriod = 1s;
 constexpr auto kAgain = 100ms;
 // The clocks of computer and drive differ by up to a few percent. A late answer counts as the answer to a later query.
 constexpr std::int64_t kToleranceMs = 1000;
-constexpr std::int64_t kDriftPart = 50;  // 2 %
+constexpr std::int64_t kDriftPart = 50;  // one part in 50, which is 2 %
 
 std::optional<std::chrono::milliseconds> uptimeIn(const moteus::Reply& reply)
 {
