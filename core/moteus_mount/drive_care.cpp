@@ -179,8 +179,8 @@ void DriveCare::watchConnection(SteadyTime now)
     watchSilence(now);
 }
 
-// When two boards have the same id, their replies collide. Only the question of the drive check gets through. So the
-// drive check also runs when no drive answers.
+// When two boards have the same id, their replies collide, except those to the query of the drive check. So the drive
+// check also runs when no drive answers.
 void DriveCare::watchSilence(SteadyTime now)
 {
     if (m_mount.busLeft() || m_answering[0] || m_answering[1]) {

@@ -27,7 +27,7 @@ public:
 
     // Reads one angle. Returns a jump once. Empty if the angle is believed, or waits for the next one.
     [[nodiscard]] std::optional<Jump> take(Angle angle, SteadyTime now);
-    // Forgets everything. The next angles are judged from the start.
+    // Forgets everything. The next position is believed only after two angles that agree.
     void forget() { *this = {}; }
 
     [[nodiscard]] const std::optional<Angle>& place() const { return m_place; }

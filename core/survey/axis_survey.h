@@ -27,7 +27,7 @@ class AxisSurvey
 {
 public:
     AxisSurvey(const profile::Profile& profile, Axis axis);
-    // The wanted settings change from now on. A running write is finished and read back first.
+    // The wanted settings change from now on. A running reading or writing is finished first.
     void profileChanged(const profile::Profile& before, const profile::Profile& after);
 
     void read(const moteus::Uuid& board);
