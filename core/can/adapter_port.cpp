@@ -6,7 +6,7 @@
 
 namespace boresight {
 
-// Both adapters call themselves mjbots_fdcanusb; the maker's name alone covers later ones.
+// Both adapters report the name mjbots_fdcanusb. The name of the maker alone covers later ones.
 bool isAdapterName(const QString& name)
 {
     return name.contains(QLatin1String("mjbots"), Qt::CaseInsensitive) ||

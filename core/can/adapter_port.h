@@ -9,13 +9,13 @@
 // The serial port of a CAN adapter of mjbots.
 namespace boresight {
 
-// Of both adapters that mjbots makes, and of those it may make later.
+// True for both adapters that mjbots makes, and for later ones with its name.
 [[nodiscard]] bool isAdapterName(const QString& name);
 
-// A spare adapter may take the place of the stored one.
+// A spare adapter may replace the stored one.
 [[nodiscard]] StablePort adapterPort(const QString& path, const QString& namesFolder = kStableNames);
 
-// As checkSerialPort. What is missing for the permission is the adapter's own rule for udev.
+// Like checkSerialPort(). The remedy for a missing permission is the udev rule of the adapter.
 [[nodiscard]] Result<> checkAdapterPort(const QString& device);
 
 }  // namespace boresight

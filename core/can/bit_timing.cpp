@@ -10,10 +10,11 @@
 namespace boresight::socketcan {
 namespace {
 
-// What the clocks of adapters can make of 0.666 at 5 Mbit/s: 0.625 with 8 or 16 time quanta in a bit (40 and 80 MHz),
-// 0.647 with 34 (170 MHz); the boards themselves use 0.671 and 0.706. The kernel's own choice, 0.75, is the wrong one.
+// The sample points near 0.666 that adapters can set at 5 Mbit/s: 0.625 with 8 or 16 time quanta per bit (40 and 80
+// MHz), 0.647 with 34 (170 MHz). The boards themselves use 0.671 and 0.706. The default of the kernel, 0.75, is wrong.
 constexpr double kSamplePointTolerance = 0.05;
-// An adapter's clock may make 999 999 bit/s of a million; a rate somebody typed wrongly is farther away.
+// The clock of an adapter may make 999 999 bit/s in place of a million. A wrongly entered rate differs by more than
+// this.
 constexpr double kBitRateTolerance = 0.001;
 
 QString samplePointText(double samplePoint)
@@ -21,7 +22,7 @@ QString samplePointText(double samplePoint)
     return QString::number(samplePoint, 'f', 3);
 }
 
-// The sentences have places for what was found and what is wanted.
+// Each sentence has places for the found and the wanted value.
 struct PhaseTexts
 {
     QString bitRate;

@@ -5,17 +5,17 @@
 
 #include <QString>
 
-// What an operator should look at when a bus does not do what it should: the same words on every kind of bus. Pure.
+// Advice for the operator about a bus that does not work, in the same words for every kind of bus. Pure.
 namespace boresight {
 
-// When frames leave but no controller on the bus acknowledges them. Without a full stop, to end a sentence.
+// For a bus on which no controller acknowledges our frames. Without a full stop, for the end of a sentence.
 [[nodiscard]] QString acknowledgeAdvice();
 
-// When frames are damaged on the wire.
+// For frames that are damaged on the bus.
 [[nodiscard]] QString errorAdvice();
 
-// When the bus is up and drives stay silent: everything that keeps a drive from receiving or answering, the likely
-// first, with the command that shows what is set. Whole sentences.
+// For a bus that is up while the drives are silent: everything that keeps a drive from receiving or answering, the most
+// likely reason first, with the command that shows the settings. Whole sentences.
 [[nodiscard]] QString silenceAdvice(const BusName& bus);
 
 }  // namespace boresight

@@ -27,7 +27,7 @@ namespace {
 
 Q_LOGGING_CATEGORY(lcInterface, "boresight.can.socketcan")
 
-// Room for some thousand frames (the kernel charges about 800 bytes each), a second of a full bus.
+// Room for 1300 frames (the kernel counts about 800 bytes for each).
 constexpr int kReceiveBuffer = 1 << 20;
 
 template <class Value>
@@ -43,7 +43,7 @@ Result<> configure(const FileDescriptor& socket)
     if (!setOption(socket, SOL_CAN_RAW, CAN_RAW_FD_FRAMES, kOn)) {
         return failure(ErrorCode::NotAvailable, Text::tr("this kernel's SocketCAN has no CAN-FD"));
     }
-    // The rest makes diagnosis better; the bus works without it.
+    // The bus works without the following options. They only improve the diagnosis.
     setOption(socket, SOL_CAN_RAW, CAN_RAW_ERR_FILTER, kAllErrors);
     setOption(socket, SOL_SOCKET, SO_RXQ_OVFL, kOn);
     if (!setOption(socket, SOL_SOCKET, SO_RCVBUFFORCE, kReceiveBuffer)) {
@@ -60,7 +60,8 @@ ifreq requestFor(const QString& name)
     return request;
 }
 
-// From the kernel's list: asked for an unknown name directly it would look for a module to load, for 70 ms and more.
+// Reads the kernel's list. A direct query for an unknown name would make the kernel look for a module, for 70 ms or
+// more.
 int indexOf(const std::string& name)
 {
     const std::unique_ptr<struct if_nameindex, void (*)(struct if_nameindex*)> all(if_nameindex(), if_freenameindex);
@@ -128,7 +129,7 @@ Result<> KernelCanInterface::findInterface(int socket)
     return {};
 }
 
-// Asked by its index, since the name may be gone.
+// Queried by its index, because the name may be gone.
 InterfaceState KernelCanInterface::state() const
 {
     const FileDescriptor socket(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0));
@@ -143,7 +144,7 @@ InterfaceState KernelCanInterface::state() const
     return (request.ifr_flags & IFF_UP) != 0 ? InterfaceState::Up : InterfaceState::Down;
 }
 
-// The kernel answers such a question before sendto() returns: nothing is waited for.
+// The kernel answers this query before send() returns, so nothing waits.
 std::optional<InterfaceReport> KernelCanInterface::report() const
 {
     const FileDescriptor socket(::socket(AF_NETLINK, SOCK_RAW | SOCK_NONBLOCK | SOCK_CLOEXEC, NETLINK_ROUTE));
@@ -182,7 +183,7 @@ void KernelCanInterface::watchChanges()
     connect(m_changesNotifier.get(), &QSocketNotifier::activated, this, &KernelCanInterface::readChanges);
 }
 
-// What changed is not read from the messages: asking for the state afterwards cannot be out of date or lost.
+// The messages themselves are dropped. The state that is queried afterwards is never out of date.
 void KernelCanInterface::readChanges()
 {
     std::array<char, 8192> message{};

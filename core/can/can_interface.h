@@ -13,13 +13,14 @@
 #include <memory>
 #include <optional>
 
-// A CAN network interface as SocketCanLink sees it: a socket, whether the interface is up, and what the kernel reports
-// of it. Behind an abstract class because most machines that build us have no AF_CAN. Lives with its link.
+// The services of a CAN network interface for SocketCanLink: a socket, the state of the interface, and the report of
+// the kernel about it. An abstract class, because most machines that build Boresight have no AF_CAN. Lives with its
+// link.
 namespace boresight::socketcan {
 
 enum class InterfaceState
 {
-    Absent,  // removed, or another one took its name
+    Absent,  // removed, or another interface has its name now
     Down,
     Up,
 };
@@ -29,19 +30,19 @@ class CanInterface : public QObject
     Q_OBJECT
 
 public:
-    // A non-blocking socket that carries whole CAN and CAN-FD frames and error frames. An error names the remedy.
+    // A non-blocking socket for whole CAN and CAN-FD frames and error frames. An error contains the remedy.
     [[nodiscard]] virtual Result<FileDescriptor> openSocket() = 0;
-    // Of the interface that the last socket belongs to.
+    // The state of the interface of the last socket.
     [[nodiscard]] virtual InterfaceState state() const = 0;
-    // Kind, bit timing and controller; nothing if the kernel does not answer. Only the texts depend on it.
+    // Kind, bit timing and controller. Empty if the kernel does not answer. Only texts depend on it.
     [[nodiscard]] virtual std::optional<InterfaceReport> report() const = 0;
 
 Q_SIGNALS:
-    // Some network interface changed: ask for state() again.
+    // Some network interface changed, so state() must be called again.
     void changed();
 };
 
-// The real one: AF_CAN. The kernel reports changes (rtnetlink) at once, also when nothing is being sent.
+// The real interface: AF_CAN. The kernel reports changes (rtnetlink) at once, also while nothing is sent.
 class KernelCanInterface final : public CanInterface
 {
     Q_OBJECT

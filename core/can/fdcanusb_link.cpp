@@ -24,19 +24,19 @@ namespace {
 
 Q_LOGGING_CATEGORY(lcFdcanusb, "boresight.can.fdcanusb")
 
-// Meaningless on USB. The UART of a moteus has this one.
+// Has no effect on USB. The UART of a moteus has this speed.
 constexpr qint32 kBaudRate = 921600;
-// Some twenty exchanges of two axes. An adapter that takes no data for so long is stuck.
+// The data of twenty exchanges with two axes. An adapter that accepts no data for that long is stuck.
 constexpr qint64 kMaxUnwritten = 8192;
 
-// QSerialPort::flush() takes a full device for a broken one (EAGAIN becomes ResourceError), so look first.
+// QSerialPort::flush() treats a full device as a broken one (EAGAIN becomes ResourceError), so check before.
 bool isWritable(int descriptor)
 {
     pollfd request{.fd = descriptor, .events = POLLOUT, .revents = 0};
     return poll(&request, 1, 0) == 1 && (request.revents & POLLOUT) != 0;
 }
 
-// A stall of ours must not be taken for silence of the adapter.
+// Unread data exists: a stall of this program must not count as silence of the adapter.
 bool hasUnread(int descriptor)
 {
     int waiting = 0;
@@ -51,7 +51,7 @@ QString inUse(const QString& device, const QString& holder)
         .arg(device, holder);
 }
 
-// All or nothing: an impossible frame keeps its whole batch back.
+// All or nothing: with one impossible frame the whole batch is refused.
 Result<std::vector<std::string>> linesOf(std::span<const CanFrame> frames)
 {
     std::vector<std::string> lines;
@@ -108,7 +108,7 @@ Result<> FdcanusbLink::open()
         qCDebug(lcFdcanusb) << m_port.portName() << "keeps its speed:" << m_port.errorString();
         m_port.clearError();
     }
-    m_port.clear();  // sent before the link was opened
+    m_port.clear();  // drops data from before the link was opened
     m_lastCheck = m_clock.now();
     m_lastRestart = m_lastCheck - kRestartPeriod;
     m_probe = {.begun = m_lastCheck};
@@ -118,9 +118,9 @@ Result<> FdcanusbLink::open()
     return writeLines(probe);
 }
 
-// The maker's tools take no lock that would keep us out, and two programs on one adapter steal each other's answers.
-// Looking for them takes 5 to 20 ms of this thread. They cost no set-point: while a bus is opened nobody is fed by it,
-// and an adapter that is gone is known before.
+// The maker's tools use no lock that would keep Boresight out, and two programs on one adapter take each other's
+// answers. So Boresight looks for such programs first, which takes this thread 5 to 20 ms. No set-point is late because
+// of this: no drive is fed while the bus is being opened, and a missing adapter is detected before.
 Result<> FdcanusbLink::openPort(const QString& device)
 {
     if (const auto check = checkAdapterPort(device); !check) {
@@ -194,7 +194,7 @@ void FdcanusbLink::appendLine(QByteArray& lines, std::string_view line, Command 
     m_pending.push_back({command, m_clock.now() + kOkDeadline});
 }
 
-// One write for all lines, tried at once: both axes' frames leave in the same USB frame.
+// One write for all lines, flushed at once, so that the frames of both axes leave in the same USB frame.
 Result<> FdcanusbLink::writeLines(const QByteArray& lines)
 {
     const bool written = m_port.write(lines) == lines.size();
@@ -221,7 +221,7 @@ void FdcanusbLink::readPort()
 void FdcanusbLink::handleLine(std::string_view line)
 {
     if (m_status.state == LinkState::Closed || m_status.state == LinkState::Lost) {
-        return;  // closed by the receiver of an earlier line, or the last words of an adapter that is gone
+        return;  // a receiver has closed the link, or the adapter is lost
     }
     const auto rule =
         m_checksum == LineChecksum::On ? fdcanusb::ChecksumRule::Require : fdcanusb::ChecksumRule::VerifyIfPresent;
@@ -264,7 +264,7 @@ void FdcanusbLink::handle(const fdcanusb::Refusal& refusal)
     const Command command = takePending();
     if (refusal.notOnBus()) {
         ++m_status.busErrors;
-        if (!m_busOff) {  // else the reason is known, and this its result
+        if (!m_busOff) {  // otherwise the reason is known, and this refusal is its result
             reportBus(LinkState::Down, Text::tr("the adapter is not on the bus (\"not in BusOn state\"). Boresight "
                                                 "restarts it once a second. If that does not help, plug it in again"));
         }
@@ -275,7 +275,7 @@ void FdcanusbLink::handle(const fdcanusb::Refusal& refusal)
         m_adapterTrouble = Text::tr("the adapter refuses a frame: %1. Check its firmware and its can.* settings")
                                .arg(toQString(printable(refusal.text)).left(kShown));
         updateStatus(m_status.state);
-    }  // else: "can status" is unknown to a moteus UART, "can off" is refused when already off
+    }  // otherwise: a moteus UART does not know "can status", and "can off" is refused if the bus is off already
 }
 
 void FdcanusbLink::handle(const fdcanusb::BusStatus& bus)
@@ -294,7 +294,7 @@ void FdcanusbLink::handle(const fdcanusb::BusStatus& bus)
     }
 }
 
-// Runs at every send and at each end of the timer. The clock decides.
+// Runs at every send() and at each timeout of the timer. The clock decides.
 void FdcanusbLink::checkDeadlines()
 {
     const SteadyTime now = m_clock.now();
@@ -330,7 +330,7 @@ void FdcanusbLink::checkProbe()
                        "adapter in again, or press \"Release bus\" and \"Take bus back\" on the Drives page"));
 }
 
-// Asks for the bus status when no frame came for a while; a healthy bus is never asked.
+// Asks for the bus status if no frame came for some time. A healthy bus is never asked.
 void FdcanusbLink::checkBus(QByteArray& lines)
 {
     const SteadyTime now = m_clock.now();
@@ -382,8 +382,8 @@ void FdcanusbLink::handlePortError(QSerialPort::SerialPortError error)
     }
 }
 
-// Called from inside the port's own functions, so the port is closed when they have returned. The port's own text is
-// not shown: for a terminal that hung up Qt makes it of the errno of some earlier call ("Address already in use").
+// The functions of the port call this, so the port is closed after they have returned. The error text of the port is
+// not shown: for a closed terminal Qt makes it from the errno of an earlier call ("Address already in use").
 void FdcanusbLink::lose()
 {
     m_deadlineTimer.stop();

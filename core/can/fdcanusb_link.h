@@ -14,22 +14,22 @@
 #include <deque>
 #include <optional>
 
-// A CAN-FD bus behind an fdcanusb or mjcanfd-usb-1x adapter (or a moteus UART, or the simulated adapter's
-// pseudo-terminal): text lines over a serial port. Lives on the thread of its owner's event loop.
+// A CAN-FD bus behind an fdcanusb or mjcanfd-usb-1x adapter (or a moteus UART, or the pseudo-terminal of the simulated
+// adapter): lines of text over a serial port. Lives on the thread of its owner's event loop.
 //
-// "OK" only says that the adapter queued a frame, and an adapter whose controller went bus-off still says OK. So after
-// 200 ms without any received frame the link asks for the bus status, and restarts the controller when it is off
-// (factory adapters do not do it themselves) - at most once a second, as "restart-ms 1000" does for SocketCAN.
+// "OK" only means that the adapter queued a frame. An adapter says OK even while its controller is bus-off. So after
+// 200 ms without a received frame the link asks for the bus status, and restarts a controller that is off (adapters
+// with factory settings do not restart it). It does so at most once a second, like "restart-ms 1000" of SocketCAN.
 //
-// Behind a wrong name may be a radio, which would take our lines for its commands. So each opening begins with one
-// question for the bus status, and no frame is sent before the port has answered as an adapter does. A port that has
-// not within kProbeTime is closed, and stays closed until close() was called or another device has taken its place.
+// A wrong port name may lead to a radio, which would read our lines as its own commands. So each opening begins with
+// one query for the bus status, and no frame is sent before the port has answered like an adapter. A port that does not
+// answer within kProbeTime is closed. It stays closed until close() is called or another device is in its place.
 namespace boresight {
 
 enum class LineChecksum
 {
-    Off,  // USB adapters: the cable already checks
-    On,   // moteus UART: added to our lines and demanded on every answer
+    Off,  // USB adapters: the cable checks its data already
+    On,   // moteus UART: added to our lines, and required in every answer
 };
 
 class FdcanusbLink final : public CanLink
@@ -38,10 +38,11 @@ class FdcanusbLink final : public CanLink
 
 public:
     static constexpr std::chrono::milliseconds kOkDeadline{50};
-    // Ten exchanges with both axes missed: so that bus-off is on the screen within 300 ms.
+    // Ten missed exchanges with both axes. With this, bus-off is on the screen within 300 ms.
     static constexpr std::chrono::milliseconds kCheckPeriod{200};
     static constexpr std::chrono::seconds kRestartPeriod{1};
-    // An adapter answers within 50 ms. Shorter than a scan of the bus, which then reports why nobody answers.
+    // An adapter answers within 50 ms. This time is shorter than a scan of the bus, which then reports why no drive
+    // answers.
     static constexpr std::chrono::milliseconds kProbeTime{500};
 
     // `clock` outlives the link.
@@ -64,16 +65,16 @@ private:
         Status,
         Restart,
     };
-    struct Pending  // a command whose OK, ERR or status line is still to come; answers keep the order of commands
+    struct Pending  // a command without an answer yet; answers come in the order of the commands
     {
         Command command{};
         SteadyTime deadline{};
     };
-    struct Probe  // is an adapter behind the port?
+    struct Probe  // whether an adapter is behind the port
     {
         SteadyTime begun{};
-        bool proven = false;                    // the port has answered as an adapter does
-        std::optional<PortIdentity> foreign{};  // a port that has not, and is left alone
+        bool proven = false;                    // the port has answered like an adapter
+        std::optional<PortIdentity> foreign{};  // a port that has not answered like one, and is left alone
     };
 
     Result<> openPort(const QString& device);
@@ -107,13 +108,13 @@ private:
     LineSplitter m_splitter;
     std::deque<Pending> m_pending;
     LinkStatus m_status;
-    bool m_busOff = false;     // by its last status, until a frame is received
+    bool m_busOff = false;     // by the last bus status, until a frame is received
     QString m_busTrouble;      // until a frame is received or the bus status is good
     QString m_adapterTrouble;  // until a frame is accepted again
     std::uint64_t m_unreadableLines = 0;
     Probe m_probe;
-    SteadyTime m_lastCheck{};    // the bus status was asked for, or not needed
-    SteadyTime m_lastRestart{};  // the controller was restarted
+    SteadyTime m_lastCheck{};    // when the bus status was last asked for, or was not needed
+    SteadyTime m_lastRestart{};  // when the controller was last restarted
 };
 
 }  // namespace boresight

@@ -16,7 +16,7 @@
 namespace boresight::fdcanusb {
 namespace {
 
-// The adapter writes exactly one space between fields, so two in a row enclose an empty field.
+// The adapter writes exactly one space between fields, so two spaces enclose an empty field.
 std::vector<std::string_view> splitAtSpaces(std::string_view line)
 {
     std::vector<std::string_view> words;
@@ -43,7 +43,7 @@ struct Flags
     std::optional<bool> extended, bitRateSwitch, flexibleData, remote;
 };
 
-// Only single letters are flags; older firmware adds words such as "t1234" and "f00", all add "x-1".
+// Only single letters are flags. Older firmware adds words like "t1234" and "f00", and all firmware adds "x-1".
 Flags parseFlags(std::span<const std::string_view> words)
 {
     Flags flags;
@@ -61,7 +61,7 @@ Flags parseFlags(std::span<const std::string_view> words)
     return flags;
 }
 
-// "rcv ID DATA FLAGS…", split. Flags that are not there (a moteus UART sends none) have the adapter's defaults.
+// Reads the words of "rcv ID DATA FLAGS…". Missing flags (a moteus UART sends none) have the defaults of the adapter.
 Answer parseReceived(std::span<const std::string_view> words)
 {
     if (words.size() < 3) {
@@ -73,7 +73,7 @@ Answer parseReceived(std::span<const std::string_view> words)
     if (flags.remote.value_or(false)) {
         return RemoteFrame{};
     }
-    // A length that no frame can have betrays a damaged line.
+    // A length that no frame can have means that the line is damaged.
     if (!id || !data || data->size() > kMaxCanPayload || legalCanLength(data->size()) != data->size()) {
         return Unreadable{};
     }
@@ -108,7 +108,7 @@ Result<std::string> sendLine(const CanFrame& frame)
     if (ready->size == 0) {
         ready->setPayload(std::array{kPaddingByte});
     }
-    // "send" picks the identifier's type by its value; only a short extended one must be forced.
+    // "send" chooses the type of the identifier by its value. Only a short extended identifier needs "ext".
     const char* const command = ready->extended && ready->id <= kMaxStandardId ? "ext" : "send";
     std::array<char, 32> head{};
     std::snprintf(head.data(), head.size(), "can %s %04x ", command, static_cast<unsigned>(ready->id));

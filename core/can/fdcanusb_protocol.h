@@ -8,20 +8,21 @@
 #include <string_view>
 #include <variant>
 
-// The text protocol of the mjbots fdcanusb and mjcanfd-usb-1x adapters, the client's side: frames to lines, lines to
-// answers. Pure. Lines are without their end and, on the way out, without a checksum (core/can/line_checksum.h).
+// The text protocol of the mjbots fdcanusb and mjcanfd-usb-1x adapters on the side of the client: frames to lines,
+// lines to answers. Pure. Lines are without line end. Lines to the adapter are without checksum
+// (core/can/line_checksum.h).
 namespace boresight::fdcanusb {
 
-// "can send 8001 11000f BF". The payload is padded with 0x50 (a moteus NOP): left to itself the adapter pads with
-// zeros, and a zero opens a write subframe. An empty payload becomes one 0x50, since the adapter refuses no data.
-// Refused: more than 29 identifier bits, a classic frame of more than 8 bytes.
+// "can send 8001 11000f BF". The payload is padded with 0x50 (a moteus NOP). The adapter itself would pad with zeros,
+// and a zero begins a write subframe. An empty payload becomes one 0x50, because the adapter refuses an empty one.
+// Refused: an identifier of more than 29 bits, and a classic frame of more than 8 bytes.
 [[nodiscard]] Result<std::string> sendLine(const CanFrame& frame);
 
 inline constexpr std::string_view kBusOnLine = "can on";
 inline constexpr std::string_view kBusOffLine = "can off";
 inline constexpr std::string_view kBusStatusLine = "can status";
 
-// What a line from the adapter means.
+// The meaning of a line from the adapter.
 struct Accepted  // "OK": the command is queued, not delivered
 {};
 struct Refusal  // "ERR …"
@@ -34,7 +35,7 @@ struct BusStatus  // "lec=… dlec=… err=… warn=… busoff=…", the answer 
     bool busOff = false;
     bool errorPassive = false;
 };
-struct RemoteFrame  // received, but of no use: moteus neither sends nor answers them
+struct RemoteFrame  // received, but not used: moteus neither sends nor answers remote frames
 {};
 struct Unreadable  // not of this protocol, damaged, or the checksum is wrong or missing
 {};
@@ -46,7 +47,7 @@ enum class ChecksumRule
     Require,
 };
 
-// The arrival time of a frame is left to the caller.
+// The caller sets the arrival time of a frame.
 [[nodiscard]] Answer parseAnswer(std::string_view line, ChecksumRule rule = ChecksumRule::VerifyIfPresent);
 
 }  // namespace boresight::fdcanusb

@@ -16,7 +16,7 @@ namespace {
 
 using Bytes = std::span<const std::uint8_t>;
 
-// The beginning of `bytes`; a newer kernel may append fields to it.
+// Reads a structure from the beginning of `bytes`. A newer kernel may append fields to it.
 template <class Value>
 std::optional<Value> take(Bytes bytes)
 {
@@ -28,7 +28,8 @@ std::optional<Value> take(Bytes bytes)
     return value;
 }
 
-// Calls `visit(type, payload)` for each attribute; false if one is cut, lies about its length or is not understood.
+// Calls `visit(type, payload)` for each attribute. False if an attribute is cut, has a wrong length or is not
+// understood.
 template <class Visit>
 bool forEachAttribute(Bytes bytes, const Visit& visit)
 {
@@ -104,7 +105,7 @@ bool readLinkInfo(Bytes bytes, InterfaceReport& report)
         }
         return true;
     });
-    // What the data mean depends on the kind.
+    // The meaning of the data depends on the kind.
     return whole && (report.kind != "can" || readCan(data, report));
 }
 

@@ -10,9 +10,10 @@
 #include <string>
 #include <vector>
 
-// What the kernel reports about a network interface over rtnetlink, as far as a CAN bus is concerned: the question as
-// bytes, and its answer read from bytes (linux/rtnetlink.h, linux/can/netlink.h; all in the machine's own byte order).
-// Pure; works on kernels without AF_CAN. What is not reported stays empty: a virtual interface has no bit timing.
+// The report of the kernel about a network interface over rtnetlink, as far as it concerns a CAN bus: builds the bytes
+// of the query and reads the bytes of the answer (linux/rtnetlink.h, linux/can/netlink.h; all in the byte order of this
+// machine). Pure. Works on kernels without AF_CAN. Values that are not reported stay empty: a virtual interface has no
+// bit timing.
 namespace boresight::socketcan {
 
 enum class ControllerState  // CAN_STATE_…
@@ -59,7 +60,7 @@ struct InterfaceReport
 // RTM_GETLINK for one interface.
 [[nodiscard]] std::vector<std::uint8_t> interfaceQuestion(int index, std::uint32_t sequence);
 
-// One RTM_NEWLINK message. A message of the kernel's that refuses, a cut or a contradictory one is an error.
+// Reads one RTM_NEWLINK message. A refusal by the kernel, or a cut or contradictory message, is an error.
 [[nodiscard]] Result<InterfaceReport> readInterfaceAnswer(std::span<const std::uint8_t> message);
 
 }  // namespace boresight::socketcan

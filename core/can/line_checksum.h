@@ -6,7 +6,7 @@
 #include <string_view>
 
 // The optional checksum at the end of an fdcanusb line, " *XX": CRC-8 with polynomial 0x97, start value 0, not
-// reflected, over everything before the '*' including the space. Used by both sides of the protocol; pure.
+// reflected, over everything before the '*' including the space. Both sides of the protocol use it. Pure.
 namespace boresight::fdcanusb {
 
 [[nodiscard]] std::uint8_t crc8(std::string_view text);

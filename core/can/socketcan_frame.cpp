@@ -12,7 +12,7 @@ namespace {
 
 // CANFD_FDF of Linux 5.14; older kernels ignore it.
 constexpr std::uint8_t kFlexibleDataFlag = 0x04;
-// CAN_ERR_CRTL_ACTIVE, and the two warning levels, which are left when the controller gets worse.
+// CAN_ERR_CRTL_ACTIVE, and the two warning levels. They are cleared when the controller gets worse.
 constexpr std::uint8_t kControllerWell = 0x40 | CAN_ERR_CRTL_RX_WARNING | CAN_ERR_CRTL_TX_WARNING;
 constexpr std::uint8_t kControllerPassive = CAN_ERR_CRTL_RX_PASSIVE | CAN_ERR_CRTL_TX_PASSIVE;
 

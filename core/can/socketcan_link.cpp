@@ -16,20 +16,20 @@
 namespace boresight {
 namespace {
 
-// Frames read in one go; the event loop then has its turn, however full the bus is.
+// The most frames that are read at once. Then the event loop continues, even on a full bus.
 constexpr int kFramesPerTurn = 64;
-// Frames and error frames take turns on a bad bus: the error is over when none came for so long.
+// On a bad bus, frames and error frames alternate. The error is over when no error frame came for this time.
 constexpr std::chrono::seconds kErrorMemory{1};
-// Two drives at 100 Hz answer with 200 frames a second, a full bus carries some 8000 short ones.
+// In frames per second. Two drives at 100 Hz answer with 200, and a full bus carries some 8000 short ones.
 constexpr int kFloodRate = 2000;
-constexpr Seconds kLoadWindow{0.2};  // so that a flood is on the screen within 300 ms
+constexpr Seconds kLoadWindow{0.2};  // short enough that a flood is on the screen within 300 ms
 
 QString systemText(int error)
 {
     return QString::fromLocal8Bit(std::strerror(error));
 }
 
-// All or nothing: an impossible frame keeps its whole batch back.
+// All or nothing: with one impossible frame the whole batch is refused.
 Result<std::vector<socketcan::RawFrame>> rawFramesOf(std::span<const CanFrame> frames)
 {
     std::vector<socketcan::RawFrame> rawFrames;
@@ -79,7 +79,7 @@ Result<> SocketCanLink::open()
     m_notifier = std::make_unique<QSocketNotifier>(m_socket.number(), QSocketNotifier::Read);
     connect(m_notifier.get(), &QSocketNotifier::activated, this, &SocketCanLink::readSocket);
     checkInterface();
-    if (!m_socket.isOpen()) {  // removed meanwhile
+    if (!m_socket.isOpen()) {  // removed in the meantime
         return failure(ErrorCode::NoDevice, m_status.text);
     }
     return {};
@@ -91,7 +91,7 @@ void SocketCanLink::close()
     setStatus(LinkState::Closed, {});
 }
 
-// May run inside the notifier's own signal; the number of the socket may come back with the next open().
+// May run inside the signal of the notifier. The next open() may get the same socket number.
 void SocketCanLink::closeSocket()
 {
     if (m_notifier) {
@@ -149,7 +149,7 @@ void SocketCanLink::readSocket()
     }
 }
 
-// One frame, and the kernel's count of frames it had no room for (SO_RXQ_OVFL).
+// Reads one frame, and the kernel's count of frames for which it had no room (SO_RXQ_OVFL).
 ssize_t SocketCanLink::readFrame(socketcan::RawFrame& raw)
 {
     iovec buffer{.iov_base = &raw.frame, .iov_len = sizeof raw.frame};
@@ -173,7 +173,7 @@ ssize_t SocketCanLink::readFrame(socketcan::RawFrame& raw)
     return size;
 }
 
-// A frame that came through shows that the bus works again. The kernel does not always report it.
+// A received frame shows that the bus works again, which the kernel does not always report.
 void SocketCanLink::handleFrame(const CanFrame& frame)
 {
     CanFrame stamped = frame;
@@ -188,7 +188,7 @@ void SocketCanLink::handleFrame(const CanFrame& frame)
     Q_EMIT frameReceived(stamped);
 }
 
-// Reported above the rate and cleared below half of it, so that the text does not flicker.
+// Reported above the rate, and cleared below half of it. So the text does not flicker.
 void SocketCanLink::countLoad(SteadyTime now)
 {
     ++m_loadFrames;
@@ -225,7 +225,8 @@ void SocketCanLink::handleErrorFrame(const socketcan::RawFrame& raw)
 void SocketCanLink::handleSocketError(int error)
 {
     switch (error) {
-        case ENETDOWN:  // may be an old story: a socket keeps it until asked, though the interface is up again
+        // A socket keeps this error until it is read, even if the interface is up again.
+        case ENETDOWN:
             checkInterface();
             break;
         case ENOBUFS:
@@ -254,7 +255,7 @@ void SocketCanLink::checkInterface()
         return;
     }
     if (state == socketcan::InterfaceState::Down) {
-        m_trouble = {};  // of the controller, which starts again with the interface
+        m_trouble = {};  // these belong to the controller, which restarts with the interface
     }
     m_trouble.interfaceDown = state == socketcan::InterfaceState::Down;
     const std::optional<socketcan::InterfaceReport> report = m_access->report();
@@ -266,7 +267,7 @@ void SocketCanLink::checkInterface()
     updateStatus();
 }
 
-// What the controller was before we came, or became while its error frames were lost.
+// Reads the state of the controller, which may have changed before we opened, or while its error frames were lost.
 void SocketCanLink::follow(socketcan::ControllerState controller)
 {
     m_trouble.busOff = controller == socketcan::ControllerState::BusOff;
@@ -279,7 +280,7 @@ void SocketCanLink::lose(const QString& reason)
     setStatus(LinkState::Lost, reason);
 }
 
-// The worst first. A wrong bit timing comes last, but beside a trouble that it may have caused.
+// The worst trouble first. Wrong bit timing comes last, but together with a trouble that it may have caused.
 QString SocketCanLink::troubleText() const
 {
     if (m_trouble.interfaceDown) {

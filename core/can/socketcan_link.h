@@ -11,10 +11,10 @@
 
 #include <memory>
 
-// A CAN-FD bus behind a Linux network interface, by a raw AF_CAN socket. Lives on the thread of its owner's event loop.
-// Bit rates and sample points belong to the interface and are set with `ip link`. Wrong ones are reported. Error frames
-// are read, so a bus that nobody acknowledges, error-passive and bus-off are distinguished. Frames that the kernel
-// dropped are counted.
+// A CAN-FD bus behind a Linux network interface, over a raw AF_CAN socket. Lives on the thread of its owner's event
+// loop. Bit rates and sample points belong to the interface and are set with `ip link`. Wrong values are reported.
+// Error frames are read, so missing acknowledgement, error-passive and bus-off are reported separately. Frames that the
+// kernel dropped are counted.
 namespace boresight {
 
 class SocketCanLink final : public CanLink
@@ -35,7 +35,7 @@ public:
     Result<> send(std::span<const CanFrame> frames) override;
 
 private:
-    // All that can be wrong while the socket is open; each is shown until it is known to be over.
+    // All troubles of an open socket. Each is shown until it is known to be over.
     struct Trouble
     {
         bool interfaceDown = false;
@@ -62,18 +62,18 @@ private:
     [[nodiscard]] QString troubleText() const;
 
     QString m_interface;
-    socketcan::CanInterface* m_access;  // our child: moves to another thread with us
+    socketcan::CanInterface* m_access;  // our child, so it moves to another thread with us
     const Clock& m_clock;
     FileDescriptor m_socket;
     std::unique_ptr<QSocketNotifier> m_notifier;
     LinkStatus m_status;
     Trouble m_trouble;
     SteadyTime m_lastErrorFrame{};
-    SteadyTime m_loadSince{};  // frames are counted since
+    SteadyTime m_loadSince{};  // start of the window in which frames are counted
     int m_loadFrames = 0;
     QString m_timingTrouble;
     bool m_isVirtual = false;
-    std::uint32_t m_socketDrops = 0;  // reported by the kernel for this socket since it was opened
+    std::uint32_t m_socketDrops = 0;  // as reported by the kernel since this socket was opened
 };
 
 }  // namespace boresight

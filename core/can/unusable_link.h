@@ -3,8 +3,8 @@
 
 #include "core/can/can_link.h"
 
-// The bus of a name that means none: it never opens and reports why. So a station can always be built. It shows
-// the fault, and can be asked for another mount or bus like any other.
+// The bus of a name that means no bus. It never opens and reports why. So a station can always be built: it shows the
+// fault, and another mount or bus can be chosen.
 namespace boresight {
 
 class UnusableLink : public CanLink

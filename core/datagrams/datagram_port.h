@@ -10,8 +10,8 @@
 #include <cstdint>
 #include <vector>
 
-// A UDP port at which short messages arrive, on a thread of its own: whoever floods the port delays nobody. The owner
-// gets at most kMost datagrams each PacedOutlet::kPeriod, the newest ones. Station thread.
+// A UDP port for short messages, on a thread of its own, so that a flood of messages delays nobody. The owner gets at
+// most kMost datagrams in each PacedOutlet::kPeriod, the newest ones. Station thread.
 namespace boresight::datagrams {
 
 class DatagramWorker;
@@ -20,7 +20,7 @@ struct PortReport
 {
     bool open = false;
     QString trouble = {};               // why it does not listen
-    std::vector<QByteArray> datagrams;  // since the last report, oldest first
+    std::vector<QByteArray> datagrams;  // since the last report, the oldest first
 };
 
 class DatagramPort final : public QObject
@@ -29,15 +29,15 @@ class DatagramPort final : public QObject
 
 public:
     static constexpr std::size_t kMost = 32;
-    // Bytes. Of a longer datagram only one byte more than this arrives, so its reader can refuse it.
+    // In bytes. Of a longer datagram, one byte more than this arrives, so that the reader can refuse it.
     static constexpr qint64 kLongest = 4096;
 
-    // Listens at once, and tries again each 2 s where it cannot. `host` is an address of this computer. `name` is that
+    // Listens at once. If that fails, it tries again every 2 s. `host`: an address of this computer. `name`: the name
     // of the thread.
     DatagramPort(const QString& name, const QString& host, std::uint16_t port, QObject* parent = nullptr);
     ~DatagramPort() override;
 
-    // Empty: it listens, or has just begun to.
+    // Why it does not listen. Empty while it listens or has just started.
     [[nodiscard]] const QString& trouble() const { return m_trouble; }
 
 Q_SIGNALS:

@@ -13,7 +13,7 @@ namespace boresight::datagrams {
 DatagramWorker::DatagramWorker(const QString& host, std::uint16_t port)
     : m_host(host), m_port(port), m_outlet(this, [this] { report(); })
 {
-    m_socket.setProxy(QNetworkProxy::NoProxy);  // to ask the desktop for one blocks
+    m_socket.setProxy(QNetworkProxy::NoProxy);  // a query of the desktop for its proxy would block
     m_retry.setSingleShot(true);
     m_retry.setInterval(kRetry);
     m_pause.setSingleShot(true);
@@ -28,7 +28,7 @@ DatagramWorker::~DatagramWorker()
     m_socket.disconnect(this);
 }
 
-// What is sent to the whole network reaches every program that shares the port.
+// A broadcast reaches every program that shares the port.
 void DatagramWorker::open()
 {
     const QHostAddress address(m_host);
@@ -45,7 +45,7 @@ void DatagramWorker::open()
     m_outlet.ask();
 }
 
-// A full helping is followed by a pause. The kernel drops what comes meanwhile and has no room.
+// A full batch is followed by a pause. Meanwhile the kernel drops datagrams for which it has no room.
 void DatagramWorker::readSome()
 {
     if (m_pause.isActive()) {

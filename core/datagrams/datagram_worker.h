@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <deque>
 
-// The side of DatagramPort that lives on the thread: the socket, and the report about it.
+// The part of DatagramPort on the other thread: the socket, and the reports.
 namespace boresight::datagrams {
 
 class DatagramWorker final : public QObject
@@ -19,14 +19,14 @@ class DatagramWorker final : public QObject
 
 public:
     static constexpr int kDatagramsAtOnce = 64;
-    static constexpr std::chrono::milliseconds kPause{10};  // after so many
+    static constexpr std::chrono::milliseconds kPause{10};  // after kDatagramsAtOnce datagrams
     static constexpr std::chrono::seconds kRetry{2};
 
     DatagramWorker(const QString& host, std::uint16_t port);
     ~DatagramWorker() override;
 
     void open();
-    // The last report has been taken.
+    // The owner has read the last report.
     void taken() { m_outlet.taken(); }
 
 Q_SIGNALS:

@@ -23,7 +23,7 @@ rotctld::LineOutcome EasycommController::obey(std::string_view line)
     const auto commands = parseLine(line, m_version);
     if (!commands) {
         outcome.result = tl::unexpected(commands.error());
-        if (hasStop(line)) {  // it counts, whatever else the line has
+        if (hasStop(line)) {  // a stop counts even if the rest of the line is refused
             (void)carryOut(StopTurning{}, outcome);
         }
         outcome.reply = m_version == Version::One ? std::string() : alarmOf(commands.error()).append(kLineEnd);
@@ -46,7 +46,8 @@ rotctld::LineOutcome EasycommController::obey(std::string_view line)
     return outcome;
 }
 
-// Who asks reads the answer. Who commands perhaps never reads, so that the same refusal again and again is sent once.
+// A client that asks reads the answer. A client that commands may never read, so the same refusal in a row is sent
+// once.
 std::string EasycommController::alarmFor(const Error& error, bool asked)
 {
     const bool known = !asked && (m_version == Version::One || std::exchange(m_reported, error.code) == error.code);
@@ -111,7 +112,7 @@ Result<SkyPointing> EasycommController::placeOf(const Target& target)
 Result<std::string> EasycommController::carryOut(const Turn& turn, rotctld::LineOutcome& outcome)
 {
     outcome.motion = true;
-    if (turn.rate == AngularRate{}) {  // of a program that turns by rates, and turns nothing
+    if (turn.rate == AngularRate{}) {  // some programs turn by rates and also send zero while nothing turns
         return std::exchange(m_turns, false) ? done(m_rotator.stop(m_client)) : std::string();
     }
     m_turns = true;
@@ -135,13 +136,13 @@ Result<std::string> EasycommController::carryOut(const Park&, rotctld::LineOutco
     return done(m_rotator.park(m_client));
 }
 
-// A controller goes home and is ready again. Here it is ready again.
+// A real controller moves to its home position and is then ready again. Here a reset only re-arms.
 Result<std::string> EasycommController::carryOut(const Reset&, rotctld::LineOutcome& /*outcome*/)
 {
     return done(m_rotator.reset(m_client, 1));
 }
 
-// Whatever is no target ends that the axis keeps one.
+// Every command except a target ends the memory of the last target.
 Result<std::string> EasycommController::done(const Result<>& outcome)
 {
     m_held.forget();

@@ -8,9 +8,9 @@
 #include <optional>
 #include <string>
 
-// The mount as an EasyComm controller to one client. Questions are always answered: with an alarm where there is no
-// answer. Commands are not answered. Versions II and III send an alarm for the first of several that are refused.
-// Station thread.
+// The mount as an EasyComm controller for one client. Questions are always answered. If there is no answer, an alarm is
+// sent. Commands are not answered. Versions II and III send an alarm for the first of several refused commands. Station
+// thread.
 namespace boresight::easycomm {
 
 class EasycommController final : public rotctld::LineProtocol
@@ -22,7 +22,7 @@ public:
     [[nodiscard]] rotctld::LineOutcome obey(std::string_view line) override;
 
 private:
-    // Each gives what is answered, perhaps nothing.
+    // Each returns the answer, which may be empty.
     Result<std::string> carryOut(Ask question, rotctld::LineOutcome& outcome);
     Result<std::string> carryOut(const Target& target, rotctld::LineOutcome& outcome);
     Result<std::string> carryOut(const Turn& turn, rotctld::LineOutcome& outcome);
@@ -39,11 +39,11 @@ private:
     rotctld::Rotator& m_rotator;
     Version m_version;
     rotctld::HeldTarget m_held;
-    bool m_turns = false;                 // at a rate, since this client asked for it
-    std::optional<ErrorCode> m_reported;  // the alarm of the last command, while none is accepted
+    bool m_turns = false;                 // this client turns the mount at a rate
+    std::optional<ErrorCode> m_reported;  // the last alarm of a command, until a command is accepted
 };
 
-// How a server starts a conversation with each of its clients. Both outlive it.
+// How a server starts a conversation with a client. Rotator and clock outlive it.
 [[nodiscard]] rotctld::StartConversation talkEasycomm(rotctld::Rotator& rotator, const Clock& clock, Version version);
 
 }  // namespace boresight::easycomm

@@ -50,9 +50,9 @@ struct Velocity
 constexpr std::array kVelocities{Velocity{"VL", MoveDirection::Left}, Velocity{"VR", MoveDirection::Right},
                                  Velocity{"VU", MoveDirection::Up}, Velocity{"VD", MoveDirection::Down}};
 
-// Frequencies, modes and numbers of radios, the begin and the end of a pass, the clock, outputs.
+// Frequencies, modes and numbers of radios, begin and end of a pass, the clock, outputs.
 constexpr std::array<std::string_view, 10> kNotForARotator{"UP", "DN", "UM", "DM", "UR", "DR", "AO", "LO", "ST", "OP"};
-// Registers, inputs.
+// Registers and inputs of a real controller.
 constexpr std::array<std::string_view, 4> kNotOffered{"CR", "CW", "IP", "AN"};
 
 std::string upper(std::string_view line)
@@ -63,7 +63,7 @@ std::string upper(std::string_view line)
     return text;
 }
 
-// Hamlib leaves a semicolon after the line end of some questions.
+// Hamlib leaves a semicolon after the line end of some questions, so a semicolon counts as a blank.
 std::vector<std::string_view> wordsOf(std::string_view line)
 {
     constexpr std::string_view kBetween = " \t;";
@@ -82,7 +82,7 @@ tl::unexpected<Error> unknown(std::string_view word)
     return failure(ErrorCode::InvalidInput, Text::tr("\"%1\" is no EasyComm command").arg(shownText(word)));
 }
 
-// "123.4", "-5", "+7.25"; "123,4" of a program that writes numbers as its user does.
+// "123.4", "-5", "+7.25". Also "123,4", from a program that writes numbers in the language of its user.
 std::optional<double> numberIn(std::string_view text)
 {
     std::string number(text);
@@ -117,7 +117,7 @@ Result<Command> parseAngle(std::string_view word)
     return Command(Target{.azimuth = {}, .elevation = angle});
 }
 
-// "VL0500" is half a degree each second.
+// "VL0500" is 0.5°/s.
 Result<Command> parseVelocity(std::string_view word, MoveDirection direction)
 {
     constexpr std::size_t kMostDigits = 6;
@@ -148,7 +148,7 @@ Result<Command> parseWord(std::string_view word, Version version)
     if (velocity != kVelocities.end() && version == Version::Three) {
         return parseVelocity(word, velocity->direction);
     }
-    // "STOPP" sets no clock.
+    // "STOPP" is a typing error, not a command for the clock.
     const bool isMistyped =
         letters == "ST" && word.size() > 2 && std::isdigit(static_cast<unsigned char>(word[2])) == 0;
     if (found == kWords.end() && !isMistyped && std::ranges::find(kNotForARotator, letters) != kNotForARotator.end()) {
@@ -160,7 +160,7 @@ Result<Command> parseWord(std::string_view word, Version version)
     return unknown(word);
 }
 
-// "UP145900000 FM DN435000000 SSB": the mode has no letters of its own.
+// In "UP145900000 FM DN435000000 SSB" the mode is a separate word.
 bool isMode(std::string_view word, std::string_view before)
 {
     const bool frequency = before.starts_with("UP") || before.starts_with("DN");
@@ -168,7 +168,7 @@ bool isMode(std::string_view word, std::string_view before)
     return frequency && letters && std::ranges::find(kWords, word, &Word::text) == kWords.end();
 }
 
-// "AZ123.4 EL45.6" is one place.
+// Joins "AZ123.4 EL45.6" into one target.
 bool joins(std::vector<Command>& commands, const Command& next)
 {
     const auto* const more = std::get_if<Target>(&next);

@@ -10,8 +10,8 @@
 #include <variant>
 #include <vector>
 
-// What a program sends to an EasyComm controller and what the controller answers, bytes <-> values. A line has commands
-// of two letters with a value, divided by blanks: "AZ123.4 EL45.6". Pure.
+// The commands of a program to an EasyComm controller and the answers of the controller, bytes <-> values. A line has
+// commands of two letters with a value, separated by blanks: "AZ123.4 EL45.6". Pure.
 namespace boresight::easycomm {
 
 enum class Version
@@ -30,16 +30,16 @@ enum class Ask
     Errors
 };
 
-struct Target  // one of the two at least; what is empty stays
+struct Target  // at least one of the two; an empty one stays as it is
 {
     std::optional<Angle> azimuth;    // -3600°…3600°
     std::optional<Angle> elevation;  // -90°…180°
 };
 
-struct Turn  // until a stop
+struct Turn  // until a stop command
 {
     rotctld::MoveDirection direction = rotctld::MoveDirection::Up;
-    std::optional<AngularRate> rate = {};  // empty: the program sets none. Zero ends the turning
+    std::optional<AngularRate> rate = {};  // empty: the program sets no rate. Zero ends the turning
 };
 
 struct StopTurning  // of either axis or both
@@ -51,22 +51,22 @@ struct Park
 struct Reset
 {};
 
-struct NotForARotator  // for the radio, the clock, the outputs of a controller
+struct NotForARotator  // for the radio, the clock or the outputs of a controller
 {};
 
 using Command = std::variant<Ask, Target, Turn, StopTurning, Park, Reset, NotForARotator>;
 
-// One of its words is a stop.
+// True if one of the words is a stop.
 [[nodiscard]] bool hasStop(std::string_view line);
-// The commands of one line without its end, in upper or lower case. A line is obeyed wholly or not at all.
-// InvalidInput: a word is no command of this version, or the line asks for two motions. OutOfRange: an angle that no
-// mount has. NotAvailable: registers and inputs of a real controller.
+// Reads the commands of one line without its end, in upper or lower case. A line is carried out completely or not at
+// all. InvalidInput: a word is no command of this version, or the line asks for two motions. OutOfRange: an angle that
+// no mount has. NotAvailable: registers and inputs of a real controller.
 [[nodiscard]] Result<std::vector<Command>> parseLine(std::string_view line, Version version);
 
 // In tenths of a degree.
 [[nodiscard]] std::string azimuthAnswer(Angle azimuth);
 [[nodiscard]] std::string elevationAnswer(Angle elevation);
-// An alarm, as a controller sends it: what was refused, in the words of the protocol.
+// The alarm of a controller: the reason of the refusal in a word of the protocol.
 [[nodiscard]] std::string alarmOf(const Error& error);
 
 inline constexpr std::string_view kIdle = "GS1";

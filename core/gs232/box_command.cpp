@@ -11,14 +11,14 @@ namespace {
 std::optional<std::string> threeDigits(Angle angle, const TravelRange& reach)
 {
     const double degrees = std::round(angle.degrees());
-    if (!(degrees >= reach.min.degrees() && degrees <= reach.max.degrees())) {  // also what is no number
+    if (!(degrees >= reach.min.degrees() && degrees <= reach.max.degrees())) {  // also false for NaN
         return std::nullopt;
     }
     const std::string digits = std::to_string(static_cast<int>(degrees));
     return std::string(3 - digits.size(), '0') + digits;
 }
 
-// 'd' in the form stands for a digit.
+// 'd' in `form` means a digit.
 bool hasForm(std::string_view line, std::string_view form)
 {
     return std::ranges::equal(

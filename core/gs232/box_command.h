@@ -7,24 +7,25 @@
 #include <string>
 #include <string_view>
 
-// What is sent to a GS-232A, a GS-232B or a box that imitates them. Whole degrees, always three digits. Every command
-// ends in one CR: the second CR that some programs send is an empty command to the box. Pure.
+// The commands to a GS-232A, a GS-232B or a box that imitates them. Whole degrees, always three digits. Every command
+// ends with one CR: the second CR that some programs send is an empty command to the box. Pure.
 namespace boresight::gs232 {
 
-// What such a box can be sent to, in its own count: it passes north and goes on to 450°. It flips over at the zenith.
+// The range of targets of such a box, in its own count: it passes north and goes on to 450°. It flips over at the
+// zenith.
 inline constexpr TravelRange kAzimuthReach{.min = Angle::fromDegrees(0.0), .max = Angle::fromDegrees(450.0)};
 inline constexpr TravelRange kElevationReach{.min = Angle::fromDegrees(0.0), .max = Angle::fromDegrees(180.0)};
 
 inline constexpr std::string_view kAskBoth = "C2\r";
-inline constexpr std::string_view kAskAzimuth = "C\r";  // answered by a box without an elevation too
+inline constexpr std::string_view kAskAzimuth = "C\r";  // also answered by a box without an elevation
 inline constexpr std::string_view kStopAll = "S\r";
 
-// To the nearest whole degree. Empty: the box cannot be sent there.
+// Rounded to the nearest whole degree. Empty if the box cannot be sent there.
 [[nodiscard]] std::optional<std::string> goTo(const AxisPosition& place);
-// Without a word about the elevation, which a box may not have.
+// For a box without an elevation.
 [[nodiscard]] std::optional<std::string> goToAzimuth(Angle azimuth);
 
-// One of the above, without its line end: heard back, it is our own echo.
+// One of the commands above, without its line end. Such a line from the box is the echo of our own command.
 [[nodiscard]] bool isOwnCommand(std::string_view line);
 
 }  // namespace boresight::gs232

@@ -9,7 +9,7 @@
 namespace boresight::gs232 {
 namespace {
 
-// Farther than any of these boxes counts.
+// Larger than the count of any of these boxes.
 constexpr double kMostAzimuth = 540.0;
 constexpr double kMostElevation = 270.0;
 
@@ -33,7 +33,7 @@ struct Field
     std::size_t digits = 0;  // before the point
 };
 
-// Takes "[sign]ddd[d][.d…]" from the front. A sign is only taken where one may be.
+// Removes "[sign]ddd[d][.d…]" from the front of `text` and returns its value.
 std::optional<Field> takeNumber(std::string_view& text)
 {
     const bool sign = !text.empty() && (text.front() == '+' || text.front() == '-');
@@ -53,7 +53,7 @@ std::optional<Field> takeNumber(std::string_view& text)
         const std::size_t point = end;
         end = notDigit(text, point + 1);
         if (end == point + 1) {
-            return std::nullopt;  // its decimals are missing
+            return std::nullopt;  // the decimals are missing
         }
     }
     const auto value = parseFinite(text.substr(text.front() == '+' ? 1 : 0, end - (text.front() == '+' ? 1 : 0)));
@@ -61,7 +61,7 @@ std::optional<Field> takeNumber(std::string_view& text)
     return value ? std::optional(Field{.value = Angle::fromDegrees(*value), .digits = digits}) : std::nullopt;
 }
 
-// A name without its number stays where it is, so that the line is not taken for whole.
+// A name without a number is not removed, so the line does not count as complete.
 std::optional<Field> takeNamed(std::string_view& text, std::string_view name)
 {
     if (!text.starts_with(name)) {
@@ -78,7 +78,7 @@ bool isPossible(const std::optional<Field>& field, double most)
     return !field || (field->value.degrees() >= -180.0 && field->value.degrees() <= most);
 }
 
-// Two numbers of one line have the same number of digits: "+0180+009" has lost its end.
+// Two numbers of one line must have the same number of digits: "+0180+009" has lost its end.
 Reply positionOf(Dialect dialect, const std::optional<Field>& azimuth, const std::optional<Field>& elevation)
 {
     const bool uneven = azimuth && elevation && azimuth->digits != elevation->digits;
@@ -123,7 +123,7 @@ Reply parseReply(std::string_view line)
     if (text == "?>" || text == "?") {
         return Refused{};
     }
-    // A box with a prompt writes it before the line that follows.
+    // A box with a prompt writes it before the next line.
     while (text.starts_with('>')) {
         text = withoutBlanks(text.substr(1));
     }

@@ -7,9 +7,9 @@
 #include <string_view>
 #include <variant>
 
-// What a GS-232 box answers, read from one line without its end. Both dialects are taken: "+0180+0090" of the A and
-// "AZ=180  EL=090" of the B, as imitations vary it. Anything that is not wholly one of them is Unknown: half a number
-// is never a number. Pure.
+// Reads one line of a GS-232 box, without its end. Both dialects are read: "+0180+0090" of the A and "AZ=180  EL=090"
+// of the B, with the variations of imitations. A line that is not completely one of them is Unknown: half a number is
+// never a number. Pure.
 namespace boresight::gs232 {
 
 enum class Dialect
@@ -21,7 +21,7 @@ enum class Dialect
 struct Position
 {
     Dialect dialect = Dialect::A;
-    std::optional<Angle> azimuth;  // as the box counts: 370° is not 10°
+    std::optional<Angle> azimuth;  // in the count of the box: 370° is not 10°
     std::optional<Angle> elevation;
 
     bool operator==(const Position&) const = default;
@@ -32,7 +32,7 @@ struct Refused  // "?>"
     bool operator==(const Refused&) const = default;
 };
 
-struct Nothing  // an acknowledgement or a prompt, without any word
+struct Nothing  // an acknowledgement or a prompt without text
 {
     bool operator==(const Nothing&) const = default;
 };

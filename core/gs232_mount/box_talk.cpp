@@ -12,10 +12,10 @@ namespace boresight::gs232 {
 namespace {
 
 constexpr std::size_t kBitsOfAByte = 10;     // 8N1
-constexpr std::size_t kLongestAnswer = 20;   // bytes, with what stands before it
+constexpr std::size_t kLongestAnswer = 20;   // bytes, with those before the answer
 constexpr std::size_t kShownOfStrange = 24;  // bytes
 
-// A break of the line is read as NUL.
+// A break of the line is received as NUL.
 std::string withoutNulls(std::string_view bytes)
 {
     std::string text(bytes);
@@ -46,7 +46,7 @@ void BoxTalk::take(std::string_view bytes, SteadyTime now)
         return;
     }
     const std::string text = withoutNulls(bytes);
-    // Of a radio there may never come a line end.
+    // A radio may never send a line end.
     const bool ends = text.find_first_of("\r\n") != std::string::npos;
     if (m_proof == Proof::Unknown && !ends && !text.empty()) {
         takePiece(text, now);
@@ -54,7 +54,7 @@ void BoxTalk::take(std::string_view bytes, SteadyTime now)
     m_splitter.add(text, [this, now](std::string_view line) { takeLine(line, now); });
 }
 
-// Of a refusal each piece is known.
+// A part of a refusal is no strange data.
 void BoxTalk::takePiece(std::string_view text, SteadyTime now)
 {
     const Reply piece = parseReply(text);
@@ -99,7 +99,8 @@ void BoxTalk::takeStrange(std::string_view bytes, SteadyTime now)
     m_strange.questions += std::exchange(m_strange.sinceAsked, true) ? 0 : 1;
 }
 
-// Whatever it said in pieces has become an answer, or nothing.
+// Declares the port foreign if enough questions had strange answers for long enough. By then all pieces have become
+// lines.
 void BoxTalk::judge(SteadyTime now)
 {
     const bool often = m_strange.first && m_strange.questions >= kProbeQuestions;
@@ -148,7 +149,7 @@ std::string BoxTalk::send(SteadyTime now)
     if (m_proof == Proof::Foreign) {
         return {};
     }
-    if (m_proof == Proof::Box && std::exchange(m_stop, false)) {  // else it waits for the proof
+    if (m_proof == Proof::Box && std::exchange(m_stop, false)) {  // otherwise it waits for the proof
         return say(std::string(kStopAll), now);
     }
     const bool waits = m_times.asked && now - *m_times.asked < kAnswerTime + timeOf(kAskBoth.size() + kLongestAnswer);
@@ -165,7 +166,7 @@ std::string BoxTalk::send(SteadyTime now)
     }
     m_times.lastAsk = m_times.asked = now;
     m_strange.sinceAsked = false;
-    m_splitter.clear();  // half a line would spoil the answer
+    m_splitter.clear();  // half a line would damage the answer
     return say(std::string(m_question == Question::Both ? kAskBoth : kAskAzimuth), now);
 }
 

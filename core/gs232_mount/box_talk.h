@@ -10,16 +10,17 @@
 #include <string>
 #include <string_view>
 
-// The conversation with a GS-232 box: what is sent when, and what of the answers counts. Such a box works at one
-// command at a time, so the next one waits: 50 ms after each, and for an answer. It is asked where it stands four times
-// a second at most, and sent somewhere twice a second at most. A stop waits for nothing.
+// The conversation with a GS-232 box: decides when to send what, and which answers count. Such a box carries out one
+// command at a time. So the next command waits for 50 ms after each command, and for an answer. The position is asked
+// at most four times a second, and a target is sent at most twice a second. A stop is sent at once.
 //
-// Behind the port may be a radio, which would take our lines for its commands. So only questions are sent before the
-// port has answered as such a box does. A port that says other things to three questions is foreign, and nothing more
-// is sent. A byte of noise, or the greeting of a box that starts, is not. Pure: time and bytes are passed in.
+// The port may lead to a radio, which would read our lines as its own commands. So only questions are sent before the
+// port has answered like such a box. A port that answers three questions with other data is foreign, and nothing more
+// is sent. A byte of noise, or the greeting of a starting box, does not make it foreign. Pure: time and bytes are
+// passed in.
 namespace boresight::gs232 {
 
-// What the box is asked for.
+// The question to the box.
 enum class Question
 {
     Both,
@@ -32,22 +33,22 @@ class BoxTalk final : public RotatorTalk
 {
 public:
     static constexpr std::chrono::milliseconds kPause{50};           // after each command
-    static constexpr std::chrono::milliseconds kAnswerTime{400};     // beside the time of the bytes on the line
+    static constexpr std::chrono::milliseconds kAnswerTime{400};     // in addition to the time of the bytes on the line
     static constexpr std::chrono::milliseconds kBetweenAsks{250};    // from one question to the next
     static constexpr std::chrono::milliseconds kBetweenGoes{500};    // from one target to the next
-    static constexpr std::chrono::milliseconds kBetweenTries{1000};  // of questions while nothing answers
-    static constexpr std::chrono::seconds kProbeTime{3};             // from the first bytes that mean nothing
-    static constexpr int kProbeQuestions = 3;                        // after which such bytes came
-    static constexpr std::chrono::seconds kNoise{10};                // bytes so far apart have nothing to do with us
+    static constexpr std::chrono::milliseconds kBetweenTries{1000};  // between questions while nothing answers
+    static constexpr std::chrono::seconds kProbeTime{3};             // after the first meaningless bytes
+    static constexpr int kProbeQuestions = 3;                        // questions with such bytes as their answer
+    static constexpr std::chrono::seconds kNoise{10};                // a longer gap: the bytes before it were noise
 
-    // `baud` as bits per second of the line.
+    // `baud`: bits per second of the line.
     BoxTalk(Question question, int baud) : m_question(question), m_baud(baud) {}
 
     void restart() override;
     void take(std::string_view bytes, SteadyTime now) override;
     [[nodiscard]] std::optional<Places> takePlaces() override;
 
-    // Replaces the target that was not sent yet.
+    // Replaces a target that was not sent yet.
     void go(std::string command) { m_go = std::move(command); }
     void stop() override;
     [[nodiscard]] std::string send(SteadyTime now) override;
@@ -55,7 +56,7 @@ public:
     [[nodiscard]] Proof proof() const override { return m_proof; }
     [[nodiscard]] Dialect dialect() const { return m_dialect; }
     [[nodiscard]] bool echoes() const { return m_echoes; }    // our commands came back since the last answer
-    [[nodiscard]] bool refuses() const { return m_refuses; }  // it said ?> since the last answer
+    [[nodiscard]] bool refuses() const { return m_refuses; }  // the answer was ?> since the last good answer
     [[nodiscard]] const Counts& counts() const override { return m_counts; }
     [[nodiscard]] const std::string& strange() const override { return m_strange.text; }
 
@@ -65,7 +66,7 @@ private:
     void takeStrange(std::string_view bytes, SteadyTime now);
     void judge(SteadyTime now);
     [[nodiscard]] bool isWhole(const Position& position) const;
-    [[nodiscard]] SteadyTime::duration timeOf(std::size_t bytes) const;  // on the line
+    [[nodiscard]] SteadyTime::duration timeOf(std::size_t bytes) const;  // time of so many bytes on the line
     [[nodiscard]] std::string say(std::string command, SteadyTime now);
 
     Question m_question;
@@ -81,15 +82,15 @@ private:
     struct
     {
         std::string text;
-        std::optional<SteadyTime> first;  // since it last answered, or since it was noise
+        std::optional<SteadyTime> first;  // first strange bytes since the last answer or noise
         SteadyTime last{};
-        int questions = 0;        // after which something strange came
-        bool sinceAsked = false;  // counted for the last question
+        int questions = 0;        // questions that were followed by strange bytes
+        bool sinceAsked = false;  // already counted for the last question
     } m_strange;
     struct
     {
-        SteadyTime free{};                // of the pause after the last command
-        std::optional<SteadyTime> asked;  // and not answered yet
+        SteadyTime free{};                // end of the pause after the last command
+        std::optional<SteadyTime> asked;  // a question without an answer yet
         std::optional<SteadyTime> lastAsk;
         std::optional<SteadyTime> lastGo;
     } m_times;

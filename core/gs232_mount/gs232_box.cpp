@@ -124,7 +124,7 @@ std::optional<std::string> Gs232Box::query(const std::string& command) const
     return command == "B" ? std::optional(elevation) : std::nullopt;
 }
 
-// False: refused.
+// False if the box refuses the command.
 bool Gs232Box::move(const std::string& command)
 {
     if (command == "S" || command == "A" || command == "E") {
@@ -157,7 +157,7 @@ bool Gs232Box::send(Axis axis, std::string_view digits)
         return false;
     }
     if (target == whole(motor.place) && !motor.runs) {
-        return true;  // the potentiometer shows it already
+        return true;  // the potentiometer already shows this degree
     }
     if (!motor.runs) {
         ++m_starts;

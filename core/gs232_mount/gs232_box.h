@@ -13,8 +13,8 @@
 #include <string_view>
 
 // A simulated GS-232 rotator with its box: relays that switch the motors on and off, one speed, a coast after the relay
-// opens, a potentiometer of whole degrees. Bytes in, bytes out, as the sheets of the real ones and the recordings of
-// Hamlib have them. It fails on request. Pure: time is passed in. Angles as the box counts them.
+// opens, a potentiometer with whole degrees. Bytes in, bytes out, as in the data sheets and in the recordings of
+// Hamlib. It fails on request. Pure: time is passed in. Angles as the box counts them.
 namespace boresight::gs232 {
 
 class Gs232Box final : public SimulatedBox
@@ -33,21 +33,21 @@ public:
     {
         Dialect dialect = Dialect::B;
         Acknowledge acknowledge = Acknowledge::Cr;
-        bool elevation = true;  // false: it has one axis, and refuses what is about the other one
+        bool elevation = true;  // false: it has only an azimuth, and refuses commands for the elevation
         std::chrono::milliseconds latency{60};
     };
     struct Faults
     {
-        bool silent = false;                   // acts, but answers nothing
-        bool deaf = false;                     // takes nothing
+        bool silent = false;                   // acts, but sends no answers
+        bool deaf = false;                     // receives nothing
         bool echoes = false;                   // sends back what it receives
-        bool halfLines = false;                // each second answer to a question is cut in the middle
-        bool frozen = false;                   // the motors stand, whatever the relays do
-        bool refuses = false;                  // whatever it is asked
-        bool stuckMeter = false;               // the potentiometers show what they showed before
+        bool halfLines = false;                // every second answer to a question is cut in the middle
+        bool frozen = false;                   // the motors do not move
+        bool refuses = false;                  // refuses every command
+        bool stuckMeter = false;               // the potentiometers keep their old values
         bool stuckRelay = false;               // a stop does not open the relays
-        Angle offset{};                        // of what the potentiometer of the azimuth reports
-        std::array<double, 2> pace{1.0, 1.0};  // of each motor, of its speed
+        Angle offset{};                        // error of the reported azimuth
+        std::array<double, 2> pace{1.0, 1.0};  // share of its speed that each motor reaches
     };
 
     Gs232Box(const AxisPosition& place, const Habits& habits);
@@ -56,16 +56,16 @@ public:
     void take(std::string_view bytes, SteadyTime now) override;
     [[nodiscard]] std::string answers(SteadyTime now) override;
 
-    // Off: it stands, answers nothing and forgets where it was going.
+    // Off: the rotator stands still, sends no answers and forgets its targets.
     void setPower(bool on, SteadyTime now);
-    void restart(SteadyTime now);  // in a moment
+    void restart(SteadyTime now);  // power off and on at once
     [[nodiscard]] Faults& faults() { return m_faults; }
 
-    // Where it really stands at the time of the last call.
+    // The true position at the time of the last call.
     [[nodiscard]] AxisPosition truth() const { return {.azimuth = m_axes[0].place, .elevation = m_axes[1].place}; }
     [[nodiscard]] int moves() const { return m_moves; }    // commands to move or stop, accepted so far
-    [[nodiscard]] int starts() const { return m_starts; }  // of a motor
-    [[nodiscard]] const std::deque<std::string>& heard() const { return m_heard; }  // commands, without line ends
+    [[nodiscard]] int starts() const { return m_starts; }  // starts of a motor
+    [[nodiscard]] const std::deque<std::string>& heard() const { return m_heard; }  // without line ends
     void moveOn(SteadyTime now);
 
 private:
@@ -75,7 +75,7 @@ private:
         TravelRange reach;
         std::optional<Angle> target;
         bool runs = false;
-        Angle coast{};  // still to come, with its sign
+        Angle coast{};  // way that is still to come, with its sign
     };
     struct Due
     {
@@ -94,7 +94,7 @@ private:
     Habits m_habits;
     Faults m_faults;
     std::array<Motor, 2> m_axes;
-    AxisPosition m_shown = truth();  // by the potentiometers
+    AxisPosition m_shown = truth();  // positions that the potentiometers show
     bool m_powered = true;
     std::string m_line;
     std::deque<Due> m_due;

@@ -8,7 +8,7 @@
 namespace boresight::gs232 {
 namespace {
 
-// The common ones turn by 6 °/s. Set-points that are slower let it run into each target, stop and start again.
+// Common rotators turn at 6 °/s. With slower set-points the rotator would reach each target, stop and start again.
 constexpr AngularRate kFastest = AngularRate::fromDegrees(6.0);
 
 constexpr AxisCapabilities kAxis{
@@ -59,20 +59,20 @@ QString Gs232Mount::kindInWords() const
 bool Gs232Mount::goTo(const RotatorTalk::Places& target)
 {
     if (!target.azimuth) {
-        return false;  // the command names it, and nobody knows it
+        return false;  // the command needs an azimuth, and it is unknown
     }
     const auto command =
         capabilities().has(Axis::Elevation)
             ? gs232::goTo({.azimuth = *target.azimuth, .elevation = target.elevation.value_or(Angle{})})
             : goToAzimuth(*target.azimuth);
     if (!command) {
-        return false;  // outside of what the box counts: fitness() says so
+        return false;  // outside the count of the box, which fitness() reports
     }
     m_talk.go(*command);
     return true;
 }
 
-// What comes in place of an answer says what is wrong.
+// The received bytes show what is wrong.
 QString Gs232Mount::remedyOfNoAnswer() const
 {
     if (m_talk.echoes()) {

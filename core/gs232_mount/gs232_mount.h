@@ -4,7 +4,7 @@
 #include "core/gs232_mount/box_talk.h"
 #include "core/rotator_box/box_mount.h"
 
-// A GS-232 box behind the port of the mount: whole degrees, one speed. Station thread only.
+// A GS-232 box as a mount: whole degrees, one speed. Station thread only.
 namespace boresight::gs232 {
 
 class Gs232Mount final : public BoxMount
@@ -13,7 +13,7 @@ public:
     // Longer than three lost answers on the slowest line.
     static constexpr std::chrono::milliseconds kSilence{1800};
 
-    // They outlive this. `axes` are those that the box turns.
+    // The references outlive this. `axes`: the axes that the box turns.
     Gs232Mount(const profile::InForce& profile, AlarmBoard& alarms, const AxisSet& axes);
 
     [[nodiscard]] BoxTalk& talk() override { return m_talk; }

@@ -13,7 +13,7 @@
 namespace boresight::gs232 {
 namespace {
 
-// What the checks of the profile have let through.
+// The line for a profile that has passed its checks.
 std::unique_ptr<BoxLine> lineOf(const profile::Profile& profile)
 {
     const auto bus = parseBusName(profile.bus);

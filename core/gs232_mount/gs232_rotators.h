@@ -4,12 +4,12 @@
 #include "core/messages/rotator_offer.h"
 #include "core/mount/mount_kind.h"
 
-// The GS-232 rotators, as the wiring lists them.
+// The GS-232 rotators for the list of mount kinds.
 namespace boresight::gs232 {
 
-// A simulated one stays the same one when the mount is connected again.
+// The simulated rotator stays the same when the mount is connected again.
 [[nodiscard]] MountKind gs232Rotators();
-// As the guide offers them.
+// The entry in the setup guide.
 [[nodiscard]] RotatorOffer gs232Offer();
 
 }  // namespace boresight::gs232

@@ -30,7 +30,7 @@ tl::unexpected<Error> unknown()
     return failure(ErrorCode::InvalidInput, Text::tr("this is no GS-232 command"));
 }
 
-// "123" is 123°. Three digits exactly, as the box reads them.
+// "123" is 123°. Exactly three digits, as in the box.
 std::optional<Angle> threeDigits(std::string_view text)
 {
     int value = 0;
@@ -56,7 +56,7 @@ Result<PointTo> inReach(const PointTo& place)
     return place;
 }
 
-// Groups of three digits with one blank between; empty: something else.
+// The number of groups of three digits with one blank between them. 0 for any other text.
 std::size_t groupsIn(std::string_view text)
 {
     std::size_t count = 0;
@@ -74,7 +74,7 @@ std::size_t groupsIn(std::string_view text)
     return 0;
 }
 
-// "M123", "W123 045". More groups are a list with times.
+// "M123" or "W123 045". More groups are a list with times.
 Result<ClientCommand> parsePoint(std::string_view text)
 {
     const std::size_t wanted = text.front() == 'M' ? 1 : 2;
@@ -126,7 +126,7 @@ Result<std::string> digitsOf(Angle angle, const TravelRange& reach, const QStrin
     return std::string(kDigits - digits.size(), '0') + digits;
 }
 
-// As the box counts: 370° is not 10°, and what lies below 0° is counted from the other side.
+// In the count of the box: 370° is not 10°. An azimuth that this count does not have is wrapped to 0…360°.
 Result<std::string> azimuthDigits(Angle azimuth)
 {
     const bool counted = azimuth >= kAzimuthReach.min && azimuth <= kAzimuthReach.max;

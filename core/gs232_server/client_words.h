@@ -11,8 +11,8 @@
 #include <string_view>
 #include <variant>
 
-// What a program sends to a GS-232 box and what the box answers, bytes <-> values. The other direction is core/gs232.
-// Pure.
+// The commands of a program to a GS-232 box and the answers of the box, bytes <-> values. The other direction is
+// core/gs232. Pure.
 namespace boresight::gs232 {
 
 enum class Ask
@@ -25,10 +25,10 @@ enum class Ask
 struct PointTo
 {
     Angle azimuth;                   // 0…450°
-    std::optional<Angle> elevation;  // 0…180°; empty: as it is
+    std::optional<Angle> elevation;  // 0…180°; empty: stays as it is
 };
 
-struct Turn  // until a stop
+struct Turn  // until a stop command
 {
     rotctld::MoveDirection direction = rotctld::MoveDirection::Up;
 };
@@ -43,15 +43,15 @@ struct Speed
 
 using ClientCommand = std::variant<Ask, PointTo, Turn, StopTurning, Speed>;
 
-// One line without its end, in upper or lower case. InvalidInput: it is no command. OutOfRange: an angle that the
-// protocol does not know. NotAvailable: a command of the real box that an emulation must not obey: lists with times,
-// calibration, the way it counts.
+// Reads one line without its end, in upper or lower case. InvalidInput: not a command. OutOfRange: an angle outside the
+// protocol. NotAvailable: a command of the real box that an emulation must not carry out: lists with times,
+// calibration, settings of its count.
 [[nodiscard]] Result<ClientCommand> parseCommand(std::string_view line);
 
 inline constexpr std::string_view kRefusal = "?>\r\n";
 inline constexpr std::string_view kAccepted = "\r";
 
-// In whole degrees of three digits. OutOfRange: the protocol has no number for this place.
+// In whole degrees of three digits. OutOfRange: the protocol has no number for this position.
 [[nodiscard]] Result<std::string> answerTo(Ask question, const SkyPointing& place, Dialect dialect);
 
 }  // namespace boresight::gs232

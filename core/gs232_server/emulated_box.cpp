@@ -35,7 +35,7 @@ void EmulatedBox::carryOut(Ask question, rotctld::LineOutcome& outcome)
                          .map([&](const std::string& answer) { outcome.reply = answer; });
 }
 
-// The station points both axes.
+// The station always points both axes.
 void EmulatedBox::carryOut(const PointTo& place, rotctld::LineOutcome& outcome)
 {
     outcome.motion = true;
@@ -52,8 +52,8 @@ void EmulatedBox::carryOut(const PointTo& place, rotctld::LineOutcome& outcome)
                          .map([&](const QString& became) { outcome.became = became; });
 }
 
-// Where it is measured at the first M. A mount that stands a little beside its target would creep with each further
-// one.
+// The elevation at the first M. A mount that is a little off its target would creep if each M used the present
+// elevation.
 Result<Angle> EmulatedBox::keptElevation()
 {
     constexpr Angle kBeside = Angle::fromDegrees(1.5);

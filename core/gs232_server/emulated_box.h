@@ -4,8 +4,8 @@
 #include "core/gs232_server/client_words.h"
 #include "core/rotctld/line_session.h"
 
-// The mount as a GS-232A or GS-232B box to one client. What the box would refuse, and what the station refuses, is
-// answered "?>". Station thread.
+// The mount as a GS-232A or GS-232B box for one client. Commands that the box or the station refuses are answered "?>".
+// Station thread.
 namespace boresight::gs232 {
 
 class EmulatedBox final : public rotctld::LineProtocol
@@ -27,10 +27,10 @@ private:
     rotctld::Client m_client;
     rotctld::Rotator& m_rotator;
     Dialect m_dialect;
-    std::optional<Angle> m_kept;  // elevation of the last M, while nothing else was said
+    std::optional<Angle> m_kept;  // the elevation that M keeps, until another command
 };
 
-// How a server starts a conversation with each of its clients. Both outlive it.
+// How a server starts a conversation with a client. Rotator and clock outlive it.
 [[nodiscard]] rotctld::StartConversation talkGs232(rotctld::Rotator& rotator, const Clock& clock, Dialect dialect);
 
 }  // namespace boresight::gs232

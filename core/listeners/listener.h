@@ -9,7 +9,7 @@
 #include <vector>
 
 // A listener for client programs besides the rotctld server, as one line of the profile: protocol, rights, place, and
-// who may connect: "gs232b drive tcp:0.0.0.0:4534 192.168.1.0/24", "gs232a read pty:/run/user/1000/rotator". Pure.
+// who may connect. "gs232b drive tcp:0.0.0.0:4534 192.168.1.0/24", "gs232a read pty:/run/user/1000/rotator". Pure.
 namespace boresight::listeners {
 
 enum class Protocol
@@ -25,31 +25,31 @@ enum class Protocol
 enum class Rights
 {
     Drive,
-    Read  // reads the position and stops the mount, no more
+    Read  // may only read the position and stop the mount
 };
 
 struct Listener
 {
     Protocol protocol = Protocol::Gs232A;
     Rights rights = Rights::Drive;
-    std::string pty;                      // path of the link to a pseudo-terminal; empty: there is none
-    std::string unixPath = {};            // of a socket in the file system; both empty: TCP
-    std::string host;                     // of TCP: an address or "localhost"
-    std::uint16_t port = 0;               // of TCP; 0 takes any free port
-    std::vector<std::string> allow = {};  // of TCP: addresses and networks; empty: whoever can reach the port
+    std::string pty;                      // path of the link to a pseudo-terminal; may be empty
+    std::string unixPath = {};            // path of a socket in the file system; TCP if both are empty
+    std::string host;                     // for TCP: an address or "localhost"
+    std::uint16_t port = 0;               // for TCP; 0: any free port
+    std::vector<std::string> allow = {};  // for TCP: addresses and networks; empty: everybody who reaches the port
 
     bool operator==(const Listener&) const = default;
 };
 
-// InvalidInput: what is wrong with which word.
+// Error InvalidInput: which word is wrong, and why.
 [[nodiscard]] Result<Listener> parseListener(std::string_view text);
-// For people, the same in all languages: "GS-232B".
+// The name for people, not translated: "GS-232B".
 [[nodiscard]] std::string_view nameOf(Protocol protocol);
-// Where it is to listen: "0.0.0.0:4534", "[::1]:4534", "/run/user/1000/rotator".
+// The place where it listens: "0.0.0.0:4534", "[::1]:4534", "/run/user/1000/rotator".
 [[nodiscard]] std::string placeOf(const Listener& listener);
-// Whoever reaches it moves the mount, and it is reached from other computers.
+// True if other computers reach the listener and every client may move the mount.
 [[nodiscard]] bool isOpenToAll(const Listener& listener);
-// Two that cannot both be opened: the same port or the same path. A port of 0 is never the same.
+// True if the two cannot both be opened, because they have the same port or the same path. Port 0 is never the same.
 [[nodiscard]] bool collide(const Listener& one, const Listener& other);
 
 }  // namespace boresight::listeners

@@ -15,7 +15,7 @@ constexpr auto kI16 = Resolution::Int16;
 constexpr auto kI32 = Resolution::Int32;
 constexpr auto kF32 = Resolution::Float;
 
-// As many as rotatorQuery() asks for.
+// The number of values in rotatorQuery().
 constexpr std::size_t kUsualValues = 16;
 
 Result<> checkReadable(std::span<const RegisterRead> query)
@@ -63,7 +63,7 @@ std::string textOf(std::span<const std::uint8_t> bytes)
     return {bytes.begin(), bytes.end()};
 }
 
-// Device-to-host subframes are kept; the others do not belong into a reply and are ignored.
+// Keeps subframes that a device sends. Other subframes do not belong in a reply and are ignored.
 void take(Reply& reply, const Subframe& subframe)
 {
     std::visit(Overloaded{
@@ -111,7 +111,7 @@ const Query& rotatorQuery()
                              {Register::ControlPosition, kF32},
                              {Register::ControlVelocity, kF32},
                              {Register::StayWithinLower, kI8},
-                             // One block, the largest, at the end: no other may start after byte 41.
+                             // The largest block comes last, because no block may start after byte 41.
                              {Register::MotorTemperature, kI16},
                              {Register::TrajectoryComplete, kI16},
                              {Register::HomeState, kI16},

@@ -12,26 +12,28 @@
 #include <string>
 #include <vector>
 
-// The client's side of a moteus exchange: a request becomes a frame, a reply frame becomes values. A reply shows the
-// drive as it was *before* the command in the same exchange took effect. Pure, any thread.
+// The client side of a moteus exchange: a request becomes a frame, and a reply frame becomes values. A reply shows the
+// state of the drive *before* the command in the same exchange took effect. Pure, any thread.
 namespace boresight::moteus {
 
-// A drive starts no new block of its answer once it holds more than this; later queries are dropped without a word.
+// Once its reply is longer than this, a drive starts no new block and drops the remaining queries without an error.
 inline constexpr std::size_t kReplyBlockStartLimit = 41;
 
 using Query = std::vector<RegisterRead>;
 
-// The official clients' default: mode, position, velocity, torque, voltage, temperature, fault (22 bytes of reply).
+// The default of the official clients: mode, position, velocity, torque, voltage, temperature, fault (22 bytes of
+// reply).
 [[nodiscard]] const Query& basicQuery();
-// What a rotator wants in every reply: also q and d current, power, control position and velocity, the echo of a
-// PositionCommand, motor temperature, trajectory and home state (55 bytes).
+// The query of a rotator in every frame: the values of basicQuery(), and q and d current, power, control position and
+// velocity, the echo of a PositionCommand, motor temperature, trajectory and home state (55 bytes of reply).
 [[nodiscard]] const Query& rotatorQuery();
-// Who is there: the UUID and whether it can be addressed by it, as the maker's tools discover drives.
+// For finding drives, as the maker's tools do: the UUID, and whether the drive can be addressed by its UUID.
 [[nodiscard]] const Query& discoveryQuery();
 // Model number, firmware version, register map version.
 [[nodiscard]] const Query& versionQuery();
 
-// The four words of a drive's 16 bytes, and the first one to four of them, to address it when two share one id.
+// Uuid: the 16 bytes of a drive as four words. UuidMask: the first one to four words, to address one of two drives with
+// the same id.
 using Uuid = std::array<std::uint32_t, 4>;
 struct UuidMask
 {
@@ -45,18 +47,18 @@ struct Request
     std::uint16_t prefix = 0;
     std::uint8_t source = kHostId;
     std::optional<UuidMask> uuid{};    // usually with destination = kBroadcastId
-    std::optional<Command> command{};  // nothing: a plain query
+    std::optional<Command> command{};  // empty: only a query
     Query query{};
-    bool replyWanted = true;  // a drive asked without it stays silent
+    bool replyWanted = true;  // if false, the drive stays silent
 };
 
-// The bytes a query will bring back.
+// The number of bytes in the reply to a query.
 [[nodiscard]] std::size_t replySize(std::span<const RegisterRead> query);
-// Refuses a query whose answer would come back cut short or not at all.
+// Refuses a query whose reply would be cut short or missing.
 [[nodiscard]] Result<> checkAnswerable(std::span<const RegisterRead> query);
 
-// Refuses what the protocol cannot carry: over 64 bytes, a query that cannot be answered in full or that asks without
-// wanting a reply, an id out of range, a register that cannot be read.
+// Refuses requests that the protocol cannot carry: more than 64 bytes, a query that cannot be answered completely or
+// that wants no reply, an id out of range, or a register that cannot be read.
 [[nodiscard]] Result<CanFrame> encode(const Request& request);
 
 struct RegisterError
@@ -68,7 +70,7 @@ struct RegisterError
     bool operator==(const RegisterError&) const = default;
 };
 
-// Text of the diagnostic tunnel; `number` only with flow control.
+// Text from the diagnostic tunnel. `number` exists only with flow control.
 struct TunnelText
 {
     std::uint32_t channel = 0;
@@ -83,21 +85,22 @@ struct Reply
     std::uint8_t source = 0;
     std::uint8_t destination = 0;
     std::uint16_t prefix = 0;
-    std::vector<RegisterValue> values{};  // in order of appearance; NaN is "unset"
+    std::vector<RegisterValue> values{};  // in the order of the reply; NaN is "unset"
     std::vector<RegisterError> errors{};
     std::vector<TunnelText> texts{};
-    ParseEnd end = ParseEnd::Complete;  // anything else: the tail is missing or unreadable
+    ParseEnd end = ParseEnd::Complete;  // any other value: the end of the reply is missing or unreadable
 
-    // Empty if the reply does not have the register, or its value is unset or infinite (no drive measures that).
+    // Empty if the reply does not contain the register, or if the value is unset or infinite (no drive measures
+    // infinity).
     [[nodiscard]] std::optional<double> value(Register reg) const;
-    [[nodiscard]] std::optional<Mode> mode() const;  // empty also for a number the protocol does not define
+    [[nodiscard]] std::optional<Mode> mode() const;  // also empty for a number that the protocol does not define
     [[nodiscard]] std::optional<int> fault() const;
     [[nodiscard]] std::optional<HomeState> homeState() const;
     [[nodiscard]] std::optional<Uuid> uuid() const;
 };
 
-// Fails only if the frame is no reply at all: the "reply wanted" bit is set. A damaged payload gives what could be
-// read.
+// Fails only if the frame is no reply, because its "reply wanted" bit is set. From a damaged payload, all readable
+// values are returned.
 [[nodiscard]] Result<Reply> decodeReply(const CanFrame& frame);
 
 }  // namespace boresight::moteus

@@ -7,25 +7,27 @@
 #include <optional>
 #include <string_view>
 
-// What a drive's position counts from. Beside the position that can be set (`d exact`, `d nearest`, registers 130 and
-// 131) a drive keeps one that nobody can: 0 at power-up, and counted on from there. The difference of the two stays
-// exactly the same until somebody sets the position, whether the axis moves or not. Pure; turns of the drive.
+// The origin of a drive's position count. Besides the position that can be set (`d exact`, `d nearest`, registers 0x130
+// and 0x131) a drive has a relative position that nobody can set: it is 0 at power-up and counts on from there. The
+// difference of the two stays exactly the same, also while the axis moves, until somebody sets the position. Pure.
+// Turns of the drive.
 namespace boresight::moteus {
 
-// The telemetry channel that tells it, in the binary format.
+// The telemetry channel that contains both positions, in the binary format.
 inline constexpr const char* kMotorPositionChannel = "motor_position";
 
 struct CountOrigin
 {
-    // Another number: the drive was given other encoder settings and began to count again. Starts again at power-up.
+    // Changes when the encoder settings of the drive were changed, so that it began to count again. Starts again at
+    // power-up.
     std::uint32_t beginning = 0;
-    MotorTurns offset;  // of the position from what was counted since the beginning
+    MotorTurns offset;  // position minus relative position
 
     bool operator==(const CountOrigin&) const = default;
 };
 
-// From the data of that channel. Nothing where a firmware lays it out otherwise, or while the drive has no valid
-// position: what cannot be read proves nothing.
+// From the data of that channel. Empty if the firmware has another layout, or while the drive has no valid position:
+// data that cannot be read proves nothing.
 [[nodiscard]] std::optional<CountOrigin> countOrigin(std::string_view data);
 
 }  // namespace boresight::moteus

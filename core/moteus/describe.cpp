@@ -40,7 +40,7 @@ std::string numbered(Register reg)
     return hexNumber(static_cast<std::uint32_t>(reg), 3) + ' ' + registerName(reg);
 }
 
-// Text as a C string literal shows it: tunnels also carry binary.
+// The text in the form of a C string literal, because tunnels also carry binary data.
 std::string quoted(std::span<const std::uint8_t> bytes)
 {
     std::string text = "\"";
@@ -60,7 +60,7 @@ std::string quoted(std::span<const std::uint8_t> bytes)
     return text + '"';
 }
 
-// What a number means beyond its value; empty for plain quantities.
+// The meaning of a number as a text. Empty for plain quantities.
 std::string meaning(const RegisterValue& item)
 {
     const int code = std::abs(item.value) < 256 ? static_cast<int>(item.value) : -1;
@@ -143,7 +143,7 @@ private:
     void addPart(const ReadBlock& block)
     {
         const std::string format = " as " + std::string(resolutionText(block.resolution));
-        if (replySize(block) > kMaxCanPayload) {  // also keeps a hostile count from filling the screen
+        if (replySize(block) > kMaxCanPayload) {  // also keeps a malicious count from filling the screen
             line("read " + std::to_string(block.count) + " registers from " + numbered(block.first) + format +
                  ": more than a reply can hold");
             return;
@@ -204,8 +204,8 @@ bool onlyDrivesSend(const Subframe& subframe)
            std::holds_alternative<TunnelPacket>(subframe);
 }
 
-// Without the reply bit the identifier does not say which way a frame goes. Its first subframe does; an empty frame
-// that our own host did not send is taken for an empty reply.
+// Without the reply bit the identifier does not show the direction of a frame, but the first subframe does. An empty
+// frame counts as an empty reply, unless our own host sent it.
 bool isReply(const CanFrame& frame)
 {
     const Arbitration id = fromCanId(frame.id);

@@ -10,9 +10,9 @@
 namespace boresight::moteus {
 namespace {
 
-constexpr std::size_t kMaxPart = 61;        // 64 bytes less type, channel and length
-constexpr std::uint32_t kMaxPoll = 48;      // the drive caps it further, at 38 or 39
-constexpr std::size_t kMaxAnswer = 262144;  // a whole `conf enumerate` is about 30 kB
+constexpr std::size_t kMaxPart = 61;        // 64 bytes minus type, channel and length
+constexpr std::uint32_t kMaxPoll = 48;      // the drive limits it further, to 38 or 39
+constexpr std::size_t kMaxAnswer = 262144;  // a complete `conf enumerate` has about 30 kB
 
 bool isLineEnd(char c)
 {
@@ -56,7 +56,7 @@ Result<> DiagnosticClient::start(std::string_view command)
     if (auto checked = checkCommand(command); !checked) {
         return checked;
     }
-    // With telemetry running the channel never falls silent; this is the command that ends it.
+    // While telemetry runs, the channel never becomes empty. "tel stop" ends telemetry, so it is sent without draining.
     m_state = command == "tel stop" ? State::Sending : State::Draining;
     m_awaitingReply = false;
     m_answerIsOneLine = command.starts_with("conf get ");
@@ -125,13 +125,13 @@ void DiagnosticClient::handleReply(const Reply& reply)
         m_silences = 0;
         handleText(isNews(*found) ? found->text : std::string());
     } else if (m_flowControl && reply.values.empty() && reply.errors.empty() && reply.texts.empty()) {
-        m_awaitingReply = false;  // old firmware answers 0x44 with an empty frame: ask again the old way
+        m_awaitingReply = false;  // old firmware answers 0x44 with an empty frame, so the next poll is a 0x42
         m_flowControl = false;
     }
 }
 
-// With flow control the same number again is a late copy of a packet already taken. Not while draining: the drive may
-// have been restarted and count from zero.
+// With flow control, a repeated number is a late copy of a packet that was read already. This does not apply while
+// draining, because the drive may have restarted and count from zero.
 bool DiagnosticClient::isNews(const TunnelText& text)
 {
     if (!text.number) {
@@ -174,7 +174,7 @@ bool DiagnosticClient::takeLine()
     return true;
 }
 
-// Its length in four bytes, the lowest first, and its bytes.
+// A block: its length in four bytes, the lowest first, then its bytes.
 bool DiagnosticClient::takeBlock()
 {
     constexpr std::size_t kHead = 4;

@@ -25,7 +25,7 @@ public:
         return std::move(*this);
     }
 
-    // Radians travel in half turns.
+    // The registers of these angles count half turns.
     WriteList&& withHalfTurns(Register reg, const std::optional<Field>& field) &&
     {
         if (field) {

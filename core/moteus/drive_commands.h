@@ -8,12 +8,13 @@
 #include <variant>
 #include <vector>
 
-// What a drive can be told, as values, and the register writes each becomes. A field that is empty is not sent, and
-// the drive then uses its own default, which is not always harmless: an absent position means "go to 0.0". Units are
-// those of the registers (output revolutions, rev/s, rev/s², Nm, s, A, V). Pure, any thread.
+// The commands to a drive as values, and the register writes of each command. An empty field is not sent, and the drive
+// then uses its own default. Some defaults are dangerous: a missing position means "go to 0.0". Units are those of the
+// registers (output revolutions, rev/s, rev/s², Nm, s, A, V). Pure, any thread.
 namespace boresight::moteus {
 
-// A value and how it travels. The special values of the protocol are NaN or negative on the wire; here they have names.
+// A value and its resolution on the bus. The special values of the protocol are NaN or negative numbers. They have
+// names here.
 struct Field
 {
     double value = 0.0;
@@ -27,14 +28,14 @@ struct Field
 
 inline constexpr double kUnset = std::numeric_limits<double>::quiet_NaN();
 inline constexpr double kKeepControlPosition = kUnset;  // position: change only the velocity; with 0: stop and hold
-inline constexpr double kNoWatchdog = kUnset;           // timeout: this command lasts for ever
-inline constexpr double kConfiguredTimeout = 0.0;       // timeout: servo.default_timeout_s
-inline constexpr double kConfiguredLimit = kUnset;      // velocity, acceleration limit: the drive's own setting
-inline constexpr double kNoLimit = -1.0;                // velocity, acceleration limit: none
-inline constexpr double kCurrentLimitOnly = kUnset;     // maximum torque: what the current limit allows (0 is limp)
-inline constexpr double kNoBound = kUnset;              // stay within: this side is open
+inline constexpr double kNoWatchdog = kUnset;           // timeout: this command never ends
+inline constexpr double kConfiguredTimeout = 0.0;       // timeout: use servo.default_timeout_s
+inline constexpr double kConfiguredLimit = kUnset;      // velocity, acceleration limit: use the setting of the drive
+inline constexpr double kNoLimit = -1.0;                // velocity, acceleration limit: no limit
+inline constexpr double kCurrentLimitOnly = kUnset;     // maximum torque: only the current limit (0 is no torque)
+inline constexpr double kNoBound = kUnset;              // stay within: no bound on this side
 
-struct Stop  // driver off, axis free; the only way out of fault and timeout
+struct Stop  // driver off, axis free. The only way out of fault and time-out
 {};
 
 struct Brake  // phases shorted: passive damping, no holding torque, no watchdog
@@ -54,7 +55,7 @@ struct PositionCommand
     std::optional<Field> kpScale{};
     std::optional<Field> kdScale{};
     std::optional<Field> maximumTorque{};
-    std::optional<Field> stopPosition{};  // deprecated: fault 45 with any limit in force
+    std::optional<Field> stopPosition{};  // deprecated: fault 45 if any limit is in force
     std::optional<Field> watchdogTimeout{};
     std::optional<Field> velocityLimit{};
     std::optional<Field> accelerationLimit{};
@@ -62,9 +63,10 @@ struct PositionCommand
     std::optional<Field> integralLimitScale{};
     std::optional<Field> fixedCurrent{};
     std::optional<Field> ignorePositionBounds{};
-    // The lower bound of StayWithin, which means nothing in this mode. The reply to this very frame reads it back.
+    // The lower bound of StayWithin, which has no effect in this mode. The reply to the same frame reads it back.
     std::optional<Field> echo{};
-    // Before the command counts, the control set-points restart from the measured state. No command register.
+    // The control set-points restart from the measured state before the command takes effect. This is no command
+    // register.
     bool recapture = false;
 };
 
@@ -81,7 +83,7 @@ struct StayWithin
     std::optional<Field> ignorePositionBounds{};
 };
 
-// The five bench modes have no watchdog: never leave one running.
+// The five bench modes have no watchdog, so never leave one running.
 struct PwmCommand
 {
     std::optional<Field> a{}, b{}, c{};
@@ -109,13 +111,13 @@ struct CurrentCommand
     std::optional<Field> q{}, d{};
 };
 
-// The following four write a register without a mode: no motion command, they do not feed the watchdog.
-struct SetOutputNearest  // keep the encoder's phase, choose the whole rotor turn nearest to this
+// The following commands write a register without a mode. They do not move the motor and do not feed the watchdog.
+struct SetOutputNearest  // keep the phase of the encoder, choose the nearest whole turn of the rotor
 {
     Field position = 0.0;
 };
 
-struct SetOutputExact  // make the present position read this
+struct SetOutputExact  // make the current position this value
 {
     Field position = 0.0;
 };
@@ -135,7 +137,7 @@ using Command = std::variant<Stop, Brake, ZeroVelocity, PositionCommand, StayWit
                              VoltageFocCommand, VoltageDqCommand, CurrentCommand, SetOutputNearest, SetOutputExact,
                              RequireReindex, RecapturePositionVelocity, ClockTrim>;
 
-// In register order, the mode first: writing it resets every command field of the drive.
+// In register order. The mode is written first, because writing it resets every command field of the drive.
 [[nodiscard]] std::vector<RegisterValue> registerWrites(const Command& command);
 
 }  // namespace boresight::moteus

@@ -5,8 +5,8 @@
 
 #include <string_view>
 
-// Register 0x00f and the modes in words for the operator. The code is a fault only while the mode is 1 (fault); with
-// any other mode the codes 96..105 name the limit that is active right now, and there is nothing to clear. Pure.
+// Register 0x00f and the modes as texts for the operator. The code is a fault only while the mode is 1 (fault). In any
+// other mode the codes 96..105 name the limit that is active now, and there is nothing to clear. Pure.
 namespace boresight::moteus {
 
 struct FaultText
@@ -15,16 +15,16 @@ struct FaultText
     std::string_view meaning;  // what happened, as a sentence without the full stop
     std::string_view cause;    // why it happens, most likely first
     std::string_view remedy;   // what to do
-    bool saysRearm = false;    // the remedy does so itself
+    bool saysRearm = false;    // the remedy contains "re-arm" already
 };
 
-// Every number gives a text; 0 is "none", an undefined one says so.
+// Every number has a text. 0 is "none", and undefined numbers are reported as undefined.
 [[nodiscard]] FaultText faultText(int code);
 
-// Codes that tell of an active limit, not of a fault.
+// Codes of an active limit, which is no fault.
 [[nodiscard]] bool isLimit(int code);
 
-// The drive is in fault, or has latched its watchdog: only Stop leads out.
+// The drive is in fault or its watchdog has expired, so it accepts only Stop.
 [[nodiscard]] bool needsStop(Mode mode);
 
 [[nodiscard]] std::string_view modeText(Mode mode);             // "position", "watchdog expired"

@@ -10,8 +10,9 @@
 namespace boresight::moteus {
 namespace {
 
-// The real server keeps this much of the reply free before it starts a subframe (so a reply of up to 41 bytes grows),
-// and behind the text of the tunnel (so a poll alone in its frame brings at most 39 bytes, or 38 with flow control).
+// The real server starts a subframe only while this much of the reply is free (so a reply grows until it has more than
+// 41 bytes). It also keeps this much free after the text of the tunnel (so a poll alone in its frame brings at most 39
+// bytes, or 38 with flow control).
 constexpr std::size_t kReserve = 23;
 constexpr std::size_t kMaxText = kMaxCanPayload - kReserve;
 
@@ -45,7 +46,7 @@ bool canAnswer(Register reg, Resolution resolution)
     return isReadable(reg) && (registerKind(reg) != Kind::Identity || resolution == Resolution::Int32);
 }
 
-// Real frames answer in kind: bit-rate switch copied, classic CAN while it fits.
+// The reply has the form of the request: the bit-rate switch is copied, and classic CAN is used while the reply fits.
 CanFrame replyFrame(const CanFrame& request, DeviceAddress address, std::span<const std::uint8_t> payload)
 {
     CanFrame reply = makeFrame({.prefix = address.prefix,
@@ -100,7 +101,7 @@ FrameServer::Next FrameServer::serveSubframe(Exchange& exchange, const Subframe&
                           },
                           [&](const TunnelPoll& poll) { return servePlainText(exchange, poll.channel, poll.maximum); },
                           [&](const TunnelPollFlow& poll) { return serveFlowPoll(exchange, poll); },
-                          [](const auto&) { return Next::EndFrame; },  // what only a device may send
+                          [](const auto&) { return Next::EndFrame; },  // subframes that only a device may send
                       },
                       subframe);
 }
@@ -193,7 +194,7 @@ FrameServer::Next FrameServer::serveFlowPoll(Exchange& exchange, const TunnelPol
     const std::size_t size = std::min(flow.unacknowledged, pending.size());
     const std::size_t header = 3 + varuintSize(poll.channel);
     if (header + size > exchange.reply.room()) {
-        return Next::EndFrame;  // a repeated packet that does not fit behind what is already in this reply
+        return Next::EndFrame;  // a repeated packet that does not fit after the other subframes of this reply
     }
     exchange.reply.append(TunnelPacket{poll.channel, flow.number, pending.first(size)});
     return Next::Continue;

@@ -10,23 +10,25 @@
 #include <optional>
 #include <span>
 
-// The drive's side of an exchange: walks a request and builds the one reply, by the rules of the real frame server
-// (which blocks are answered, errors, the 41-byte rule, UUID masks, the diagnostic tunnel with flow control). What the
-// registers mean is the device's business. Used by the simulated drives and by tests; no I/O, no clock.
+// The drive side of an exchange. Reads a request and builds the one reply by the rules of the real frame server: which
+// blocks are answered, errors, the 41-byte rule, UUID masks, the diagnostic tunnel with flow control. The ServedDevice
+// gives the registers their meaning. Used by the simulated drives and by tests. No I/O, no clock.
 namespace boresight::moteus {
 
-// What a FrameServer serves. Registers come in physical units, already checked against the map's access and format.
+// The device behind a FrameServer. Values are in physical units. Access and format were checked against the register
+// map before.
 class ServedDevice
 {
 public:
     virtual ~ServedDevice() = default;
 
-    // Readable registers only; identity registers as signed 32-bit numbers. NaN is "unset".
+    // Only readable registers. Identity registers are signed 32-bit numbers. NaN is "unset".
     [[nodiscard]] virtual double readRegister(Register reg) = 0;
-    // Writable registers only, except the UUID mask. Returns 0, or the error code for the reply. Nothing may take
-    // effect on what is read before completeFrame(), except the command registers 0x020..0x048.
+    // Only writable registers, and not the UUID mask. Returns 0, or the error code for the reply. Before
+    // completeFrame() a write must not change what is read, except in the command registers 0x020..0x048.
     [[nodiscard]] virtual std::uint32_t writeRegister(Register reg, double value) = 0;
-    // The frame has been walked and its reply is built. Discarded: a UUID mask did not match, forget its writes.
+    // The frame was read and its reply is built. Discarded: a UUID mask did not match, so its writes must have no
+    // effect.
     enum class FrameEnd
     {
         Accepted,
@@ -36,7 +38,8 @@ public:
 
     [[nodiscard]] virtual bool hasChannel(std::uint32_t channel) = 0;
     virtual void receiveText(std::uint32_t channel, std::span<const std::uint8_t> text) = 0;
-    // Text waiting for the host, and dropping the first `count` bytes of it. The span must stay valid until then.
+    // pendingText(): the text that waits for the host. dropText(): drops its first `count` bytes. The span stays valid
+    // until then.
     [[nodiscard]] virtual std::span<const std::uint8_t> pendingText(std::uint32_t channel) = 0;
     virtual void dropText(std::uint32_t channel, std::size_t count) = 0;
 
@@ -55,11 +58,12 @@ struct DeviceAddress
 class FrameServer
 {
 public:
-    // Empty: the frame is not for this device, wants no reply, or was discarded. An empty reply frame is an answer.
+    // Empty if the frame is not for this device, wants no reply, or was discarded. A reply frame may be empty.
     [[nodiscard]] std::optional<CanFrame> serve(const CanFrame& request, DeviceAddress address, ServedDevice& device);
 
 private:
-    // Of the flow-controlled tunnel: the last packet sent, and how much pending text it holds unacknowledged.
+    // State of the tunnel with flow control: the number of the last packet, and how much pending text that packet
+    // contains.
     struct Flow
     {
         std::uint8_t number = 0;
@@ -87,7 +91,7 @@ private:
     [[nodiscard]] Next servePlainText(Exchange& exchange, std::uint32_t channel, std::size_t maximum);
     [[nodiscard]] Next serveFlowPoll(Exchange& exchange, const TunnelPollFlow& poll);
 
-    std::map<std::uint32_t, Flow> m_flows;  // only channels the device has
+    std::map<std::uint32_t, Flow> m_flows;  // only channels that the device has
 };
 
 }  // namespace boresight::moteus

@@ -9,7 +9,7 @@
 namespace boresight::moteus {
 namespace {
 
-// One row is one register, or a family of `count` equal ones with consecutive numbers.
+// One row is one register, or `count` registers of the same kind with consecutive numbers.
 struct Row
 {
     Register first;
@@ -23,7 +23,7 @@ constexpr auto R = Access::Read;
 constexpr auto W = Access::Write;
 constexpr auto RW = Access::ReadWrite;
 
-// Sorted by number: looked up by bisection.
+// Sorted by number for the binary search.
 constexpr std::array kRegistersRows{
     Row{Register::Mode, 1, Kind::Integer, RW, "mode"},
     Row{Register::Position, 1, Kind::Position, R, "position"},

@@ -11,7 +11,7 @@
 // velocities and torques are those of the gearbox output (revolutions, rev/s, Nm).
 namespace boresight::moteus {
 
-inline constexpr int kRegisterMapVersion = 5;  // register 0x102 of every drive we are willing to move
+inline constexpr int kRegisterMapVersion = 5;  // Boresight moves only drives with this value in register 0x102
 
 enum class Register : std::uint32_t
 {
@@ -111,13 +111,13 @@ enum class Register : std::uint32_t
     UuidMaskCapable = 0x158,
 };
 
-// The register `offset` places further on.
+// The register with the number first + offset.
 [[nodiscard]] constexpr Register operator+(Register first, std::uint32_t offset)
 {
     return static_cast<Register>(static_cast<std::uint32_t>(first) + offset);
 }
 
-// What a register measures decides how integers are scaled (scaling.h).
+// The quantity of a register decides how integers are scaled (scaling.h).
 enum class Kind : std::uint8_t
 {
     Position,
@@ -131,8 +131,8 @@ enum class Kind : std::uint8_t
     Time,
     Fraction,  // PWM, gain scales, analog inputs
     Integer,   // mode, fault, flags: no scaling, no "unset"
-    Counter,   // wraps instead of saturating
-    Identity,  // 32 raw bits, only as i32
+    Counter,   // overflows instead of saturating
+    Identity,  // 32 raw bits; only as i32
 };
 
 enum class Access : std::uint8_t
@@ -143,7 +143,7 @@ enum class Access : std::uint8_t
     ReadWrite,
 };
 
-// How a value travels; two bits of every register subframe.
+// The format of a value on the bus: two bits of every register subframe.
 enum class Resolution : std::uint8_t
 {
     Int8 = 0,
@@ -176,7 +176,7 @@ inline constexpr int kModeCount = 16;
 enum class HomeState : std::uint8_t
 {
     Relative = 0,
-    Rotor = 1,   // known within one rotor turn only
+    Rotor = 1,   // known only within one turn of the rotor
     Output = 2,  // the output is referenced
 };
 
@@ -187,7 +187,7 @@ struct RegisterInfo
     Access access = Access::None;
 };
 
-// Empty for a number the map does not have.
+// Empty for a number that is not in the map.
 [[nodiscard]] std::optional<RegisterInfo> registerInfo(Register reg);
 [[nodiscard]] std::optional<Kind> registerKind(Register reg);
 [[nodiscard]] bool isReadable(Register reg);

@@ -26,7 +26,7 @@ constexpr std::array<Steps, 10> kSteps{{
     {1.0 / 127.0, 1.0 / 32767.0, 1.0 / 2147483647.0}  // Fraction
 }};
 
-// A float holds integers exactly up to 2^24; the drive sends its counter modulo 2^23.
+// A float holds integers exactly up to 2^24. The drive sends its counter modulo 2^23.
 constexpr double kCounterFloatModulus = 8388608.0;
 
 bool isScaled(Kind kind)

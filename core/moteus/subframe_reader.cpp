@@ -67,7 +67,7 @@ std::optional<std::uint8_t> SubframeReader::byte()
     return value;
 }
 
-// Five bytes hold 32 bits; anything longer or larger is no number of this protocol.
+// Five bytes hold 32 bits. A longer or larger number does not exist in this protocol.
 std::optional<std::uint32_t> SubframeReader::varuint()
 {
     std::uint64_t value = 0;

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-// First byte of each subframe, for the reader and the writer only. The four block types carry the resolution in bits
+// First byte of each subframe, used only by the reader and the writer. The block types carry the resolution in bits
 // 3..2 and counts of 1 to 3 in bits 1..0 (0: the count follows as a varuint).
 namespace boresight::moteus::type {
 

@@ -8,7 +8,7 @@
 namespace boresight::moteus {
 namespace {
 
-// The first registers of `items` that can share one subframe.
+// The registers at the front of `items` that can share one subframe.
 template <class Item>
 std::span<const Item> leadingGroup(std::span<const Item> items)
 {

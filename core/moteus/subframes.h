@@ -12,12 +12,12 @@
 #include <variant>
 #include <vector>
 
-// The layer both sides share: a payload is a row of subframes. SubframeReader walks one, SubframeWriter builds one;
-// writing what was read gives the same bytes. The spans inside a subframe point into the payload that was read: they
-// live as long as it does. Pure, any thread.
+// The layer that both sides share: a payload is a sequence of subframes. SubframeReader reads it, SubframeWriter builds
+// it. Writing the subframes that were read gives the same bytes. The spans in a subframe point into the payload that
+// was read, so they live as long as the payload. Pure, any thread.
 namespace boresight::moteus {
 
-// One register with its value, in units of its kind, and how it travels. NaN is "unset".
+// One register with its value in the unit of its kind, and its format on the bus. NaN is "unset".
 struct RegisterValue
 {
     Register reg = Register::Mode;
@@ -33,8 +33,8 @@ struct RegisterRead
     bool operator==(const RegisterRead&) const = default;
 };
 
-// Consecutive registers in one resolution. `longCount` keeps the form in which the count was written: a drive answers
-// in the form it was asked in.
+// Consecutive registers in one resolution. `longCount` records how the count was written, because a drive answers in
+// the form of the request.
 struct BlockHeader
 {
     Resolution resolution = Resolution::Float;
@@ -50,7 +50,7 @@ struct ValueBlock : BlockHeader
 {
     std::span<const std::uint8_t> bytes;  // count * sizeInBytes(resolution)
 
-    [[nodiscard]] std::uint32_t bits(std::uint32_t index) const;  // of register first + index, for fromWire()
+    [[nodiscard]] std::uint32_t bits(std::uint32_t index) const;  // of the register first + index, for fromWire()
     [[nodiscard]] RegisterValue value(std::uint32_t index, Side side = Side::Client) const;
 };
 
@@ -60,7 +60,7 @@ struct WriteBlock : ValueBlock
 struct ReplyBlock : ValueBlock
 {};
 
-// Codes of both errors: 1 unknown, not accessible or not in that resolution; 2 not writable, or no room in the reply.
+// Codes of both errors. 1: unknown, not accessible or not in that resolution. 2: not writable, or no room in the reply.
 inline constexpr std::uint32_t kUnknownRegister = 1;
 inline constexpr std::uint32_t kNotWritable = 2;
 inline constexpr std::uint32_t kNoRoom = 2;
@@ -105,7 +105,7 @@ struct TunnelPacket
 struct TunnelPollFlow
 {
     std::uint32_t channel = 0;
-    std::uint8_t lastNumber = 0;  // of the last packet the host has seen
+    std::uint8_t lastNumber = 0;  // number of the last packet that the host received
     std::uint32_t maximum = 0;
 };
 
@@ -118,8 +118,8 @@ using Subframe = std::variant<ReadBlock, WriteBlock, ReplyBlock, WriteError, Rea
 enum class ParseEnd : std::uint8_t
 {
     Complete,   // every byte was understood
-    Truncated,  // the last subframe is cut off; its complete values were still given
-    Unknown,    // an unknown subframe type: the rest cannot be read
+    Truncated,  // the last subframe is cut off; its complete values were returned
+    Unknown,    // unknown subframe type: the rest cannot be read
 };
 
 class SubframeReader
@@ -127,7 +127,7 @@ class SubframeReader
 public:
     explicit SubframeReader(std::span<const std::uint8_t> payload) : m_rest(payload) {}
 
-    // The next subframe; empty at the end, and then end() says which.
+    // The next subframe. Empty at the end, and end() then tells the reason.
     [[nodiscard]] std::optional<Subframe> next();
     [[nodiscard]] ParseEnd end() const { return m_end; }
 
@@ -146,16 +146,16 @@ private:
     ParseEnd m_end = ParseEnd::Complete;
 };
 
-// Bytes needed on the wire for a number: 7 bits each.
+// The number of bytes of a varuint, which holds 7 bits per byte.
 [[nodiscard]] std::size_t varuintSize(std::uint32_t value);
 
-// Takes the registers from the front that the writer puts into one subframe. `reads` is not empty.
+// Removes from the front the registers that the writer puts into one subframe. `reads` is not empty.
 [[nodiscard]] ReadBlock takeBlock(std::span<const RegisterRead>& reads);
-// The bytes a block brings back.
+// The number of bytes of a block in the reply.
 [[nodiscard]] std::size_t replySize(const ReadBlock& block);
 
-// Greedy grouping: consecutive registers in equal resolution share one subframe. The writer never overruns: past
-// 64 bytes it only counts, and overflowed() tells.
+// Consecutive registers in equal resolution share one subframe. The writer never writes beyond 64 bytes: after that it
+// only counts, and overflowed() is true.
 class SubframeWriter
 {
 public:

@@ -31,8 +31,9 @@ double wantedRatio(const profile::AxisSettings& axis)
     return axis.geometry.gearIn == pointing::GearIn::Drive ? 1.0 / axis.geometry.gearRatio : 1.0;
 }
 
-// The gains count output turns and output torque, so the same stiffness at the motor needs the square of the change
-// of the gear, the limit of the integral the change itself. Source: the firmware's motor_position and bldc_servo.
+// The gains refer to output turns and output torque. To keep the stiffness at the motor, the gains change with the
+// square of the change of the gear, and the limit of the integral changes with the change itself. Source:
+// motor_position and bldc_servo of the firmware.
 std::vector<survey::BoardSetting> gainsForGear(double change)
 {
     const double square = change * change;
@@ -142,7 +143,7 @@ void BoardDesk::begin(const request::SetGear& wanted, SteadyTime now)
     const profile::AxisSettings& axis = m_profile->axis(wanted.axis);
     const survey::FoundController* const board = survey::onlyBoard(m_survey.boards(), axis.id);
     if (board == nullptr) {
-        return;  // admits() has seen it
+        return;  // admits() has refused this case
     }
     const double ratio = wantedRatio(axis);
     m_done = Text::tr(
@@ -219,7 +220,7 @@ void BoardDesk::fill(DrivesStatus& drives) const
         drives.boards.push_back({.id = board.id, .uuid = uuidOf(board), .shared = shared});
     }
     const auto& outcome = m_change.outcome();
-    // Which board to connect next is no news any more when all of them were read.
+    // When all boards have been read, the advice which board to connect next is out of date.
     const bool over = !m_isGear && m_survey.state() == SurveyState::Done;
     const QString ended = !outcome || over ? QString() : *outcome ? m_done : outcome->error().text;
     BoardWork& work = m_isGear ? drives.gearWork : drives.boardWork;

@@ -12,9 +12,9 @@
 #include <string>
 #include <vector>
 
-// What the operator decides about single boards: which axis the only connected board belongs to, and its gear. Both are
-// normal for boards from the factory: all have one id and count turns of the motor. Takes the bus from the drive check
-// meanwhile. Station thread only.
+// The work on single boards that the operator starts: assigning the only connected board to an axis, and writing its
+// gear. Both are needed for boards from the factory, which all have the same id and count turns of the motor. While the
+// work runs, this class has the bus in place of the drive check. Station thread only.
 namespace boresight {
 
 class BoardDesk
@@ -30,13 +30,13 @@ public:
     void begin(const request::SetGear& wanted, SteadyTime now);
 
     [[nodiscard]] bool isRunning() const { return m_change.isRunning(); }
-    // The axis whose gear is being written: its drive changes its count in the middle of that.
+    // The axis whose gear is being written. The position count of its drive changes during the work.
     [[nodiscard]] const std::optional<Axis>& geared() const { return m_geared; }
-    // The axis, once, after a gear was written: the drive counts from a new zero, with other gains.
+    // The axis, once, after its gear was written. The drive then counts from a new zero and has other gains.
     [[nodiscard]] std::optional<Axis> takeGeared() { return std::exchange(m_ended, std::nullopt); }
-    // The operator goes on: what came of the last work is no longer told.
+    // The operator continues, so the result of the last work is not shown any more.
     void forgetOutcome() { m_change.forgetOutcome(); }
-    // The frames of this tick. True in `ended` when the work is over with it.
+    // The frames of this tick. Sets `ended` when the work ends with this tick.
     [[nodiscard]] std::vector<CanFrame> frames(SteadyTime now, bool& ended);
     void take(const CanFrame& frame);
 
@@ -55,10 +55,10 @@ private:
     AxisSet m_axes;
     EventLog& m_log;
     survey::BoardChange m_change;
-    QString m_done;                // what to say when it has worked
-    bool m_isGear = false;         // the last work was on a gear
-    std::optional<Axis> m_geared;  // its gear is being written
-    std::optional<Axis> m_ended;   // and that has ended
+    QString m_done;                // the message after success
+    bool m_isGear = false;         // the last work wrote a gear
+    std::optional<Axis> m_geared;  // the axis whose gear is being written
+    std::optional<Axis> m_ended;   // the axis whose gear was written, until it is taken
 };
 
 }  // namespace boresight

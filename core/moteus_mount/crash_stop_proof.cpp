@@ -11,18 +11,19 @@ namespace boresight {
 namespace {
 
 constexpr Seconds kRunUp{1.5};  // long enough for a low speed to be steady
-// Room for run-up, watchdog and a long way to stop.
+// The room must be enough for the run-up, the watchdog time and a long stopping distance.
 constexpr Seconds kRoomTime{4.0};
 constexpr Angle kRoomMargin = Angle::fromDegrees(2.0);
-// A drive that brakes or holds stands long before; one that does neither shall not run on for longer.
+// A drive that brakes or holds stops the axis much earlier. A drive that does neither must not run on for longer.
 constexpr Seconds kPatience{2.0};
-// Standing: within this for so long. Well above the noise of an encoder behind a gear.
+// An axis stands still when its angle stays within the band for this time. The band is well above the encoder noise.
 constexpr Seconds kStandingTime{0.12};
 constexpr Angle kStandingBand = Angle::fromDegrees(0.03);
-// It counts as standing still from here on. With more noise than this the time comes out too long, never too short.
+// The stop is counted from the first sample within this narrower band. More noise makes the measured time too long,
+// never too short.
 constexpr Angle kStoodBand = Angle::fromDegrees(0.005);
 
-// Away from the nearer end of the travel; 0 if there is not the room.
+// The rate in the direction of the farther end of the travel. 0 if the room is not enough.
 AngularRate direction(AngularRate rate, Angle from, const TravelRange& travel)
 {
     const Angle up = travel.max - from;
@@ -101,7 +102,7 @@ CrashStopProof::Action CrashStopProof::runUp(SteadyTime now, const Measured& mea
     return Action::Starve;
 }
 
-// The first sample of those up to now that lie within `band` of the last one.
+// The time of the earliest sample since which all samples lie within `band` of the last one.
 SteadyTime CrashStopProof::within(Angle band) const
 {
     const Angle last = m_samples.back().angle;

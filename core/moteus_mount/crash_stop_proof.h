@@ -11,19 +11,19 @@
 #include <optional>
 #include <vector>
 
-// The crash-stop proof: moves one axis of the mount after the other at a low speed, has its drive really not fed any
-// more, and measures where and when the axis stands. Decides nothing about drives itself: it gives its owner one action
-// per tick. Pure: time and what the drive reports are passed in. Mechanical angles.
+// The crash-stop test. For one axis after the other: moves the axis at a low speed, sends its drive no more commands,
+// and measures where and when the axis stands still. It never commands a drive. Each tick it returns one action, and
+// its owner carries out the action. Pure: time and the readings of the drive are passed in. Mechanical angles.
 namespace boresight {
 
 class CrashStopProof
 {
 public:
-    struct Measured  // of the axis under proof, by its last reply
+    struct Measured  // the axis under test, by the last reply of its drive
     {
         SteadyTime received{};
         Angle angle;
-        bool settled = false;  // commanded again and standing still, or off: the recovery is over
+        bool settled = false;  // the recovery is over: the drive is commanded again and stands still, or is off
     };
     struct Stop  // how the axis stopped
     {
@@ -34,13 +34,14 @@ public:
     enum class Action
     {
         Run,      // move the axis at rate()
-        Starve,   // send its drive no more orders
-        Recover,  // clear its time-out and hold it again
+        Starve,   // send its drive no more commands
+        Recover,  // clear the time-out of the drive, then hold the axis again
         Wait,
         Finish,  // end(): see result()
     };
 
-    // Of `axes`. Refused when one of them has not the room: the reason.
+    // Prepares the test of `axes`. If the travel of an axis leaves too little room, the result is an error with the
+    // reason.
     static Result<CrashStopProof> prepare(AngularRate rate, const AxisPosition& from, const TravelRange& azimuth,
                                           const TravelRange& elevation, AxisSet axes = kAxes);
 
@@ -49,9 +50,9 @@ public:
     [[nodiscard]] Axis axis() const { return m_axes.front(); }
     [[nodiscard]] bool runningUp() const { return m_phase == Phase::RunningUp; }
     [[nodiscard]] AngularRate rate() const { return axis() == Axis::Azimuth ? m_azimuthRate : m_elevationRate; }
-    // Given once, when an axis has been measured.
+    // The measured stop of an axis. Returned once.
     [[nodiscard]] std::optional<Stop> takeStop();
-    // Why the proof failed; empty while it goes well.
+    // Why the test failed. Empty while it has not failed.
     [[nodiscard]] const QString& failure() const { return m_failure; }
     [[nodiscard]] QString progress() const;
 
@@ -79,10 +80,10 @@ private:
 
     AngularRate m_azimuthRate;
     AngularRate m_elevationRate;
-    AxisSet m_axes;  // this one, and those that follow
+    AxisSet m_axes;  // the axis under test, then those that follow
     Phase m_phase = Phase::RunningUp;
     std::optional<SteadyTime> m_phaseSince;
-    std::vector<Sample> m_samples;  // of the present phase
+    std::vector<Sample> m_samples;  // of the current phase
     std::optional<Stop> m_stop;
     QString m_failure;
 };

@@ -9,20 +9,23 @@
 namespace boresight {
 namespace {
 
-// An axis slower than this stands, but for the noise of the velocity (0.01 rev/s at the rotor); it is waited for no
-// longer than kBrakingTime.
+// An axis slower than this stands still, apart from the noise of the measured velocity (0.01 rev/s at the rotor).
+// Capturing waits for this no longer than kBrakingTime.
 constexpr MotorRate kDriveStanding = MotorRate::fromTurns(0.001);
 constexpr Seconds kBrakingTime{0.6};
-// Of one phase: a computer that does nothing but stall hides no drive that does not obey.
+// Stalls excused in one phase. Without this limit a computer that stalls all the time would hide a drive that does not
+// obey.
 constexpr int kMostStalls = 20;
-// Nor has it moved since the last reply by more than this share of what a place is believed with.
+// To stand still, the axis must also have moved less since the last reply than this share of the allowance for a
+// position.
 constexpr double kSteady = 0.2;
 
 const moteus::Field kIgnoreBounds{1.0, moteus::Resolution::Int8};
 const moteus::Field kNoIntegral{0.0, moteus::Resolution::Int8};
 
-// A frame says the number of its tick as a position in steps of 8 bits, and its reply says it again: two steps for each
-// number, because the drive may round down on the way. 0 is no number: it is what a drive says that was told none.
+// Each frame carries the number of its tick, and the reply repeats the number. It is sent as a position in steps of 8
+// bits. Each number takes two steps, because the drive may round down. A drive that has received no number answers 0,
+// so 0 is not used.
 constexpr int kEchoes = 31;
 constexpr double kEchoStep = 0.01;  // turns
 
@@ -36,13 +39,14 @@ int numberOf(double echo)
     return static_cast<int>(std::lround(echo / kEchoStep)) / 2;
 }
 
-// The position register wraps there; beyond it is no position.
+// The position register wraps at this value. A larger number is no position.
 constexpr double kPositionRange = 32768.0;  // turns
 
-// A reply shows the state before the command in the same exchange, so the first one of a phase is no evidence of it.
+// A reply shows the state before the command of the same exchange. So the first reply of a phase is no evidence about
+// that phase.
 constexpr int kFirstTellingReply = 2;
 
-// `home`: for a reply that does not contain it.
+// `home` is used for a reply that does not contain the home state.
 DriveReport toReport(const moteus::Reply& reply, SteadyTime received, moteus::HomeState home)
 {
     using moteus::Register;
@@ -66,7 +70,7 @@ DriveReport toReport(const moteus::Reply& reply, SteadyTime received, moteus::Ho
             .power = number(Register::Power),
             .voltage = number(Register::Voltage),
             .boardTemperature = number(Register::Temperature),
-            // Reads 0 without a sensor.
+            // The drive reports 0 without a sensor.
             .motorTemperature = motorTemperature == 0.0 ? std::nullopt : motorTemperature};
 }
 
@@ -98,7 +102,7 @@ void Drive::engage()
         return;
     }
     if (m_phase == Phase::Referencing) {
-        m_heldWhenReferenced = true;  // its place first
+        m_heldWhenReferenced = true;  // the position is written first
         return;
     }
     m_captureAfterRecovery = true;
@@ -131,7 +135,7 @@ void Drive::seize()
 void Drive::recover()
 {
     if (m_report && m_report->mode == moteus::Mode::Fault && !m_faultTold) {
-        return;  // it came with the last reply: it is reported first
+        return;  // the fault came with the last reply and must be reported first
     }
     m_captureAfterRecovery = m_report && m_report->mode == moteus::Mode::PositionTimeout;
     enter(Phase::Recovering);
@@ -192,7 +196,7 @@ bool Drive::answering(SteadyTime now) const
     return m_report && now - m_heard < kSilence;
 }
 
-// Replies that waited meanwhile are stamped when they are read, so that the excuse must not reach beyond now.
+// Replies that waited during the stall are stamped when they are read. So the excuse must not reach beyond now.
 void Drive::excuse(Seconds stall, SteadyTime now)
 {
     const auto excused = std::chrono::duration_cast<SteadyTime::duration>(stall);
@@ -241,7 +245,7 @@ void Drive::takePlace()
     m_belief.take(
         {.asked = m_asked.value_or(m_report->received), .received = m_report->received, .place = m_report->position});
     if (m_phase == Phase::Referencing) {
-        static_cast<void>(takeFalsePlace());  // its place is set on purpose
+        static_cast<void>(takeFalsePlace());  // the position is set on purpose
         static_cast<void>(takeJump());
     }
     if (m_belief.believedLast()) {
@@ -260,8 +264,8 @@ void Drive::takeControl(const moteus::Reply& reply)
     }
 }
 
-// To the frame of which tick this is the reply. One without an echo may be that of an earlier frame if it takes longer
-// than half a tick.
+// How many ticks ago the frame was sent that this reply answers. A reply without an echo that comes later than half a
+// tick may answer an earlier frame, so it is not used.
 std::optional<int> Drive::ticksAgo(const moteus::Reply& reply) const
 {
     const auto echo = reply.value(moteus::Register::StayWithinLower);
@@ -275,9 +279,9 @@ void Drive::lose(DriveLoss loss)
 {
     m_loss = loss;
     if (loss == DriveLoss::Silent) {
-        m_belief.expectAnother();  // the last place is one for as long as it is young
+        m_belief.expectAnother();  // the last position may be out of date
     } else if (loss == DriveLoss::Released || loss == DriveLoss::Disobeys) {
-        m_belief.forget();  // it may have been without power, or not have taken its place yet
+        m_belief.forget();  // the drive may have lost its power, or may not know its position yet
     }
     enter(Phase::Listening);
 }
@@ -330,7 +334,7 @@ bool Drive::mustObey() const
            m_phase == Phase::Releasing;
 }
 
-// A fault is reported once, whatever we were doing. While recovering it is what we are clearing.
+// A fault is reported once, in any phase but Recovering, which is clearing the fault.
 void Drive::judgeFault()
 {
     const bool inFault = m_report && m_report->mode == moteus::Mode::Fault;
@@ -365,7 +369,7 @@ void Drive::judgePhase(moteus::Mode mode, Seconds inPhase)
     }
 }
 
-// An axis seized in motion brakes first: a set-point at its place of now would pull it back.
+// An axis that is captured in motion brakes first. A set-point at its present position would pull it back.
 void Drive::judgeCapture(Seconds inPhase)
 {
     const bool slow = m_report->rate && abs(*m_report->rate) < kDriveStanding;
@@ -399,7 +403,8 @@ moteus::PositionCommand Drive::positionCommand(const MotionOrder& order) const
             .echo = echoOf(m_tickNumber + 1)};
 }
 
-// Brakes an axis that moves, as hard as its drive does that is left alone: nobody sees it, or it is not ours yet.
+// Brakes a moving axis with the emergency braking of the drive. For an axis that nobody sees or that is not captured
+// yet.
 moteus::PositionCommand Drive::holdCommand() const
 {
     moteus::PositionCommand command = positionCommand({.acceleration = m_settings.emergencyBraking});
@@ -407,7 +412,7 @@ moteus::PositionCommand Drive::holdCommand() const
     return command;
 }
 
-// No command, so it does not feed the watchdog: a held drive gets "hold" in every second tick.
+// Setting the position does not feed the watchdog, so a drive that was held gets "brake and hold" in every second tick.
 moteus::Command Drive::referenceCommand() const
 {
     if (m_heldWhenReferenced && m_holdNext) {
@@ -432,7 +437,7 @@ std::optional<moteus::Command> Drive::command() const
         case Phase::Held:
             return holdCommand();
         case Phase::Engaged:
-            // A velocity would run on for as long as it is repeated.
+            // Not the velocity of the set-point: repeated in each tick, it would move the axis on without end.
             return positionCommand(
                 m_order.value_or(MotionOrder{.place = m_setpoint.position, .acceleration = hardest()}));
         case Phase::Recovering:

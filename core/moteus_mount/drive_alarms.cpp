@@ -13,7 +13,7 @@ namespace {
 using supervision::Symptom;
 using supervision::Weight;
 
-// Each text of a fault is a sentence without its full stop.
+// The texts of a fault are sentences without a full stop.
 QString causeAndRemedy(const moteus::FaultText& text)
 {
     return text.cause.empty() ? Text::of(text.remedy)
@@ -48,13 +48,13 @@ QString nothingMoves()
     return Text::tr("Nothing moves before a re-arm");
 }
 
-// One decimal shows it.
+// Smaller movements would show as 0.0°.
 bool isWorthAWord(Angle moved)
 {
     return abs(moved) >= Angle::fromDegrees(0.05);
 }
 
-// Where a warning can get worse.
+// The alarm that stops the mount, for symptoms that can grow from a warning to a stop.
 const AlarmEntry& stopEntryOf(Symptom symptom)
 {
     switch (symptom) {

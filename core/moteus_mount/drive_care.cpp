@@ -11,7 +11,7 @@
 namespace boresight {
 namespace {
 
-// Then the silence of the drives is reported too.
+// After this time of silence of all drives the drive check runs, which reports the silence.
 constexpr std::chrono::seconds kSilencePatience{1};
 
 survey::KnownBoards knownBoards(const memory::MountMemory& memory)
@@ -36,7 +36,7 @@ Severity severityOf(survey::FindingWeight weight)
     return Severity::Alarm;
 }
 
-// Null: each drive has an alarm for its silence.
+// Null for a silence: each drive has its own alarm for that.
 const AlarmEntry* entryOf(survey::FindingKind kind)
 {
     switch (kind) {
@@ -109,7 +109,7 @@ std::vector<CanFrame> DriveCare::tick(SteadyTime now)
     return frames;
 }
 
-// They share the consoles with the drive check, which goes before.
+// Gains use the same consoles as the drive check, and the drive check goes first.
 void DriveCare::tendGains(SteadyTime now, std::vector<CanFrame>& frames)
 {
     bool countsAnew = false;
@@ -141,7 +141,7 @@ void DriveCare::tendGains(SteadyTime now, std::vector<CanFrame>& frames)
     }
 }
 
-// The drive check waits meanwhile, and begins again: the boards are others than before.
+// The drive check waits while a board is changed, and then starts again, because the boards have changed.
 std::vector<CanFrame> DriveCare::changeBoard(SteadyTime now)
 {
     bool ended = false;
@@ -159,7 +159,7 @@ std::vector<CanFrame> DriveCare::changeBoard(SteadyTime now)
     return frames;
 }
 
-// A drive that answers again after a silence may have lost its power, or be another drive.
+// A drive that answers again after a silence may have lost its power, or may be another board.
 void DriveCare::watchConnection(SteadyTime now)
 {
     bool came = false;
@@ -179,8 +179,8 @@ void DriveCare::watchConnection(SteadyTime now)
     watchSilence(now);
 }
 
-// The replies of two boards with one id collide, except to the question of the drive check: where nobody answers, it is
-// asked all the same.
+// When two boards have the same id, their replies collide, except those to the query of the drive check. So the drive
+// check also runs when no drive answers.
 void DriveCare::watchSilence(SteadyTime now)
 {
     if (m_mount.busLeft() || m_answering[0] || m_answering[1]) {
@@ -381,7 +381,7 @@ Result<> DriveCare::carryOut(const Request& request, SteadyTime now)
                                           },
                                           [](const auto&) -> Result<> { return {}; }},
                                request);
-    tellMount();  // at once: a client's command may come before the next tick
+    tellMount();  // now, because a command of a client may come before the next tick
     return done;
 }
 

@@ -15,9 +15,9 @@
 
 #include <vector>
 
-// Looks after the drives beside the control of motion: surveys them whenever they come (back), reports to MoteusMount
-// whether they are fit and who they are, raises the alarms of what was found, and writes their safety settings when the
-// operator asks for it. Shares the bus with the motion frames. Station thread only.
+// Looks after the drives beside the control of motion. Runs the drive check when drives appear or return, and reports
+// to MoteusMount whether they are fit and which boards they are. Raises the alarms about the findings. Writes the
+// safety settings when the operator asks for it. Shares the bus with the motion frames. Station thread only.
 namespace boresight {
 
 class DriveCare
@@ -30,26 +30,26 @@ public:
     {
         m_survey.profileChanged(before, after);
     }
-    // After the tick of the control; the frames to send beside the mount's own.
+    // After the tick of the control. Returns the frames to send beside those of the mount.
     [[nodiscard]] std::vector<CanFrame> tick(SteadyTime now);
-    // While settings are being written, nothing else is done to the drives.
+    // While settings are being written, other work on the drives is refused.
     [[nodiscard]] Result<> admits(const Request& request) const;
-    // Carries out what the control has admitted; other requests are not its business.
+    // Carries out a request that the control has admitted. Requests that do not concern the drives are ignored.
     [[nodiscard]] Result<> carryOut(const Request& request, SteadyTime now);
 
-    // Its part of the status.
+    // Fills in its part of the status.
     void fill(DrivesStatus& drives) const;
-    // Adds why it would not admit what the operator may ask of the drives.
+    // Adds the reasons why requests about the drives would be refused.
     void judge(Permissions& may) const;
 
 private:
     [[nodiscard]] Result<> mayTouch() const;  // nothing is being written
     [[nodiscard]] Result<> mayRead() const;
     [[nodiscard]] Result<> mayFix() const;
-    [[nodiscard]] Result<> mayStoreAll() const;  // no gains are on trial: the drives store all they have in force
+    [[nodiscard]] Result<> mayStoreAll() const;  // no gains are on trial: storing would store those too
     [[nodiscard]] Result<> mayChangeBoard() const;
-    [[nodiscard]] Result<> mayUse(Axis axis) const;   // its gains are known
-    [[nodiscard]] Result<> mayTune(Axis axis) const;  // the console of its drive is free
+    [[nodiscard]] Result<> mayUse(Axis axis) const;   // the gains of this axis are known
+    [[nodiscard]] Result<> mayTune(Axis axis) const;  // the console of the drive is free
     [[nodiscard]] Result<> mayWrite(Axis axis, Gain gain, double value) const;
     [[nodiscard]] Result<> mayPutBack(Axis axis) const;
     [[nodiscard]] Result<> mayStore(Axis axis) const;
@@ -72,7 +72,7 @@ private:
     std::array<survey::AxisGains, 2> m_gains;
     std::array<int, 2> m_rebootsTold{};
     std::array<bool, 2> m_answering{};
-    std::optional<SteadyTime> m_silentSince;  // of all drives, on a bus that is ours
+    std::optional<SteadyTime> m_silentSince;  // silence of all drives, while we use the bus
     std::vector<AlarmKey> m_findingsTold;
 };
 

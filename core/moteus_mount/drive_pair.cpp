@@ -75,7 +75,7 @@ void DrivePair::leave(profile::OnExit how)
         }
         switch (how) {
             case profile::OnExit::Hold:
-                drive(axis).listen();  // standing still, it holds by its own time-out mode
+                drive(axis).listen();  // when it stands still, the drive holds it by its time-out mode
                 break;
             case profile::OnExit::Brake:
                 drive(axis).brake();

@@ -8,9 +8,9 @@
 
 #include <vector>
 
-// The drives of the mount in the units of the axes: mechanical angles go in and come out, the geometry of the profile
-// lies between. One for each axis, or for one axis only: then the drive of the other one is never asked nor commanded,
-// and no frame counts as its reply. Pure, like Drive.
+// The drives of the mount in the units of the axes: mechanical angles go in and come out, converted with the geometry
+// of the profile. The mount has one drive for each axis, or one drive for one axis only. The drive of an axis that is
+// not in `axes` is never queried or commanded, and no frame counts as its reply. Pure, like Drive.
 namespace boresight {
 
 class DrivePair
@@ -19,29 +19,30 @@ public:
     // The profile outlives this.
     DrivePair(const profile::InForce& profile, AxisSet axes);
 
-    [[nodiscard]] AxisSet axes() const { return m_axes; }  // those that have a drive
+    [[nodiscard]] AxisSet axes() const { return m_axes; }  // the axes that have a drive
     [[nodiscard]] Drive& drive(Axis axis) { return axis == Axis::Azimuth ? m_azimuth : m_elevation; }
     [[nodiscard]] const Drive& drive(Axis axis) const { return axis == Axis::Azimuth ? m_azimuth : m_elevation; }
 
     void take(const CanFrame& frame);
-    // Once per tick; from here on torque and the guards of speed and acceleration are those of the profile in force.
+    // Once per tick. From here on, the torque and the limits of speed and acceleration are those of the profile in
+    // force.
     void judge(SteadyTime now);
     [[nodiscard]] std::vector<CanFrame> frames() const;  // azimuth, elevation
 
     void engage();
-    void seize(SteadyTime now);  // stop what a drive that answers does without our orders
+    void seize(SteadyTime now);  // ends what a drive that answers does without our commands
     void excuse(Seconds stall, SteadyTime now);
-    [[nodiscard]] bool engaged() const;  // all take set-points
-    // It is being captured, recovered, switched off or given its position: left alone in the middle of that it would be
-    // limp.
+    [[nodiscard]] bool engaged() const;  // all drives accept set-points
+    // The drive is being captured, recovered, switched off or given its position. If commands ended in the middle of
+    // that, nothing would hold the axis.
     [[nodiscard]] static bool changingHands(const Drive& drive);
     void leave(profile::OnExit how);  // drives that were never engaged stay as they are
     void setSetpoint(Axis axis, const tracking::Setpoint& setpoint);
     void setHardBraking(bool hard);
 
-    // The place that is believed, whatever its age. See Drive::place().
+    // The position that is believed, of any age. See Drive::place().
     [[nodiscard]] std::optional<Angle> measured(Axis axis) const;
-    // As last reported, whatever its age.
+    // As last reported, of any age.
     [[nodiscard]] std::optional<AngularRate> measuredRate(Axis axis) const;
 
 private:

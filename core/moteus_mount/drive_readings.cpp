@@ -12,7 +12,7 @@ QString numbered(std::string_view words, int number)
     return QStringLiteral("%1 (%2)").arg(Text::of(words), QString::number(number));
 }
 
-// With any mode but "fault" the number names the limit that is active.
+// In every mode but "fault" the number names the active limit.
 QString faultWords(const DriveReport& report)
 {
     if (report.fault == 0) {

@@ -6,8 +6,8 @@
 
 namespace boresight {
 
-// The last reply of a drive as it was received, with its age. Nothing is filled in before the first reply, and nothing
-// is kept from an earlier one: a quantity that the last reply does not contain is empty. Pure.
+// The last reply of a drive as it was received, with its age. Before the first reply all quantities are empty. A
+// quantity that the last reply does not contain is empty, too. Pure.
 [[nodiscard]] DriveReadings readingsOf(const Drive& drive, SteadyTime now);
 
 }  // namespace boresight

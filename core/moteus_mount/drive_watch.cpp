@@ -18,11 +18,11 @@ using supervision::Symptom;
 using supervision::Weight;
 
 constexpr std::chrono::seconds kLimitLinger{2};
-// A drive that was lost goes on with our last order until its watchdog expires.
+// A lost drive carries out our last command until its watchdog expires.
 constexpr std::chrono::milliseconds kLastOrderFades{500};
-// A drive that boots, or a bus that comes up, is not yet a reason for an alarm.
+// A drive that boots, or a bus that comes up, is no reason for an alarm yet.
 constexpr Seconds kPatienceAtStart{1.0};
-// The alarm of a drive that is back waits so long for how far its axis moved. Later the number is added to it.
+// The alarm of a drive that is back waits this long to learn how far its axis moved. Later the number is added to it.
 constexpr Seconds kPatienceForPlace{1.0};
 
 LossClass classOf(DriveLoss loss, int faultCode)
@@ -43,7 +43,7 @@ LossClass classOf(DriveLoss loss, int faultCode)
     return LossClass::Released;
 }
 
-// Something pushes the axis or is in its way: a set-point elsewhere would go on pulling, and its drive on pushing.
+// Something pushes the axis or is in its way. If its set-point stayed elsewhere, the drive would go on pushing.
 bool isGivingWay(Symptom symptom)
 {
     return symptom == Symptom::FollowingError || symptom == Symptom::Stalled || symptom == Symptom::WrongWay ||
@@ -84,7 +84,7 @@ std::optional<DriveWatch::Trouble> DriveWatch::watchLoss(Drive& drive, const Con
     m_supervisor.forgetMotion();
     if (*loss == DriveLoss::Silent) {
         beginSilence(drive, Silence::Kind::Lost, context);
-        // The reason of a latch outlasts the silence itself.
+        // This text stays as the reason of the latch after the silence has ended.
         return Trouble{.what = Text::tr("the %1 stopped replying").arg(drive.label()),
                        .loss = classOf(*loss, code),
                        .fellSilent = true};
@@ -106,7 +106,7 @@ void DriveWatch::beginSilence(const Drive& drive, Silence::Kind kind, const Cont
     m_silences.tell(m_which, {.kind = kind, .since = m_silent->since, .needsRearm = context.faultLatched});
 }
 
-// A drive can come and go many times before somebody re-arms it: what stands is always what it does now.
+// A drive can go silent and return many times before a re-arm. The alarm always shows its present state.
 void DriveWatch::watchSilence(const Drive& drive, const Context& context)
 {
     if (drive.answering(context.now) || context.silenceExpected) {
@@ -124,7 +124,7 @@ void DriveWatch::watchSilence(const Drive& drive, const Context& context)
     }
 }
 
-// Its first replies do not say yet where it stands, and its wrap is confirmed some seconds later. A position that the
+// The first replies do not contain the position yet, and the wrap is confirmed some seconds later. A position that the
 // operator enters is no evidence of how far the axis moved.
 void DriveWatch::watchReturn(const Drive& drive, const Context& context)
 {
@@ -234,7 +234,7 @@ std::optional<DriveWatch::Trouble> DriveWatch::supervise(Drive& drive, const tra
     if (!drive.answering(context.now) || referencing) {
         m_supervisor.forgetReplies();  // a silence has its own alarm
         if (referencing) {
-            m_supervisor.forgetMotion();  // the reported angle is changed on purpose
+            m_supervisor.forgetMotion();  // the reported angle is being changed on purpose
         }
         endHints({});
         return std::nullopt;
@@ -243,8 +243,8 @@ std::optional<DriveWatch::Trouble> DriveWatch::supervise(Drive& drive, const tra
     const auto seen = m_supervisor.observe(now);
     m_observed = drive.report()->received;
     m_placed = drive.place() ? drive.place()->received : m_placed;
-    // Danger is reported each time that it begins, also behind a fault that waits for its re-arm: the axis must then be
-    // held where it is now, not where it was.
+    // A danger is reported each time it begins, also while a fault waits for its re-arm. The axis must then be held
+    // where it is now, not where it was at the first fault.
     std::optional<Trouble> trouble;
     std::set<Symptom> stops;
     for (const supervision::Observed& observed : seen) {
@@ -267,7 +267,7 @@ std::optional<DriveWatch::Trouble> DriveWatch::supervise(Drive& drive, const tra
     return trouble;
 }
 
-// Once, and again when it has become worse.
+// Raises an alarm once for a symptom, and again when a warning becomes a reason to stop.
 void DriveWatch::tell(const supervision::Observed& observed)
 {
     std::optional<Weight>& told = m_told[observed.symptom];
@@ -278,7 +278,7 @@ void DriveWatch::tell(const supervision::Observed& observed)
     }
 }
 
-// What stopped the mount stays on the screen until it is re-armed; a hint ends with its cause.
+// An alarm that stopped the mount stays until the re-arm. A warning ends with its cause.
 void DriveWatch::endHints(const std::vector<supervision::Observed>& seen)
 {
     std::erase_if(m_told, [&](const auto& told) {
@@ -302,7 +302,7 @@ void DriveWatch::engaged()
     m_supervisor.forgetCommand();
 }
 
-// An alarm whose cause lasts is not over: it is reported again with the next reply, or ends with it.
+// An alarm whose cause lasts is not cleared here. With the next reply it is raised again, or it ends.
 void DriveWatch::rearmed()
 {
     m_supervisor.rearmed();

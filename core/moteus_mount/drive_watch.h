@@ -12,8 +12,8 @@
 #include <optional>
 #include <set>
 
-// Watches one axis and its drive once per tick: raises and ends its alarms, and says when the mount must stop. Decides
-// nothing about motion itself. Station thread only.
+// Watches one axis and its drive once per tick: raises and ends its alarms, and reports when the mount must stop. It
+// decides nothing about motion itself. Station thread only.
 namespace boresight {
 
 class DriveWatch
@@ -23,22 +23,22 @@ public:
     struct Context
     {
         SteadyTime now{};
-        UtcTime utc{};         // the same moment, for sentences
+        UtcTime utc{};         // the same moment, for texts
         Seconds running{0.0};  // since the start of the program, or since the bus was taken back
         bool turnKnown = false;
-        bool turnAsked = false;  // only the operator knows it
+        bool turnAsked = false;  // the operator is asked for the wrap
         bool faultLatched = false;
-        bool ownOrders = false;            // an active drive may still carry out what was ours
+        bool ownOrders = false;            // the program is closing: a drive may still obey our last command
         bool silenceExpected = false;      // the bus is left to other tools
-        std::optional<Seconds> stalled{};  // this computer, for so long, until a moment ago
+        std::optional<Seconds> stalled{};  // how long this computer stalled, if the stall ended a moment ago
     };
     struct Trouble
     {
         QString what;
         bool stops = true;  // the mount must stop and be re-armed
         supervision::LossClass loss = supervision::LossClass::Motion;
-        bool turnDoubtful = false;  // the reported angle is not to be believed without a look
-        bool gaveWay = false;       // the axis can not follow: it is to be held where it is now
+        bool turnDoubtful = false;  // the reported angle must not be believed before the operator has looked
+        bool gaveWay = false;       // the axis can not follow, so it must be held where it is now
         bool fellSilent = false;
     };
 
@@ -46,28 +46,28 @@ public:
 
     [[nodiscard]] std::optional<Trouble> watch(Drive& drive, const tracking::Setpoint& setpoint,
                                                const Context& context);
-    // The axis was re-armed, its turn was set, its drive restarted, or this computer stalled: what it did before says
-    // nothing any more.
+    // The axis was re-armed, its wrap was set, its drive restarted, or this computer stalled. What the axis did before
+    // that is no evidence any more.
     void forgetMotion();
     void forgetReplies() { m_supervisor.forgetReplies(); }  // this computer was late
-    void engaged();                                         // its set-point was put where it stands
+    void engaged();                                         // its set-point was put where the axis is
     void rearmed();
 
 private:
-    // Told, and not yet all of its end.
+    // A silence that was reported and has not ended, or whose end is not reported completely.
     struct Silent
     {
         SteadyTime since{};              // the last reply
-        std::optional<Angle> place;      // where the axis was, if its turn was known
-        std::optional<SteadyTime> back;  // answers since
-        bool backTold = false;           // without how far the axis moved
+        std::optional<Angle> place;      // where the axis was, if its wrap was known
+        std::optional<SteadyTime> back;  // when the drive answered again
+        bool backTold = false;           // the return was reported, perhaps without how far the axis moved
     };
 
     [[nodiscard]] std::optional<Trouble> watchLoss(Drive& drive, const Context& context);
     void watchSilence(const Drive& drive, const Context& context);
     void beginSilence(const Drive& drive, Silence::Kind kind, const Context& context);
     void watchReturn(const Drive& drive, const Context& context);
-    // How far its axis moved meanwhile; empty while that is not known.
+    // How far the axis moved during the silence. Empty while that is not known.
     [[nodiscard]] std::optional<Angle> movedSince(const Silent& silent, const Drive& drive,
                                                   const Context& context) const;
     void endSilence();
@@ -86,12 +86,13 @@ private:
     supervision::AxisSupervisor m_supervisor;
     SilenceAlarms& m_silences;
     std::optional<Silent> m_silent;
-    // What has an alarm now, and how it was reported. Empty: before a re-arm.
+    // The symptoms that have an alarm, and the weight that was reported. An empty weight was reported before the last
+    // re-arm.
     std::map<supervision::Symptom, std::optional<supervision::Weight>> m_told;
-    std::set<supervision::Symptom> m_stops;   // what is dangerous now
-    SteadyTime m_observed{};                  // the reply last shown to the supervisor
-    SteadyTime m_placed{};                    // and its place
-    std::optional<SteadyTime> m_activeSince;  // without our orders
+    std::set<supervision::Symptom> m_stops;   // the symptoms that are dangerous now
+    SteadyTime m_observed{};                  // when the reply that the supervisor saw last was received
+    SteadyTime m_placed{};                    // when the position that the supervisor saw last was received
+    std::optional<SteadyTime> m_activeSince;  // active without our commands since then
     std::optional<SteadyTime> m_limitSeen;    // when the drive last reported an active limit
 };
 

@@ -5,9 +5,10 @@ namespace boresight {
 
 using supervision::LossClass;
 
-// Each code is described in core/moteus/faults.cpp. 33 and 44 are mostly a sagging supply. But the code alone does not
-// tell it from a burnt bridge, which a second attempt destroys further, so a person must look. 34 and 40 are the supply
-// and nothing else. With 41 somebody writes settings. With 49 and 50 the axis is blocked, or its gains are wrong.
+// Each code is described in core/moteus/faults.cpp. 33 and 44 mostly come from a sagging supply. But the code does not
+// separate that from a burnt bridge, which a second attempt would damage further, so a person must look. 34 and 40 come
+// from the supply only. 41 comes while somebody writes settings. With 49 and 50 the axis is blocked, or its gains are
+// wrong.
 LossClass classOfFault(int code)
 {
     switch (code) {

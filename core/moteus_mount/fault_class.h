@@ -5,7 +5,7 @@
 
 namespace boresight {
 
-// Of a moteus fault code (mode 1). Unknown codes are Driver.
+// The class of a moteus fault code (mode 1). Unknown codes are LossClass::Driver.
 [[nodiscard]] supervision::LossClass classOfFault(int code);
 
 }  // namespace boresight

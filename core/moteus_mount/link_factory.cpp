@@ -16,7 +16,7 @@ namespace boresight {
 
 namespace {
 
-// As Fix would write them.
+// Writes the settings that Fix would write.
 void protect(sim::DriveConfig& drive, const profile::Profile& profile, Axis axis)
 {
     for (const survey::Protection& protection : survey::protectionsOf(profile, axis)) {

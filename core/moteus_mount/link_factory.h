@@ -12,30 +12,32 @@
 #include <memory>
 #include <string>
 
-// Makes the bus of a name: "socketcan:IFACE", "fdcanusb:PATH" or "simulated". Not opened yet.
+// Makes the bus of a name: "socketcan:IFACE", "fdcanusb:PATH" or "simulated". The bus is not opened yet.
 namespace boresight {
 
 struct SimulatedMount;
 
-// A simulated mount of its own, as delivered.
+// A link of the name "simulated" has a simulated mount of its own, with commissioned drives.
 [[nodiscard]] Result<std::unique_ptr<CanLink>> makeLink(const std::string& busName, const Clock& clock);
 
-// The simulated mount, each of its drives protected as Fix would leave it for the axis that the profile takes it for,
-// whatever turns that axis in reality.
+// The simulated mount with protected drives: each drive has the safety settings that Fix would write for the axis that
+// the profile assigns to its id, even if the drive moves another axis.
 [[nodiscard]] sim::PairSettings protectedPair(const profile::Profile& profile);
 
-// The buses of one program, one after the other. Its simulated mount stays the same one: after a reconnect it stands
-// where it stood, and its drives keep what was written into them. It begins with its drives protected for `profile`, as
-// a real mount that was fixed before the program ended.
+// Makes the buses of one program, one after the other. All of them lead to the same simulated mount: after a reconnect
+// it is where it was, and its drives keep the settings written to them. At the start its drives are protected for
+// `profile`, like a real mount after Fix.
 class LinkMaker
 {
 public:
     // The clock outlives it.
     LinkMaker(const profile::Profile& profile, const Clock& clock);
 
-    // The link that it made before is gone by then. Of a name that means no bus one that says so when it is opened.
+    // The link made before must be gone. For a name that means no bus, returns a link that reports this when it is
+    // opened.
     [[nodiscard]] std::unique_ptr<CanLink> make(const std::string& busName) const;
-    // To the mount of this profile, or to the simulated one in its place, which has a drive for each axis of `start`.
+    // The link to the mount of this profile. If `start` asks for the simulation: to the simulated mount, with a drive
+    // for each axis of `start`.
     [[nodiscard]] std::unique_ptr<CanLink> make(const profile::Profile& profile, const MountStart& start) const;
     [[nodiscard]] const std::shared_ptr<SimulatedMount>& simulated() const { return m_simulated; }
 
@@ -44,7 +46,7 @@ private:
     std::shared_ptr<SimulatedMount> m_simulated;
 };
 
-// The moteus at the buses that `links` makes.
+// The moteus mounts on the buses that `links` makes.
 [[nodiscard]] MountKind moteusRotators(const LinkMaker& links);
 [[nodiscard]] RotatorOffer moteusOffer();
 

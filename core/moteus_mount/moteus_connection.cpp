@@ -57,7 +57,7 @@ MoteusConnection::MoteusConnection(std::unique_ptr<CanLink> link, const MountSta
       m_care(profile, m_mount, alarms, log),
       m_link(std::move(link))
 {
-    m_link->setParent(this);  // so that it moves to the station thread with us
+    m_link->setParent(this);  // so that it moves to the station thread together with this object
     connect(m_link.get(), &CanLink::frameReceived, this, [this](const CanFrame& frame) {
         m_mount.take(frame);
         m_care.take(frame);
@@ -133,7 +133,7 @@ void MoteusConnection::showBus(const LinkStatus& status)
         return;
     }
     if (m_closed || (status.state == LinkState::Closed && status.text.isEmpty())) {
-        return;  // closed to be opened again: what was wrong still is
+        return;  // closed in order to be opened again: the alarm stays, because its cause lasts
     }
     const auto trouble = [&status]() -> const AlarmEntry& {
         if (status.state == LinkState::Up) {
@@ -149,7 +149,7 @@ void MoteusConnection::send()
     std::vector<CanFrame> frames = m_mount.frames();
     std::ranges::copy(m_care.tick(m_clock.now()), std::back_inserter(frames));
     if (const LinkState state = m_link->status().state; state == LinkState::Up || state == LinkState::Down) {
-        // Also while the bus is down: an adapter notices only by a new frame that it works again. A frame that could
+        // Also while the bus is down: an adapter finds out only by a new frame that it works again. A frame that could
         // not be sent shows as a missing reply and in the status of the link.
         [[maybe_unused]] const Result<> sent = m_link->send(frames);
         m_mount.framesTaken();
@@ -185,7 +185,7 @@ void MoteusConnection::describe(StationStatus& status) const
 
 MountMaker moteusRotator(std::unique_ptr<CanLink> link, const MountStart& start)
 {
-    // A std::function is copied, a link is not.
+    // A std::function must be copyable, and a unique_ptr is not.
     return [link = std::make_shared<std::unique_ptr<CanLink>>(std::move(link)), start](
                const profile::InForce& profile, const Clock& clock, EventLog& log, AlarmBoard& alarms) {
         return std::make_unique<MoteusConnection>(std::move(*link), start, profile, clock, log, alarms);

@@ -11,7 +11,7 @@
 #include <memory>
 #include <optional>
 
-// Two moteus, or one, with their CAN bus, their drive check and their position journal on disk. Station thread only.
+// One or two moteus with their CAN bus, their drive check and their position journal on disk. Station thread only.
 namespace boresight {
 
 class MoteusConnection final : public MountConnection
@@ -47,17 +47,17 @@ private:
     const Clock& m_clock;
     EventLog& m_log;
     AlarmBoard& m_alarms;
-    // The built-in simulated mount is new, and stands where its drives report, whenever the program starts.
+    // A simulated mount starts with the program and is where its drives report it. So it needs no position journal.
     const bool m_simulated;
     memory::MemoryFile m_memoryFile;
-    Result<> m_claim;  // of the journal
+    Result<> m_claim;  // of the position journal
     MoteusMount m_mount;
     DriveCare m_care;
     std::unique_ptr<CanLink> m_link;
-    bool m_closed = false;  // for good
+    bool m_closed = false;  // and not opened again
 };
 
-// The moteus of these axes behind `link`.
+// The moteus drives of the axes in `start` behind `link`.
 [[nodiscard]] MountMaker moteusRotator(std::unique_ptr<CanLink> link, const MountStart& start);
 
 }  // namespace boresight

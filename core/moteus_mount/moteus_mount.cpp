@@ -11,7 +11,7 @@
 namespace boresight {
 namespace {
 
-// Fast enough to differ from standing, slow enough to harm nothing.
+// Fast enough to differ from standing still, slow enough to do no harm.
 constexpr AngularRate kSlowestProof = AngularRate::fromDegrees(0.5);
 constexpr AngularRate kFastestProof = AngularRate::fromDegrees(5.0);
 
@@ -166,7 +166,7 @@ Result<> MoteusMount::available() const
                : Result<>{};
 }
 
-// DriveCare adds the part of the drive check.
+// DriveCare adds the results of the drive check.
 void MoteusMount::describe(DrivesStatus& status) const
 {
     status.released = m_busLeft;
@@ -190,7 +190,7 @@ void MoteusMount::observe(SteadyTime now)
     if (m_observed) {
         m_stall.tickBegins(now - m_now, m_profile->control.watchdog, heldPlace(), now);
     } else {
-        m_started = now;  // the drives have had no question before
+        m_started = now;  // the drives have received no query yet
     }
     m_observed = true;
     m_now = now;
@@ -211,14 +211,14 @@ void MoteusMount::keepTurns(const MountSituation& known, MountFindings& found)
 {
     const bool restarted = std::exchange(m_restarted, false);
     const bool lost = m_turnWatch.keep({.now = m_now, .released = m_busLeft, .atRest = known.settled});
-    found.interrupted = lost || restarted;  // what was wanted is meant in a frame that is not true any more
+    found.interrupted = lost || restarted;  // the target belongs to angles that are not valid any more
     if (found.interrupted) {
         interruptProof();
     }
     m_turnWatch.raiseAlarms(lost && known.wanted && !restarted, readable());
 }
 
-// Where a drive does not come back the motion ends.
+// If a drive does not come back, the motion ends with a fault.
 void MoteusMount::resumeAfterStall(const MountSituation& known, MountFindings& found)
 {
     const bool hindered = m_proof.running() || known.closing || m_busLeft || known.stopLatched || known.faultLatched ||
@@ -231,7 +231,7 @@ void MoteusMount::resumeAfterStall(const MountSituation& known, MountFindings& f
 
 void MoteusMount::watchDrives(const MountSituation& known, MountFindings& found)
 {
-    std::vector<std::size_t> silent;  // of the troubles found
+    std::vector<std::size_t> silent;  // indices of the troubles of silent drives
     for (const Axis axis : axes()) {
         const DriveWatch::Context context{.now = m_now,
                                           .utc = m_clock.utc(),
@@ -260,8 +260,8 @@ void MoteusMount::watchDrives(const MountSituation& known, MountFindings& found)
     }
 }
 
-// An axis that can not follow stays where it is, so that its set-point does not go on pulling. One whose angle has
-// jumped gets no set-point at all, because nobody knows which of the two places its drive would take it to mean.
+// An axis that can not follow must stay where it is, so its set-point must not pull it any further. An axis whose angle
+// has jumped gets no set-point, because nobody knows where its drive would move for that set-point.
 void MoteusMount::stopFor(Axis axis, const DriveWatch::Trouble& trouble, MountFindings& found)
 {
     found.troubles.push_back({.axis = axis, .loss = trouble.loss, .what = trouble.what});
@@ -269,7 +269,7 @@ void MoteusMount::stopFor(Axis axis, const DriveWatch::Trouble& trouble, MountFi
     if (trouble.turnDoubtful) {
         m_drives.drive(axis).hold();
     } else if (trouble.gaveWay) {
-        m_drives.drive(axis).yield();  // its set-point follows when the drive is captured
+        m_drives.drive(axis).yield();  // its set-point is moved there when the drive is captured again
     }
 }
 
@@ -288,7 +288,7 @@ bool MoteusMount::isFarOutside(Axis axis) const
     return m_turns.known(axis) && place && (*place > travel.max + margin || *place < travel.min - margin);
 }
 
-// An axis that was pushed out beyond its drive's own bounds could not even be moved back: fault 39.
+// An axis that was pushed out beyond the bounds of its drive could not even be moved back: fault 39.
 void MoteusMount::letBackInside()
 {
     for (const Axis axis : axes()) {
@@ -301,7 +301,7 @@ void MoteusMount::letBackInside()
     }
 }
 
-// Where the drives were commanded to be. One that is still taken over has no set-point.
+// Where the drives were commanded to be. A drive that is still being taken over has no set-point.
 AxisPosition MoteusMount::heldPlace() const
 {
     const auto of = [this](Axis axis) {
@@ -321,7 +321,7 @@ std::optional<Angle> MoteusMount::takeFollowing(Axis axis)
     if (place) {
         m_watches[index(axis)].engaged();
     } else {
-        m_drives.drive(axis).hold();  // its set-point is still where it was before
+        m_drives.drive(axis).hold();  // its set-point is still at an old position
     }
     return place;
 }
@@ -349,7 +349,7 @@ void MoteusMount::rearmed()
     }
 }
 
-// Some settings end in fault 41 when they are written while the drive is active, and the axis falls. Storing any holds
+// Some settings cause fault 41 when they are written to an active drive, and the axis falls. Storing any setting holds
 // the drive up.
 Result<> MoteusMount::mayBeWritten() const
 {
@@ -378,8 +378,8 @@ Result<> MoteusMount::maySwitchOff(Axis axis) const
                : failure(ErrorCode::Refused, Text::tr("The %1 is switched off already.").arg(label(axis)));
 }
 
-// An axis of another rotator stays as it is, and so does the other axis if only one is let go: its drive is told its
-// last place in each tick.
+// Axes of another rotator stay as they are. If only one axis is switched off, the other stays as it is, too: its drive
+// gets its last set-point in each tick.
 QString MoteusMount::switchOff(std::optional<Axis> only)
 {
     for (const Axis axis : axes()) {
@@ -412,7 +412,7 @@ Result<> MoteusMount::takeBus()
 {
     return mayTakeBus().map([this] {
         m_busLeft = false;
-        m_started = m_clock.now();  // the drives have had no question yet
+        m_started = m_clock.now();  // the drives have received no query yet
     });
 }
 

@@ -22,47 +22,47 @@
 #include <utility>
 #include <vector>
 
-// Two moteus on one CAN bus, or one, behind the port of the mount: frames in, frames out. Watches the drives, keeps
-// their wraps and their journal, excuses them for stalls of this computer and runs the crash-stop proof. Whoever has
-// the bus hands over frames and sends those of frames(); DriveCare surveys the drives beside it. Of an axis that no
-// moteus turns nothing is asked, commanded, watched or kept. Station thread only. More than 15 members: the parts of
-// both drives, and what one step of a tick leaves to the next.
+// One or two moteus on a CAN bus as a MountDriver: frames in, frames out. Watches the drives, keeps their wraps and
+// their position journal, excuses them for stalls of this computer, and runs the crash-stop test. The owner of the bus
+// passes received frames in and sends those of frames(). DriveCare runs the drive check beside it. An axis without a
+// moteus is not queried, commanded, watched or journalled. Station thread only. More than 15 members: the parts of both
+// drives, and what one step of a tick leaves to the next.
 namespace boresight {
 
 class MoteusMount final : public MountDriver, public MountService
 {
 public:
-    // All but the beginning outlive this. `axes`: those that a moteus turns, at least one.
+    // The references outlive this object. `axes`: the axes that a moteus turns, at least one.
     MoteusMount(const profile::InForce& profile, const Clock& clock, EventLog& log, AlarmBoard& alarms,
                 TurnKeeper::Start start = {}, AxisSet axes = kAxes);
 
     [[nodiscard]] AxisSet axes() const { return m_drives.axes(); }
 
-    // The bus.
+    // For the owner of the bus.
     void take(const CanFrame& frame) { m_drives.take(frame); }
     [[nodiscard]] std::vector<CanFrame> frames() const { return m_drives.frames(); }  // azimuth, elevation
-    // These frames were handed to the link, or there is no link now. A computer that is held up between the two sends
-    // them late.
+    // These frames were passed to the link, or there is no link now. If this computer is held up after frames(), it
+    // sends them late.
     void framesSent();
-    void lineOpened();   // replies are counted from now on
-    void framesTaken();  // by the link: a reply to each is due
+    void lineOpened();   // replies are counted from here on
+    void framesTaken();  // by the link: a reply to each frame is due
     [[nodiscard]] bool busLeft() const { return m_busLeft; }
-    // What to do about a bus that is silent although it works: depends on what carries it.
+    // What to do about a bus that is silent although it works. The advice depends on the kind of the bus.
     void setSilenceAdvice(const QString& advice) { m_silences.setAdvice(advice); }
 
-    // What the drive check has found.
+    // The result of the drive check.
     void setFitness(const Result<>& fitness) { m_fitness = fitness; }
     void learn(Axis axis, const std::optional<survey::DriveFacts>& facts) { m_turnWatch.learn(axis, facts); }
     [[nodiscard]] bool needsOrigin(Axis axis) const { return m_turnWatch.needsOrigin(axis); }
-    void driveRestarted(Axis axis);  // it was power-cycled under our eyes
-    void countsAnew(Axis axis);      // its encoder, after a change of its settings
-    // Its settings are being changed: where it stands next is no jump.
+    void driveRestarted(Axis axis);  // it was power-cycled while we watched it
+    void countsAnew(Axis axis);      // its encoder counts from a new zero, after a change of its settings
+    // The settings of the drive are being changed, so another position is no jump.
     void expectAnotherCount(Axis axis) { m_drives.drive(axis).forgetPlace(); }
 
-    // The journal.
+    // The position journal.
     [[nodiscard]] const memory::MountMemory& memory() const { return m_turns.memory(); }
     [[nodiscard]] bool takeMemoryChange() { return m_turns.takeChange(); }
-    // How a sensor on the antenna has seen the azimuth turn.
+    // How far a sensor on the antenna saw the azimuth turn.
     void setCourse(const std::optional<SensorCourse>& course) { m_turns.setCourse(course); }
 
     [[nodiscard]] Capabilities capabilities() const override;
@@ -115,7 +115,7 @@ private:
     [[nodiscard]] bool isFarOutside(Axis axis) const;
     [[nodiscard]] AxisPosition heldPlace() const;
     [[nodiscard]] AxisHand handOf(const Drive& drive, Axis axis) const;
-    // What the drives report means something: their gear and safety settings are right, or are still being read.
+    // The reports of the drives can be used: their gear and safety settings are right, or are still being read.
     [[nodiscard]] bool readable() const { return m_fitness || m_fitness.error().code == ErrorCode::Busy; }
 
     const profile::InForce& m_profile;
@@ -132,13 +132,13 @@ private:
     ProofRun m_proof;
     std::optional<CrashStopProof> m_nextProof;
     Result<> m_fitness;
-    std::array<tracking::Setpoint, 2> m_setpoints{};  // as commanded last
+    std::array<tracking::Setpoint, 2> m_setpoints{};  // as last commanded
     std::array<bool, 2> m_ignoringBounds{};
     bool m_busLeft = false;
-    bool m_restarted = false;  // a drive, since the last supervision
+    bool m_restarted = false;  // a drive restarted since the last supervise()
     bool m_observed = false;
-    SteadyTime m_started;  // the program, or the use of a bus that was taken back
-    SteadyTime m_now;      // of the running or last tick
+    SteadyTime m_started;  // start of the program, or of the use of a bus that was taken back
+    SteadyTime m_now;      // of the current or last tick
 };
 
 }  // namespace boresight

@@ -6,16 +6,16 @@
 namespace boresight {
 namespace {
 
-// After a longer one nobody expects the mount to set off.
+// After a longer stall nobody expects the mount to start moving.
 constexpr Seconds kLongest{2.0};
-// A shorter one comes from load, not from a sleep.
+// A shorter stall comes from load, not from sleep, and is not mentioned.
 constexpr Seconds kNamed{1.0};
-// From the end of the stall to the end of the resumption.
+// The drives have this time from the end of the stall to the end of the resumption.
 constexpr std::chrono::seconds kOwnStallPatience{1};
 constexpr std::chrono::seconds kLongestResumption{10};
-// A frame is on its way for a while before it feeds the drive's watchdog.
+// A frame is on its way for some time before it resets the watchdog of the drive.
 constexpr double kWatchdogShare = 0.75;
-// Braking from 10°/s takes some 1.5°.
+// Braking from 10°/s takes 1.5°.
 constexpr Angle kDisplaced = Angle::fromDegrees(2.0);
 
 }  // namespace

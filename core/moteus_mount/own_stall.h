@@ -7,33 +7,34 @@
 
 #include <optional>
 
-// The last stall of this computer: for how long it sent no commands, and where the axes were to be. Decides whether the
-// motion may go on after the drives stopped by their watchdogs. Of stalls in a row, the one that stopped them tells
-// where they stand. Pure, one thread; mechanical angles.
+// The last stall of this computer: how long it sent no commands, and where the axes were commanded to be. Decides
+// whether the motion may continue after the watchdogs of the drives stopped it. With several stalls in a row, the
+// set-points of the one that stopped the drives count. Pure, one thread. Mechanical angles.
 namespace boresight {
 
 class OwnStall
 {
 public:
-    // Between two ticks or two sendings passed `gap`. A drive stops by itself when it gets no command for `watchdog`.
-    // True if it may have.
+    // The time `gap` passed between two ticks or two sendings. A drive stops by itself when it gets no command for the
+    // time `watchdog`. True if the drive may have stopped.
     bool note(Seconds gap, Seconds watchdog, const AxisPosition& setpoints, SteadyTime now);
 
-    // The link has the frames of a tick. A tick that was held up after its beginning sends late, too. True as above.
+    // The link has accepted the frames of a tick. A tick that is held up after its beginning sends them late, too. True
+    // as above.
     bool sent(Seconds watchdog, const AxisPosition& setpoints, SteadyTime now);
 
-    // A time-out that is seen now comes from the stall, and the stall was short enough to go on.
+    // A time-out that is seen now comes from the stall, and the stall was short enough to continue.
     [[nodiscard]] bool explainsTimeOut(SteadyTime now) const;
-    // How long the stall was that ended a moment ago; empty: there was none, or one that is not worth a word.
+    // How long the stall lasted that ended a moment ago. Empty if there was none or it was too short to mention.
     [[nodiscard]] std::optional<Seconds> recent(SteadyTime now) const;
-    // The axis stands where a braked mount can stand.
+    // The axis is where a mount that braked from its set-point can be.
     [[nodiscard]] bool isNear(Axis axis, Angle measured) const;
 
-    // The drives are being taken over again.
+    // The drives are being captured again.
     void resume(SteadyTime now);
     void end() { m_resuming = false; }
     [[nodiscard]] bool resuming() const { return m_resuming; }
-    // The drives had their time, also if this computer goes on stalling.
+    // The drives had enough time to come back, even if this computer goes on stalling.
     [[nodiscard]] bool isLate(SteadyTime now) const;
     [[nodiscard]] Seconds gap() const { return m_gap; }
 
@@ -42,7 +43,7 @@ private:
     SteadyTime m_end{};
     std::optional<SteadyTime> m_sent;
     AxisPosition m_setpoints{};
-    bool m_possible = false;  // that a watchdog acted, and that the motion may go on
+    bool m_possible = false;  // a watchdog may have acted, and the motion may continue
     bool m_resuming = false;
     SteadyTime m_resumingSince{};
 };

@@ -12,8 +12,8 @@
 
 #include <optional>
 
-// Runs the crash-stop proof on the drives: starves them, recovers them and keeps how each axis stopped. Whether it may
-// begin is decided before. Station thread only.
+// Runs the crash-stop test on the drives: lets each drive run without commands, recovers it and records how its axis
+// stopped. Whether the test may begin is decided by the caller. Station thread only.
 namespace boresight {
 
 class ProofRun
@@ -25,9 +25,9 @@ public:
 
     void begin(const CrashStopProof& proof);
     [[nodiscard]] bool running() const { return m_proof.has_value(); }
-    // How far it is, or how the last one ended.
+    // The progress of the test, or how the last one ended.
     [[nodiscard]] QString text() const { return m_proof ? m_proof->progress() : m_text; }
-    // Once in a tick: how the mount is to be moved for it.
+    // Once in a tick: how the test wants the mount to be moved.
     [[nodiscard]] MountService::ProofStep step(SteadyTime now, UtcTime utc);
     void end(const QString& how);
 

@@ -6,20 +6,21 @@
 namespace boresight {
 namespace {
 
-// A difference is made good within about a second. Twice as fast, the axis accelerates 1 % beyond its limit.
+// A difference is corrected within one second. At twice this value the axis accelerates 1 % beyond its limit.
 constexpr double kCorrection = 1.0;  // 1/s
-// The drive rounds its control position down to steps of 2^-16 turns (0.0055°). What its orders make of it is finer, so
-// that a report which agrees with it counts for this share.
+// The drive rounds its control position down to steps of 2^-16 turns (0.0055°). The position computed from the orders
+// is finer. If the report agrees with it, the report counts only with this share.
 constexpr MotorTurns kReportedStep = MotorTurns::fromTurns(1.0 / 65536.0);
 constexpr double kReportedShare = 0.2;
-// Without replies the control position is what the orders make of it. After more than two lost ones the drive is told
-// the place again.
+// Without replies the control position is computed from the orders. Three ticks without a reply mean two lost replies.
+// After more than that the drive gets a position again.
 constexpr int kMostUnheard = 3;
-// A reply to a frame before these says nothing any more.
+// Replies to frames that are older than this are not used.
 constexpr std::size_t kMostTicks = 8;
-// The planner at rest has at most half a step to go. More acceleration than this share would only be heard.
+// The planner of a standing drive is at most half a step from its goal. More acceleration than this share would only
+// make noise.
 constexpr double kGentle = 0.1;
-// Slower than this the planner does not turn by velocity (moteus manual); a fresh position each tick moves it instead.
+// Below this the planner does not move by velocity (moteus manual). A new position in each tick moves it instead.
 constexpr MotorRate kSmallestVelocity = MotorRate::fromTurns(0.0001);
 
 MotionOrder toPlace(const MotorSetpoint& setpoint, MotorAcceleration acceleration)
@@ -79,7 +80,7 @@ void RateFollower::heard(MotorTurns control, MotorRate rate, int ticksAgo)
 
 void RateFollower::leave()
 {
-    m_ticks = {Tick{.began = m_ticks.back().began}};  // the drive may count from elsewhere when it is led again
+    m_ticks = {Tick{.began = m_ticks.back().began}};  // the drive may count from another zero when orders begin again
     m_lastAcceleration.reset();
 }
 
@@ -111,9 +112,9 @@ MotionOrder RateFollower::orderFor(const MotorSetpoint& setpoint, const Limits& 
         return toPlace(setpoint, within(control.rate));
     }
     if (abs(behind) > limits.speed * limits.tick) {
-        return toPlace(setpoint, limits.acceleration);  // farther than lost frames explain
+        return toPlace(setpoint, limits.acceleration);  // farther than lost frames can explain
     }
-    // The acceleration goes on changing as it did: its mean until the next set-point.
+    // The acceleration is assumed to go on changing as before. This is its mean until the next set-point.
     const MotorAcceleration last = m_lastAcceleration.value_or(setpoint.acceleration);
     const MotorAcceleration mean = setpoint.acceleration + 0.5 * (setpoint.acceleration - last);
     const MotorRate fastest = std::max(limits.speed, abs(setpoint.rate));

@@ -7,12 +7,12 @@
 #include <deque>
 #include <optional>
 
-// How one drive is led along the set-points without chatter. A position that is new in each tick makes the planner of
-// the drive switch its acceleration to and fro. So while the set-points move the drive is given a velocity, and just
-// the acceleration that reaches it in one tick. Its own control position, which each reply contains, is compared with
-// the set-point, and the velocity corrects the difference. A set-point at rest, a drive whose control position is not
-// known, and one without bounds of its own are left to the planner, whose place is absolute. Pure: time is passed in.
-// Units are the drive's.
+// Leads one drive along the set-points without chatter. A new position in each tick makes the planner of the drive
+// switch its acceleration to and fro. So while the set-points move, the drive gets a velocity, and just the
+// acceleration that reaches this velocity in one tick. Each reply contains the control position of the drive. It is
+// compared with the set-point, and the velocity corrects the difference. The planner gets a position instead in three
+// cases: the set-point stands still, the control position is unknown, or the drive has no bounds of its own. Pure: time
+// is passed in. Units are those of the drive.
 namespace boresight {
 
 struct MotorSetpoint
@@ -22,12 +22,12 @@ struct MotorSetpoint
     MotorAcceleration acceleration;
 };
 
-// With a place: go there by the planner, and pass it at the rate. Without one: reach the rate.
+// With a place: the planner moves there and passes the place at the rate. Without a place: reach the rate.
 struct MotionOrder
 {
     std::optional<MotorTurns> place{};
     MotorRate rate{};
-    MotorAcceleration acceleration{};  // at most
+    MotorAcceleration acceleration{};  // the most that the drive may use
 };
 
 class RateFollower
@@ -35,18 +35,18 @@ class RateFollower
 public:
     struct Limits
     {
-        MotorRate speed;                 // of the axis: no correction exceeds it
-        MotorAcceleration acceleration;  // what the drive may use at most
+        MotorRate speed;                 // of the axis. The correction does not exceed it
+        MotorAcceleration acceleration;  // the most that the drive may use
         Seconds tick;
-        bool bounded = true;  // the drive keeps its own position bounds: a velocity ends there
+        bool bounded = true;  // the drive has its own position bounds, where a velocity ends
     };
 
-    // A tick begins: what was ordered last is in force until now.
+    // A tick begins. The last order is in force until now.
     void begin(SteadyTime now);
-    // The drive's reply to the frame of this tick, or to that of so many ticks before: its control set-points before
-    // that frame took effect. How late frames and replies are does not matter, as long as it stays the same.
+    // The reply of the drive to the frame of `ticksAgo` ticks before (0: of this tick). It contains the control
+    // set-points from before that frame took effect. A constant delay of frames and replies does no harm.
     void heard(MotorTurns control, MotorRate rate, int ticksAgo = 0);
-    // Other frames than orders of this are sent, or nothing is known of the drive any more.
+    // Frames other than the orders of this class are sent, or the state of the drive is unknown.
     void leave();
 
     // The order of this tick.
@@ -66,14 +66,14 @@ private:
         std::optional<MotionOrder> order{};  // in force since then
     };
 
-    // What the drive makes of the order of a tick until then.
+    // The state that the drive reaches at the time `then` by the order of this tick.
     [[nodiscard]] static std::optional<State> after(const Tick& tick, SteadyTime then);
     [[nodiscard]] bool known() const;
     [[nodiscard]] MotionOrder orderFor(const MotorSetpoint& setpoint, const Limits& limits) const;
 
-    std::deque<Tick> m_ticks{Tick{}};                     // the running one is the last
+    std::deque<Tick> m_ticks{Tick{}};                     // the current tick is the last element
     std::optional<MotorAcceleration> m_lastAcceleration;  // of the set-points
-    int m_unheard = 0;                                    // ticks
+    int m_unheard = 0;                                    // ticks without a reply
 };
 
 }  // namespace boresight

@@ -9,9 +9,9 @@
 namespace boresight {
 namespace {
 
-// The last replies of a bus that goes, and the first of one that comes back, are some ticks apart.
+// When a bus fails, the last replies of the two drives are some ticks apart. So are the first replies when it returns.
 constexpr std::chrono::milliseconds kTogether{300};
-// So many ticks in a row are lost with a bus, and not by chance.
+// This many lost ticks in a row mean that the bus failed. By chance fewer are lost.
 constexpr auto kQuiet = Drive::kSilence / 2;
 
 AlarmCase caseOf(const Silence& silence, const QString& drive, Seconds watchdog, const QString& advice)
@@ -85,12 +85,12 @@ bool SilenceAlarms::belongTogether(SteadyTime now)
         return now - *m_parted < kTogether;
     }
     m_parted.reset();
-    // The other drive is about to be missed, too.
+    // The other drive will be reported missing within a few ticks.
     return (azimuth && !elevation && azimuth->kind == Silence::Kind::Lost && isQuiet(Axis::Elevation, now)) ||
            (elevation && !azimuth && elevation->kind == Silence::Kind::Lost && isQuiet(Axis::Azimuth, now));
 }
 
-// While the two differ for a moment, what was told of both stands.
+// While the two differ for a moment, the alarm about both stays as it is.
 void SilenceAlarms::showBoth()
 {
     for (const Axis axis : kAxes) {

@@ -10,12 +10,13 @@
 namespace boresight {
 namespace {
 
-// From here on the axes may stand elsewhere.
+// After a stall of this length the axes may be elsewhere.
 constexpr Seconds kStall{0.125};
-// Long enough for a hand at the mount's switch; what a tool sets meanwhile is seen by its origin.
+// Long enough for somebody to reach the switch of the mount. Settings that another tool changes meanwhile are found by
+// the origin of the count.
 constexpr Seconds kLongStall{2.0};
 
-// Stopped by its watchdog and by nothing else.
+// Stopped by its watchdog and not for another reason.
 bool isHealthy(const Drive& drive)
 {
     return drive.report() && drive.report()->mode != moteus::Mode::Fault &&
@@ -52,7 +53,7 @@ void StallGuard::excuseDrives(SteadyTime now)
         m_drives.drive(axis).expectAnotherPlace();
         m_watches[index(axis)].forgetMotion();
         if (gap > kLongStall) {
-            m_turns.forget(axis);  // whatever was done to the drive meanwhile
+            m_turns.forget(axis);  // somebody may have worked on the drive meanwhile
         }
     }
     m_log.add(Severity::Warning, QStringLiteral("station"),

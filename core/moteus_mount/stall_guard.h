@@ -12,9 +12,9 @@
 #include <optional>
 #include <utility>
 
-// What a stall of this computer means for the drives: excuses them for what they could not answer, and takes over those
-// that their own watchdogs have stopped. The motion was never cancelled, so it goes on. Station thread only. Angles are
-// mechanical.
+// What a stall of this computer means for the drives. Excuses the drives for replies that they could not give, and
+// captures the drives again that their own watchdogs stopped. The motion was not cancelled, so it continues. Station
+// thread only. Mechanical angles.
 namespace boresight {
 
 class StallGuard
@@ -25,18 +25,18 @@ public:
         : m_drives(drives), m_watches(watches), m_turns(turns), m_alarms(alarms), m_log(log)
     {}
 
-    // A tick begins `gap` after the one before. The drives were last commanded to `held`.
+    // A tick begins `gap` after the previous tick. The drives were last commanded to `held`.
     void tickBegins(Seconds gap, Seconds watchdog, const AxisPosition& held, SteadyTime now);
     // The station has handed the frames of this tick to the link.
     void framesSent(Seconds watchdog, const AxisPosition& held, SteadyTime now);
 
-    // How long this computer stalled, if that ended a moment ago.
+    // How long this computer stalled, if the stall ended a moment ago.
     [[nodiscard]] std::optional<Seconds> recent(SteadyTime now) const { return m_stall.recent(now); }
 
-    // Takes over the drives that timed out by a stall; `allowed`: nothing else stands in the way.
+    // Captures the drives that timed out because of a stall. `allowed`: nothing else is in the way.
     void resume(bool allowed, SteadyTime now);
-    // Once all drives are taken over and report where they stand, or when it is too late: the first axis that is not
-    // back.
+    // Ends the resumption once all drives are captured again, or once its time has passed. Returns the first axis that
+    // is not back near its set-point then.
     [[nodiscard]] std::optional<std::pair<Axis, DriveWatch::Trouble>> finish(bool faultLatched, SteadyTime now);
 
 private:

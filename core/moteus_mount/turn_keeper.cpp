@@ -13,23 +13,23 @@
 namespace boresight {
 namespace {
 
-// While it moves an axis is written down no more often; a crash-safe write takes some milliseconds on a disk.
+// A moving axis is recorded no more often than this. A crash-safe write takes some milliseconds on a disk.
 constexpr std::chrono::seconds kMovingPeriod{1};
-// Standing still only what has changed, and now and then the time: the younger the record, the better the proof.
+// For a standing axis only changes are recorded, and the time at this interval: a younger record is the better proof.
 constexpr std::chrono::minutes kRestingPeriod{5};
 constexpr Angle kWorthNoting = Angle::fromDegrees(0.1);
-// An eye at the mast is this good.
+// An eye at the mast estimates an angle this well.
 constexpr Angle kEyeSight = Angle::fromDegrees(20.0);
-// The drive's millisecond counter begins again.
+// The millisecond counter of the drive starts again at 0 after this time.
 constexpr Seconds kCounterSpan{4294967.296};
-// What is known about the drive may be of before its restart. The heartbeat of the drive check shows that within a
-// second.
+// What is known about the drive may be from before its restart. The heartbeat of the drive check detects a restart
+// within a second.
 constexpr std::chrono::milliseconds kHeartbeat{1500};
-// Half a dozen frames each.
+// Each reading takes half a dozen frames.
 constexpr std::chrono::seconds kOriginPeriod{5};
-// Between the clock by which somebody looked and this computer's.
+// The largest error between this computer's clock and the clock of the person who looked.
 constexpr std::chrono::minutes kClockError{1};
-// Without candidates there is no period to derive it from.
+// Used if there are no candidates, which otherwise give the period.
 constexpr Angle kLoneTolerance = Angle::fromDegrees(1.0);
 
 Angle nearestOf(const std::vector<Angle>& candidates, Angle angle)
@@ -37,15 +37,16 @@ Angle nearestOf(const std::vector<Angle>& candidates, Angle angle)
     return *std::ranges::min_element(candidates, {}, [angle](Angle one) { return abs(one - angle).radians(); });
 }
 
-// A drive that is on and given a position there pulls the axis to the nearer bound without a ramp, or lets it go in
-// fault. Its bounds may lie at half their margin (survey/protections.cpp).
+// True for a position beyond the bounds of the drive, which may lie at half their margin (survey/protections.cpp). A
+// drive that is on and is set to such a position pulls the axis to the nearer bound without a ramp, or lets the axis go
+// with a fault.
 bool beyondBounds(Angle place, const TravelRange& travel, const profile::Profile& profile)
 {
     const Angle margin = profile.control.driveLimitMargin * 0.5;
     return place < travel.min - margin || place > travel.max + margin;
 }
 
-// The one that `angle` is but for the noise of a report; nothing if it has left the stops.
+// The candidate that equals `angle` apart from the noise of a report. Empty if that candidate is not within the travel.
 std::optional<Angle> sameAmong(const std::vector<Angle>& candidates, Angle angle, Angle period)
 {
     if (candidates.empty()) {
@@ -75,10 +76,10 @@ void TurnKeeper::forget(Axis axis, const std::optional<QString>& doubt)
     State& mine = state(axis);
     mine = {.doubt = doubt ? doubt : mine.doubt, .since = m_clock.now()};
     if (doubt && axis == Axis::Azimuth) {
-        m_anchor.reset();  // it was perhaps not there any more
+        m_anchor.reset();  // the axis was perhaps not there any more
     }
     if (auto& last = record(axis); doubt && last) {
-        last->proveNothing();  // also after a restart of the program; it still shows where the axis may be
+        last->proveNothing();  // for good. The record still shows where the axis may be
         m_changed = true;
     }
 }
@@ -96,8 +97,8 @@ bool TurnKeeper::needsOrigin(Axis axis, const survey::DriveFacts& facts) const
     return (phase == Phase::Unjudged || phase == Phase::Known) && old;
 }
 
-// A small step of what the drive reports, or one while this computer stood still, is not seen otherwise. One reading
-// can be false: a second one must report the same.
+// Only the origin shows a small step of the reported position, or a step while this computer stood still. A single
+// reading can be false, so a second one must report the same.
 void TurnKeeper::watchOrigin(Axis axis, const survey::DriveFacts& facts)
 {
     State& mine = state(axis);
@@ -125,7 +126,7 @@ Angle TurnKeeper::period(Axis axis, const survey::DriveFacts& facts) const
     return memory::ambiguity(m_profile->axis(axis).geometry, facts.rotorToOutputRatio, facts.outputEncoder);
 }
 
-// The boards are interchanged: what is known of one is no evidence for the other axis.
+// The boards are interchanged: the journal of one axis is no evidence for the other.
 bool TurnKeeper::ofTheOtherAxis(Axis axis, const survey::DriveFacts& facts) const
 {
     const auto& other = m_start.memory.turns[1 - index(axis)];
@@ -151,12 +152,12 @@ void TurnKeeper::judge(Axis axis, const survey::DriveFacts& facts, Drive& drive,
             if (drive.takeReferenced()) {
                 becomeKnown(axis, drive);
             } else if (drive.phase() != Drive::Phase::Referencing) {
-                forget(axis);  // it was lost in the middle of it
+                forget(axis);  // the drive was lost during the writing
             }
             break;
         case Phase::Known:
             if (drive.report()->homeState != mine.homeState) {
-                forget(axis);  // restarted, or given another position
+                forget(axis);  // restarted, or set to another position
                 state(axis).notBefore = now + kHeartbeat;
             } else {
                 watchOrigin(axis, facts);
@@ -167,13 +168,13 @@ void TurnKeeper::judge(Axis axis, const survey::DriveFacts& facts, Drive& drive,
 
 void TurnKeeper::becomeKnown(Axis axis, const Drive& drive)
 {
-    // While it was asked about, the drive counted from the middle; and its place was written.
+    // Unless the judgement proved the wrap at once, the position of the drive was written since the last reading.
     const SteadyTime since = state(axis).phase == Phase::Unjudged ? state(axis).since : m_clock.now();
     state(axis) = {.phase = Phase::Known, .since = since, .homeState = drive.report()->homeState};
     m_log.add(Severity::Advisory, toQString(drive.name()), Text::tr("position confirmed"));
 }
 
-// Jogged, the axis is not where the journal has it.
+// After a jog the axis is not where the journal has it.
 void TurnKeeper::watchJog(Axis axis, const Drive& drive)
 {
     if (record(axis) && drive.phase() != Drive::Phase::Referencing && abs(movedSince(axis, drive)) > kWorthNoting) {
@@ -220,7 +221,7 @@ void TurnKeeper::judgeAnew(Axis axis, const survey::DriveFacts& facts, Drive& dr
     }
 }
 
-// It is used up by the first judgement, also by one that needs no help: the mount moves from there on.
+// The first judgement uses the entered position up, even if it does not need it, because the mount moves from then on.
 std::optional<Angle> TurnKeeper::takeEnteredPlace(Axis axis)
 {
     const auto place = std::exchange(m_start.standingAt[index(axis)], std::nullopt);
@@ -285,7 +286,7 @@ void TurnKeeper::countFromTheMiddle(Axis axis, Drive& drive)
     drive.reference(geometry.toMotor(place), tolerance(axis, period));
 }
 
-// Of a place in the drive's own turns: less than half of what it cannot resolve.
+// The tolerance of a position in turns of the drive: less than half of the period that the drive can not resolve.
 MotorTurns TurnKeeper::tolerance(Axis axis, Angle period) const
 {
     const pointing::AxisGeometry& geometry = m_profile->axis(axis).geometry;
@@ -306,13 +307,13 @@ std::optional<TurnQuestion> TurnKeeper::question(Axis axis, const Drive& drive) 
         return std::nullopt;
     }
     TurnQuestion question = mine.question;
-    question.evidence.back() = memory::sensorSentence(m_sensor[index(axis)]);  // it may have come, or moved, since
+    question.evidence.back() = memory::sensorSentence(m_sensor[index(axis)]);  // may have changed since
     question.movedSince = drive.phase() == Drive::Phase::Referencing ? Angle{} : movedSince(axis, drive);
     if (question.candidates.empty()) {
         addTurning(axis, question);
         return question;
     }
-    // Those of now: one that lay beyond the stops may have come inside by jogging, and others gone out.
+    // The present candidates: by jogging, one may have come inside the stops and another may have left them.
     const pointing::AxisGeometry& geometry = m_profile->axis(axis).geometry;
     question.candidates =
         memory::placesAround(geometry.toAxis(drive.place()->position), question.period, geometry.travel);

@@ -13,11 +13,11 @@
 #include <array>
 #include <optional>
 
-// Knows whether the turn of each axis is known, and keeps the journal that proves it later. A drive that was silent or
-// restarted is judged again from journal, home state and reported position; what only the operator can tell becomes a
-// question. The answer is written into the drive, so that its own bounds guard the right place; until then it counts
-// from the middle of the travel, where its bounds leave room on both sides. Asks the kernel what this computer's clocks
-// are worth; else pure. Mechanical angles.
+// Decides whether the wrap of each axis is known, and keeps the position journal that proves it later. The wrap of a
+// drive that was silent or restarted is judged again, from the journal, the home state and the reported position. If
+// only the operator can know the wrap, the operator is asked. The answer is written into the drive, so that its own
+// bounds guard the right angles. Until then the drive counts from the middle of the travel, where its bounds leave room
+// on both sides. Asks the kernel how far the clocks of this computer can be trusted, otherwise pure. Mechanical angles.
 namespace boresight {
 
 class TurnKeeper
@@ -26,50 +26,51 @@ public:
     struct Start
     {
         memory::MountMemory memory;
-        QString problem;  // why there is no journal, or not the newest: "the journal file is missing"
-        // The built-in simulated mount starts where its drives report.
+        QString problem;  // why there is no journal, or only an old one: "the journal file is missing"
+        // True for the simulated mount: the first reported position is the right one.
         bool trustFirstContact = false;
-        // Where the operator entered at the start of the program that the mount stands, about. Answers the first
-        // question about each axis, and no later one, while it is not older than kPlaceAge and was never used before.
+        // Where the axes are, as the operator entered at the start of the program, within 20°. Answers the first
+        // question about each axis and no later one, if it is not older than kPlaceAge and was never used before.
         std::array<std::optional<Angle>, 2> standingAt{};
         UtcTime looked{};  // when the operator looked at the mount
     };
-    // Long enough to look, to walk to the computer and to start the program.
+    // Long enough to look at the mount, to walk to the computer and to start the program.
     static constexpr std::chrono::minutes kPlaceAge{10};
 
     TurnKeeper(const profile::InForce& profile, const Clock& clock, EventLog& log, Start start);
 
-    // The drive was silent, restarted or lost count: its wrap must be judged again. `doubt` says why a proof by the
-    // journal must not count, if so.
+    // The drive was silent, restarted or lost count, so its wrap must be judged again. `doubt`: why the journal must
+    // not prove the wrap. Empty if it may.
     void forget(Axis axis, const std::optional<QString>& doubt = std::nullopt);
-    // With what is known about the drive: judges, and writes the answer into the drive. Call each tick.
+    // Judges the wrap from what is known about the drive, and writes the answer into the drive. Call each tick.
     void judge(Axis axis, const survey::DriveFacts& facts, Drive& drive, SteadyTime now);
-    // The operator is asked about the axis, and its drive can take an answer now.
+    // Success if the operator is being asked about the axis and its drive can accept an answer now.
     [[nodiscard]] Result<> mayChoose(Axis axis, const Drive& drive) const;
-    // The operator has looked: the axis stands at about `angle`. Refused if the drive's direction contradicts it.
+    // The operator has looked: the axis is near `angle`. Refused if the direction that the drive reports contradicts
+    // this.
     Result<> choose(Axis axis, Angle angle, Drive& drive, const QString& source);
 
-    // What a sensor on the antenna measures of the axis now, as a mechanical direction. It is evidence in the question.
+    // The mechanical direction that a sensor on the antenna measures now. It is shown as evidence with the question.
     void setSensor(Axis axis, const std::optional<Angle>& heading) { m_sensor[index(axis)] = heading; }
 
-    // How it has seen the azimuth turn: compared with where the axis was while its turn was known.
+    // How far the sensor saw the azimuth turn. It is compared with where the axis was while its wrap was known.
     void setCourse(const std::optional<SensorCourse>& course) { m_course = course; }
 
     [[nodiscard]] bool known(Axis axis) const { return state(axis).phase == Phase::Known; }
     [[nodiscard]] bool asked(Axis axis) const { return state(axis).phase == Phase::Asked; }
-    // Why the place that was entered at the start of the program did not count; empty: it did, or there was none.
+    // Why the position entered at the start of the program was not used. Empty if it was used or none was entered.
     [[nodiscard]] const QString& placeProblem(Axis axis) const { return m_placeProblems[index(axis)]; }
-    // The question that waits for the operator; the places move along when the axis is jogged.
+    // The question that waits for the operator. Its candidates move along when the axis is jogged.
     [[nodiscard]] std::optional<TurnQuestion> question(Axis axis, const Drive& drive) const;
 
-    // What the drive's position counts from is to be read (again): nothing can be proved without, and whoever sets the
-    // position of a drive whose turn is known changes it.
+    // The origin of the drive's count must be read (again). Without it nothing can be proved. And a tool that sets the
+    // position of a drive whose wrap is known changes the origin.
     [[nodiscard]] bool needsOrigin(Axis axis, const survey::DriveFacts& facts) const;
-    // Writes down where a known axis stands.
+    // Records in the journal where an axis with a known wrap is.
     void note(Axis axis, const survey::DriveFacts& facts, const Drive& drive, bool moving, SteadyTime now);
     void keep(Axis axis, const CrashStop& stop);
     [[nodiscard]] const memory::MountMemory& memory() const { return m_start.memory; }
-    // True once after the position journal changed: it is to be saved.
+    // True once after the position journal changed and must be saved.
     [[nodiscard]] bool takeChange() { return std::exchange(m_changed, false); }
 
 private:
@@ -84,15 +85,16 @@ private:
     {
         Phase phase = Phase::Unjudged;
         std::optional<QString> doubt{};
-        // What was read of the drive up to then is not true any more: it was silent, or its position was set.
+        // What was read from the drive before this time is not valid any more: the drive was silent, or its position
+        // was set.
         SteadyTime since = SteadyTime::min();
         TurnQuestion question{};
         MotorTurns reportedWhenAsked{};
         std::optional<SteadyTime> noted{};
         SteadyTime notBefore{};                                     // when the next judgement may be made
-        moteus::HomeState homeState = moteus::HomeState::Relative;  // while the turn is known
-        std::optional<moteus::CountOrigin> origin{};                // while the turn is known; nothing: not read yet
-        survey::OriginReading other{};                              // the last one, if it was not the same
+        moteus::HomeState homeState = moteus::HomeState::Relative;  // while the wrap is known
+        std::optional<moteus::CountOrigin> origin{};                // while the wrap is known. Empty: not read yet
+        survey::OriginReading other{};                              // the last reading, if it differs from `origin`
     };
 
     [[nodiscard]] State& state(Axis axis) { return m_states[index(axis)]; }

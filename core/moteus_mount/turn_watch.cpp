@@ -32,13 +32,13 @@ void TurnWatch::keep(Axis axis, const Tick& tick)
     Drive& drive = m_drives.drive(axis);
     const bool answering = drive.answering(tick.now) && !tick.released;
     if (!std::exchange(m_answered[index(axis)], answering) && answering) {
-        forget(axis);  // who was silent may come back as another
+        forget(axis);  // a drive that was silent may be another board when it returns
     }
     if (answering && facts(axis) && !drive.jumped()) {
         const bool before = m_turns.known(axis);
         m_turns.judge(axis, *facts(axis), drive, tick.now);
         if (m_turns.known(axis) != before) {
-            m_watches[index(axis)].forgetMotion();  // what the drive reports may have leapt by whole turns
+            m_watches[index(axis)].forgetMotion();  // the reported position may have changed by whole turns
         }
         const bool moving = drive.phase() != Drive::Phase::Listening && !tick.atRest;
         m_turns.note(axis, *facts(axis), drive, moving, tick.now);
@@ -53,14 +53,14 @@ void TurnWatch::raiseAlarms(bool interrupted, bool readable)
         if (m_turns.known(axis)) {
             m_alarms.clear(unknown);
         } else if ((interrupted || (readable && m_turns.question(axis, drive))) && !m_alarms.active(unknown)) {
-            // Where nothing moved, the drive check may answer it first.
+            // If nothing moved, the alarm waits, because the drive check may answer the question first.
             m_alarms.raise(unknown, {drive.label()});
         }
         raisePlaceAlarm(axis);
     }
 }
 
-// A service has no window that asks.
+// This alarm exists because a service has no window that asks.
 void TurnWatch::raisePlaceAlarm(Axis axis)
 {
     const Drive& drive = m_drives.drive(axis);

@@ -12,7 +12,7 @@
 #include <array>
 #include <optional>
 
-// Keeps the wraps of the axes up to date: gives what the drive check knows of each drive to the TurnKeeper, forgets
+// Keeps the wraps of the axes up to date. Passes what the drive check knows of each drive to the TurnKeeper, forgets
 // the wrap of a drive that was silent, and raises the alarms while a wrap is unknown. Station thread only.
 namespace boresight {
 
@@ -23,23 +23,24 @@ public:
         : m_turns(turns), m_drives(drives), m_watches(watches), m_alarms(alarms)
     {}
 
-    // What the drive check knows about a drive now. Empty: nothing, and its wrap is then judged again.
+    // What the drive check knows about a drive. Empty: nothing, and the wrap is then judged again later.
     void learn(Axis axis, const std::optional<survey::DriveFacts>& facts) { m_facts[index(axis)] = facts; }
     [[nodiscard]] const std::optional<survey::DriveFacts>& facts(Axis axis) const { return m_facts[index(axis)]; }
-    // What the drive's position counts from is to be read again.
+    // The origin of the drive's count must be read again.
     [[nodiscard]] bool needsOrigin(Axis axis) const;
-    // The drive was power-cycled under our eyes, or may be another one.
+    // The drive was power-cycled while we watched it, or may be another one.
     void forget(Axis axis);
 
     struct Tick
     {
         SteadyTime now;
         bool released = false;  // the bus is left to other tools
-        bool atRest = false;    // all set-points
+        bool atRest = false;    // all set-points stand still
     };
-    // Once in a tick, after the replies were judged. True once when a turn that was known is not known any more.
+    // Once in a tick, after the replies were judged. True once when a wrap that was known has become unknown.
     [[nodiscard]] bool keep(const Tick& tick);
-    // Call it after keep(). `interrupted`: a motion ended for it. `readable`: what the drives report can be relied on.
+    // Call it after keep(). `interrupted`: a motion ended because of this. `readable`: the reports of the drives can be
+    // used.
     void raiseAlarms(bool interrupted, bool readable);
     [[nodiscard]] bool allKnown() const
     {

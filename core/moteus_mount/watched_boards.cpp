@@ -9,7 +9,7 @@
 namespace boresight {
 namespace {
 
-// Rare beside the frames of the motion, and often enough to be live on the screen.
+// Seldom compared with the frames of the motion, and often enough to look live on the screen.
 constexpr std::chrono::milliseconds kBetweenQuestions{200};
 constexpr std::chrono::seconds kPatience{2};
 

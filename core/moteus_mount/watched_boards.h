@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-// The boards on the bus that turn no axis and that the profile names: they are asked what they report, and never
-// commanded. A fault and a silence of one is an alarm. Pure: time is passed in.
+// The boards on the bus that the profile names and that turn no axis. They are only queried, and never commanded. A
+// fault or a silence of such a board is an alarm. Pure: time is passed in.
 namespace boresight {
 
 class WatchedBoards
@@ -21,9 +21,9 @@ public:
     WatchedBoards(const profile::InForce& profile, AlarmBoard& alarms) : m_profile(profile), m_alarms(alarms) {}
 
     void take(const CanFrame& frame);
-    // The questions of this tick.
+    // The queries of this tick.
     [[nodiscard]] std::vector<CanFrame> frames(SteadyTime now);
-    // The bus is left to others: they may do to the boards what they want.
+    // The bus is released to other tools, which may do anything to the boards.
     void rest();
     [[nodiscard]] std::vector<WatchedDrive> status() const;  // as of the last tick
 
@@ -31,7 +31,7 @@ private:
     struct Board
     {
         profile::WatchedBoard named;
-        Drive drive;  // only listening
+        Drive drive;  // always Listening
     };
 
     void followProfile(SteadyTime now);
@@ -39,10 +39,10 @@ private:
 
     const profile::InForce& m_profile;
     AlarmBoard& m_alarms;
-    std::vector<std::string> m_named;  // in the profile, when the boards were made
+    std::vector<std::string> m_named;  // as in the profile, when the boards were made
     std::vector<Board> m_boards;
     SteadyTime m_now{};
-    SteadyTime m_since{};  // when they were asked first
+    SteadyTime m_since{};  // when the boards were queried first
     SteadyTime m_nextQuestion{};
 };
 

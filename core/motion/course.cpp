@@ -7,7 +7,7 @@ namespace boresight {
 namespace {
 
 constexpr int kMostSteps = 1000;
-// A way takes longer than its length at full speed, for its ramps.
+// Because of its ramps a way takes longer than its length at full speed.
 constexpr int kStepsAtFullSpeed = 400;
 constexpr Seconds kShortestStep{0.02};
 constexpr Seconds kLongestStep{1.0};
@@ -18,7 +18,7 @@ Angle farther(const AxisPosition& a, const AxisPosition& b)
     return std::max(abs(b.azimuth - a.azimuth), abs(b.elevation - a.elevation));
 }
 
-// At full speed, from leg to leg.
+// The time for all legs at full speed.
 Seconds shortestTime(const Motion& motion, const AxisPosition& target)
 {
     const auto alone = [&](Axis axis, Angle way) {
@@ -47,10 +47,10 @@ bool isThere(const Motion& motion, const AxisPosition& target, SteadyTime now)
 std::optional<Course> Course::of(Motion motion, SteadyTime now)
 {
     motion.keepOn(now);
-    motion.setSeen(std::nullopt);  // it goes along
+    motion.setSeen(std::nullopt);  // the copy assumes that the rotator follows
     Course course;
     course.m_points.push_back({.place = motion.place()});
-    // The set-points are exact for steps of any length. After the first one the route is known.
+    // The set-points are exact for steps of any length. After the first step the route is known.
     Seconds step = kShortestStep;
     for (int i = 0; i < kMostSteps && motion.noWay().isEmpty(); ++i) {
         const Seconds after = course.duration();

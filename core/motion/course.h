@@ -8,16 +8,16 @@
 #include <optional>
 #include <vector>
 
-// The way that the set-points will take to where they are sent, and when they are where: found by moving a copy of the
-// motion on, so route, limits, speed, acceleration and jerk count as they will. Pure; a look costs as much as 1,000
-// ticks at most. Mechanical angles.
+// The way of the set-points to their target, with times. It is computed by moving a copy of the motion on, so route,
+// limits, speed, acceleration and jerk count as in the real motion. Pure. One computation costs at most as much as
+// 1,000 ticks. Mechanical angles.
 namespace boresight {
 
 class Course
 {
 public:
-    // Of `motion` from `now` on. A stream is taken to go on straight, and met within kMet. Empty when the motion goes
-    // to no target, or does not get there.
+    // The course of `motion` from `now` on. A stream is assumed to go on straight, and counts as reached within kMet.
+    // Empty if the motion has no target or does not reach it.
     [[nodiscard]] static std::optional<Course> of(Motion motion, SteadyTime now);
 
     static constexpr Angle kMet = Angle::fromDegrees(1.0);
@@ -25,7 +25,7 @@ public:
     [[nodiscard]] Seconds duration() const { return m_points.back().after; }
     [[nodiscard]] AxisPosition at(Seconds after) const;
     [[nodiscard]] const AxisPosition& end() const { return m_points.back().place; }
-    // What is left of it then, in steps of about `step`, its end included.
+    // The rest of the course from the time `after`, in steps of about `step`, with its end.
     [[nodiscard]] std::vector<AxisPosition> rest(Seconds after, Angle step) const;
 
 private:

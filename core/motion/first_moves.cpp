@@ -44,7 +44,7 @@ bool FirstMoves::exceeded(const AxisRates& rates, const AxisPosition& rest) cons
 
 Angle restingPlace(const tracking::Setpoint& now, const tracking::MotionLimits& limits)
 {
-    // The set-point is the average over twice this time of a motion that is so much ahead of it.
+    // The set-point is a motion averaged over twice this time. So that motion is ahead of the set-point by this time.
     const double lead = limits.acceleration.radians() / limits.jerk.radians();
     const double speed = now.rate.radians() + now.acceleration.radians() * lead;
     const double way = 0.5 * (now.rate.radians() + speed) * lead;

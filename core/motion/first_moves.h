@@ -7,27 +7,27 @@
 
 #include <optional>
 
-// Before a person has confirmed which way each axis turns, the mount is moved by hand only, by a jog or by a client's
-// "M": slowly, and no farther than a small way from where the first such motion began. A wrong sign then shows without
-// harm. Pure.
+// Limits the motion of the mount until a person has confirmed the direction of each axis. Until then it is moved only
+// by hand, by a jog or by "M" of a client: slowly, and only a small way from where the first such motion began. A wrong
+// sign then shows without harm. Pure.
 namespace boresight {
 
 class FirstMoves
 {
 public:
-    static constexpr Angle kFarthest = Angle::fromDegrees(1.9);  // 2°, less what a tick adds
+    static constexpr Angle kFarthest = Angle::fromDegrees(1.9);  // 2° minus the way of one tick
 
-    // May the axes, which are at `place`, be jogged so? `rest` is where they would stop from such a motion.
+    // Whether the axes at `place` may be jogged at `rates`. `rest`: where they would stop from this motion.
     Result<> admits(const AxisRates& rates, const AxisPosition& place, const AxisPosition& rest);
-    // An axis that moves so, braking now, would stop beyond the small way and moves farther out. The way back
-    // is no such motion, nor does an axis at its end keep the other from moving.
+    // True if an axis moves outwards and would stop beyond the small way if it braked now. The way back is not
+    // affected. An axis at its end does not keep the other axis from moving.
     [[nodiscard]] bool exceeded(const AxisRates& rates, const AxisPosition& rest) const;
 
 private:
     std::optional<AxisPosition> m_origin;
 };
 
-// Where an axis that moves so stops when it brakes now, by its own limits.
+// Where an axis with this set-point stops if it brakes now, within its limits.
 [[nodiscard]] Angle restingPlace(const tracking::Setpoint& now, const tracking::MotionLimits& limits);
 
 }  // namespace boresight

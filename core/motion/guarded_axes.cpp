@@ -15,14 +15,14 @@ namespace {
 using pointing::AxisBox;
 using tracking::AxisProfile;
 
-// How far beyond an edge to look for the region that it belongs to.
+// The region that an edge belongs to is looked up this far beyond the edge.
 constexpr Angle kBeyondEdge = Angle::fromDegrees(0.1);
 
-// A rotator that runs by itself is never just where its set-points are.
+// A rotator that moves by itself is never exactly at its set-points.
 constexpr Angle kNearly = Angle::fromDegrees(0.5);
 constexpr Seconds kStands{3.0};
-constexpr Seconds kLeftBehind{8.0};  // its driver reports an axis that does not go before that
-// It need not run after its set-points so far when nothing is wanted any more.
+constexpr Seconds kLeftBehind{8.0};  // its driver reports a blocked axis earlier
+// When no motion is wanted any more, the rotator must not follow its set-points over more than this.
 constexpr Angle kRunsAfter = Angle::fromDegrees(3.0);
 
 AxisProfile profileOf(const profile::AxisSettings& axis, const TravelRange& travel)
@@ -43,8 +43,8 @@ void obey(AxisProfile& axis, Seconds duration, const AxisWish& wish)
     }
 }
 
-// An axis that goes in steps rounds a set-point to the next of them, which must not be beyond the end of the range. A
-// range without any step stays as it is.
+// An axis that moves in steps rounds a set-point to the nearest step, which must not be beyond the end of the range. A
+// range without a step stays as it is.
 TravelRange onSteps(const TravelRange& range, Angle step)
 {
     if (step <= Angle{}) {
@@ -55,7 +55,7 @@ TravelRange onSteps(const TravelRange& range, Angle step)
     return inner.min <= inner.max ? inner : range;
 }
 
-// All that an axis passes from where it was before a step until it would rest after it.
+// The range that an axis passes from its position before a step until it stands still after the step.
 TravelRange passed(Angle before, const AxisProfile& axis)
 {
     const TravelRange rest = axis.untilRest();
@@ -79,7 +79,7 @@ int wayOf(const AxisWish& wish, Angle place)
     return way > least ? 1 : way < -least ? -1 : 0;
 }
 
-// Which way the axis wants to go and can not, for the end of the room it has.
+// The direction in which the axis wants to move but can not, because its room ends there.
 int heldWay(const AxisWish& wish, Angle place, const TravelRange& room)
 {
     const int way = wayOf(wish, place);
@@ -160,14 +160,14 @@ void GuardedAxes::watch(Seconds duration)
             continue;
         }
         const AxisCapabilities& can = *m_capabilities.axes[index(axis)];
-        if (abs(*sight.place - sight.stood) > std::max(can.step, 0.5 * can.miss)) {  // less is noise
+        if (abs(*sight.place - sight.stood) > std::max(can.step, 0.5 * can.miss)) {  // smaller changes are noise
             sight.stood = *sight.place;
             sight.time = Seconds(0.0);
         }
     }
 }
 
-// One that moves is nearly at its set-point. One that stands may have missed it, and comes no nearer.
+// A moving axis is nearly at its set-point. A standing axis may have missed it, and comes no nearer.
 bool GuardedAxes::lags(Axis axis) const
 {
     const Sight& sight = m_sights[index(axis)];
@@ -179,7 +179,7 @@ bool GuardedAxes::lags(Axis axis) const
     return abs(*sight.place - setpoint(axis).position) > most;
 }
 
-// And all that a rotator passes that lags behind.
+// Adds the range that a lagging rotator still has to pass.
 AxisBox GuardedAxes::fromSeen(AxisBox box) const
 {
     for (const Axis axis : kAxes) {
@@ -189,8 +189,8 @@ AxisBox GuardedAxes::fromSeen(AxisBox box) const
     return box;
 }
 
-// The set-points rest where nothing is wanted any more, and a slow rotator is still on its way there. It settles once:
-// what wind pushes away later, its driver sends back.
+// True if no motion is wanted any more and the set-points stand still, but a slow rotator is still on its way there.
+// This ends once the rotator has arrived. If wind pushes it away later, its driver sends it back.
 bool GuardedAxes::runsAfter(const AxisWish& azimuth, const AxisWish& elevation)
 {
     const auto isNothing = [](const AxisWish& wish) { return !wish.target && wish.rate == AngularRate{}; };
@@ -230,8 +230,8 @@ void GuardedAxes::stepGuarded(Seconds duration, const AxisWish& azimuth, const A
     } else if (isFree) {
         stepInside(duration, azimuth, elevation);
     } else if (m_swept || m_region.permits(place())) {
-        // An edge was moved into the way, limits of motion were lowered, or the rotator lags behind: what was left to
-        // pass holds.
+        // An edge was moved into the way, limits of motion were lowered, or the rotator lags behind. The axes brake
+        // within the room that was permitted before.
         m_held = {wayOf(azimuth, place().azimuth), wayOf(elevation, place().elevation)};
         brake(duration, m_swept.value_or(m_travel), azimuth, elevation);
     } else {
@@ -251,8 +251,9 @@ void GuardedAxes::stepFree(Seconds duration, const AxisWish& azimuth, const Axis
               heldWay(elevation, place().elevation, m_travel.elevation)};
 }
 
-// First the azimuth moves in what is free for all elevations until rest, then the elevation in what is free for all
-// azimuths until the azimuth's new rest. Both on trial: what they would pass has to be permitted as a whole.
+// First the azimuth moves in the room that is free for all elevations until the elevation stops. Then the elevation
+// moves in the room that is free for all azimuths until the azimuth stops. Both moves are a trial: the whole range that
+// they would pass must be permitted.
 void GuardedAxes::stepInside(Seconds duration, const AxisWish& azimuth, const AxisWish& elevation)
 {
     const AxisPosition before = place();
@@ -280,8 +281,8 @@ void GuardedAxes::stepInside(Seconds duration, const AxisWish& azimuth, const Ax
     m_held = {heldWay(azimuth, place().azimuth, azimuths), heldWay(elevation, place().elevation, elevations)};
 }
 
-// Each axis moves only from where it would stop towards the nearest permitted place; one that is on its way to
-// anywhere else brakes first.
+// Each axis moves only from its stopping position towards the nearest permitted place. An axis that moves in another
+// direction brakes first.
 void GuardedAxes::stepOut(Seconds duration, const AxisWish& azimuth, const AxisWish& elevation)
 {
     m_leaves = true;
@@ -330,7 +331,7 @@ Seconds GuardedAxes::restTime(const AxisPosition& target) const
 QString GuardedAxes::obstacle() const
 {
     const AxisPosition here = place();
-    // It may still have to pass there.
+    // The rotator may still have to pass there.
     const AxisPosition seen{.azimuth = m_sights[0].place.value_or(here.azimuth),
                             .elevation = m_sights[1].place.value_or(here.elevation)};
     const Angle azimuth = m_held[0] * kBeyondEdge;

@@ -12,21 +12,25 @@
 #include <array>
 #include <optional>
 
-// The set-points of both axes, kept inside the permitted region whatever is asked of them and by whom: below every
-// source of motion this is what holds. In each step an axis gets as much room as is free while the other one is
-// anywhere between where it is and where it would stop, so both can always still brake, and along an edge they
-// slide. An axis that the rotator does not have stays at 0. Travel and limits of an axis that goes in steps end at the
-// last step inside. The way from where such a rotator is seen to the set-points is as free as theirs, in
-// whatever order its axes go: one that is slower than the profile says makes the set-points wait. From a forbidden
-// place (an edited mask, a mount that was pushed) they only move out. Pure, one thread; README.md.
+// The set-points of both axes, kept inside the permitted region whatever is asked and by whom. This is the last guard,
+// below every source of motion.
+// In each step an axis gets the room that is free while the other axis is anywhere between its present and its stopping
+// position. So both axes can always still brake, and they slide along an edge. An axis that the rotator does not have
+// stays at 0.
+// For an axis that moves in steps, travel and limits end at the last step inside. The way from the position of such a
+// rotator to the set-points must be free, too, in whatever order its axes move. If the rotator is slower than the
+// profile says, the set-points wait.
+// From a forbidden position (an edited mask, a mount that was pushed) the set-points only move out. Pure, one thread.
+// See README.md.
 namespace boresight {
 
-// Nearer to an end of the travel, or to another edge, than this an axis stands at it. A target this near is reached.
+// An axis that is nearer than this to an end of the travel or to another edge is at that edge. A target this near
+// counts as reached.
 inline constexpr Angle kAtEdge = Angle::fromDegrees(0.05);
 
-// What one axis is asked: to go to a target that moves at `rate`, or without a target to run at `rate`. Zero: brake,
-// with `braking` where the limits of the axis are not enough. With `arrival` it goes to a target that stands, and
-// arrives no sooner than after this time.
+// The wish for one axis: to go to a target that moves at `rate`, or without a target to move at `rate`. Rate zero means
+// brake, with `braking` if the limits of the axis are not enough. With `arrival` the axis goes to a standing target and
+// arrives no earlier than after this time.
 struct AxisWish
 {
     std::optional<Angle> target{};
@@ -42,40 +46,40 @@ public:
 
     // Takes over an axis that stands still at a measured angle.
     void start(Axis axis, Angle measured);
-    // Where the rotator is now.
+    // The present position of the rotator.
     void setSeen(const std::optional<AxisPosition>& place);
     void step(Seconds duration, const AxisWish& azimuth, const AxisWish& elevation);
 
-    // From the next step on. New limits of motion take their time (AxisProfile).
+    // Valid from the next step on. New limits of motion are reached gradually (AxisProfile).
     void setRegion(const pointing::Region& region, const pointing::PointingModel& pointing);
     void setLimits(Axis axis, const tracking::MotionLimits& limits);
-    // While nobody knows on which turn an axis stands, nobody knows what is forbidden: only the travel counts.
+    // While the wrap of an axis is unknown, the forbidden places are unknown, too, so only the travel counts.
     void enforce(bool enforced);
 
     [[nodiscard]] const pointing::PermittedRegion& region() const { return m_region; }
-    // Of the profile, between the last steps that the rotator reaches there.
+    // The travel of the profile, ending at the last steps that the rotator can reach inside.
     [[nodiscard]] const pointing::AxisBox& travel() const { return m_travel; }
     [[nodiscard]] bool enforced() const { return m_enforced; }
     [[nodiscard]] const tracking::Setpoint& setpoint(Axis axis) const;
     [[nodiscard]] AxisPosition place() const;
     [[nodiscard]] bool atRest() const;
-    // The rotator is on a way to the set-points that is permitted no more, since an edge was moved into it, or it was
-    // left behind there. Or nothing is wanted any more, and it is far behind.
+    // True in three cases. The way of the rotator to the set-points is not permitted any more, because an edge was
+    // moved into it. The rotator was left behind there. Or no motion is wanted any more and the rotator is far behind.
     [[nodiscard]] bool stray() const { return m_stray; }
-    // How long it takes at least until both axes rest there, if nothing is in the way.
+    // The shortest time until both axes stand still at `target`, if nothing is in the way.
     [[nodiscard]] Seconds restTime(const AxisPosition& target) const;
-    // The axis was asked to go on, but stands at, or brakes for, an edge of what is permitted.
+    // The axis was asked to go on, but is at an edge of the permitted region, or brakes for it.
     [[nodiscard]] bool held(Axis axis) const { return m_held[axis == Axis::Azimuth ? 0 : 1] != 0; }
-    // What holds it: `the keep-out "mast"`. Empty if nothing does.
+    // What holds the axes: `the keep-out "mast"`. Empty if nothing does.
     [[nodiscard]] QString obstacle() const;
 
 private:
-    // Of one axis of the rotator.
+    // The observed position of one axis of the rotator.
     struct Sight
     {
         std::optional<Angle> place;
-        Angle stood{};      // near there
-        Seconds time{0.0};  // for so long
+        Angle stood{};      // the axis has been near this angle
+        Seconds time{0.0};  // for this time
     };
 
     [[nodiscard]] TravelRange travelOf(Axis axis, const profile::Profile& profile) const;
@@ -99,11 +103,11 @@ private:
     tracking::AxisProfile m_elevation;
     std::array<Sight, 2> m_sights;
     bool m_enforced = true;
-    bool m_leaves = false;  // a forbidden place
+    bool m_leaves = false;  // on its way out of a forbidden place
     bool m_stray = false;
-    bool m_settles = false;                    // something was wanted, and the rotator is not there yet
-    std::optional<pointing::AxisBox> m_swept;  // permitted, and all that was left to pass after the last step
-    std::array<int, 2> m_held{};               // which way each axis wants to go and may not: -1, 0, 1
+    bool m_settles = false;                    // a motion was wanted, and the rotator has not arrived yet
+    std::optional<pointing::AxisBox> m_swept;  // permitted: all that was left to pass after the last step
+    std::array<int, 2> m_held{};               // the direction in which each axis wants to move but may not: -1, 0, 1
 };
 
 }  // namespace boresight

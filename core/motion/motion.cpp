@@ -13,12 +13,11 @@ namespace {
 
 using pointing::AxisBox;
 
-// A way is not planned again more often than this, nor for a target that has hardly moved.
+// A way is planned again no more often than this, and not for a target that has hardly moved.
 constexpr std::chrono::milliseconds kPlanPause{250};
 constexpr Angle kSameEnd = Angle::fromDegrees(0.5);
 
-// Behind a keep-out both of its sides can be equally near: the other one must be better by this much to be worth the
-// way.
+// Behind a keep-out both of its sides can be equally near. The other side is used only if it is nearer by this much.
 constexpr Angle kSidePreference = Angle::fromDegrees(1.0);
 
 Angle distance(const AxisPosition& a, const AxisPosition& b)
@@ -175,7 +174,8 @@ void Motion::advance(SteadyTime now, Seconds step)
     }
 }
 
-// Behind a keep-out the nearest place leaps from one side to the other; it stays on one until that is clearly farther.
+// Behind a keep-out the nearest permitted place can jump from one side to the other. It stays on one side until the
+// other side is clearly nearer.
 std::optional<tracking::MovingTarget> Motion::permitted(const tracking::MovingTarget& target)
 {
     if (!m_axes.enforced() || region().permits(target.position)) {
@@ -227,8 +227,8 @@ void Motion::stepTo(const tracking::MovingTarget& goal, Seconds step)
                 {.target = goal.position.elevation, .rate = goal.rates.elevation, .arrival = arrival});
 }
 
-// The old way holds as long as its end does and its next leg is free; in between, what guards the axes has the last
-// word.
+// The old way stays while its end stays and its next leg is free. Between two plans GuardedAxes ensures that nothing
+// forbidden is entered.
 void Motion::planTo(const AxisPosition& end, SteadyTime now)
 {
     const bool holds = m_way.end && same(*m_way.end, end) && !m_way.legs.empty() &&

@@ -16,12 +16,11 @@
 #include <variant>
 #include <vector>
 
-// Both axes on their way: keeps what is wanted (rest, a place, a stream of places, a rate) and makes the next set-point
-// of each axis from it, within speed, acceleration, jerk, travel and the permitted region. A target that can not be
-// reached directly is reached by a route around what is forbidden; for one that is forbidden itself the nearest
-// permitted place is driven. An axis is never asked for more speed than the rotator has, and one that the rotator does
-// not have stays at 0. Knows nothing of drives, clients or states. Pure: time is passed in. Angles are
-// mechanical.
+// The motion of both axes: keeps what is wanted (rest, a place, a stream of places, a rate) and makes the next
+// set-point of each axis from it, within speed, acceleration, jerk, travel and the permitted region. A target that can
+// not be reached directly is reached by a route around the forbidden places. For a forbidden target the axes go to the
+// nearest permitted place. An axis never gets a higher speed than the rotator has, and an axis that the rotator does
+// not have stays at 0. Knows nothing of drives, clients or states. Pure: time is passed in. Angles are mechanical.
 namespace boresight {
 
 class Motion
@@ -29,65 +28,66 @@ class Motion
 public:
     explicit Motion(const profile::Profile& profile, const Capabilities& capabilities = {});
 
-    // Takes over an axis that stands still at a measured angle. What is wanted stays.
+    // Takes over an axis that stands still at a measured angle. The target stays.
     void start(Axis axis, Angle measured);
 
     void rest();  // decelerate, then stay
     void goTo(const AxisPosition& place);
     void follow(const AxisPosition& point, SteadyTime now);  // one point of a stream
-    void confirmStream(SteadyTime now);                      // its client has read the position
+    void confirmStream(SteadyTime now);                      // the client of the stream has read the position
     void settleStream();                                     // no more points: stop at the last one
-    void keepOn(SteadyTime now);                             // a stream goes on straight, without more points
-    // What is followed is here now, and goes on like this until the next call.
+    void keepOn(SteadyTime now);                             // the stream goes on straight without more points
+    // The target is at `place` now and moves at `rates` until the next call.
     void lead(const AxisPosition& place, const AxisRates& rates, SteadyTime now);
     void run(const AxisRates& rates);
-    void setTrim(const AxisPosition& trim);  // is added to the points of streams
+    void setTrim(const AxisPosition& trim);  // added to the points of streams
     [[nodiscard]] const AxisPosition& trim() const { return m_trim; }
 
     // Settings of the profile that apply at once, also in the middle of a motion.
     void setRegion(const pointing::Region& region, const pointing::PointingModel& pointing);
     void setLimits(Axis axis, const tracking::MotionLimits& limits);
-    // Those of the profile, as far as the rotator can go along.
+    // The limits of the profile, reduced to what the rotator can do.
     [[nodiscard]] const tracking::MotionLimits& limits(Axis axis) const { return m_limits[index(axis)]; }
-    // On the way to a place that stands, from where no keep-out is in between: both axes arrive at the same time.
+    // For the last leg to a place that stands still: whether both axes arrive at the same time.
     void setArrival(profile::Arrival arrival) { m_arrival = arrival; }
-    // While nobody knows on which turn an axis stands, nobody knows what is forbidden: only the travel counts.
+    // While the wrap of an axis is unknown, the forbidden places are unknown, too, so only the travel counts.
     void enforceRegion(bool enforced) { m_axes.enforce(enforced); }
-    // Where the rotator is now, if that is known.
+    // The present position of the rotator, if it is known.
     void setSeen(const std::optional<AxisPosition>& place) { m_axes.setSeen(place); }
 
-    // Braking is as hard as that of a drive that is left alone, still with bounded jerk; otherwise within the limits.
+    // With `hard` the axes brake as hard as a drive that gets no commands, still with limited jerk. Otherwise within
+    // the limits.
     void setHardBraking(bool hard) { m_hardBraking = hard; }
-    // One step of braking; what is wanted stays, for when both axes can move again.
+    // One step of braking. The target is kept until both axes can move again.
     void brake(Seconds step);
-    // Moves the set-points on to `now`, `step` after the previous call.
+    // Moves the set-points on to `now`, which is `step` after the previous call.
     void advance(SteadyTime now, Seconds step);
 
     [[nodiscard]] const tracking::Setpoint& setpoint(Axis axis) const { return m_axes.setpoint(axis); }
     [[nodiscard]] AxisPosition place() const { return m_axes.place(); }      // of the set-points
     [[nodiscard]] std::optional<AxisPosition> target(SteadyTime now) const;  // empty while resting or running
     [[nodiscard]] bool streaming(SteadyTime now) const;                      // the points look like a path in the sky
-    [[nodiscard]] std::optional<tracking::MovingTarget> path(SteadyTime now) const;  // then this is where it is
+    [[nodiscard]] std::optional<tracking::MovingTarget> path(SteadyTime now) const;  // the position on that path
     [[nodiscard]] bool atRest() const { return m_axes.atRest(); }                    // both set-points stand still
 
     [[nodiscard]] const pointing::PermittedRegion& region() const { return m_axes.region(); }
-    // Of the profile, between the last steps that the rotator reaches there.
+    // The travel of the profile, ending at the last steps that the rotator can reach inside.
     [[nodiscard]] const TravelRange& travel(Axis axis) const
     {
         return axis == Axis::Azimuth ? m_axes.travel().azimuth : m_axes.travel().elevation;
     }
-    // The way from one place to another; an error with the reason when there is none.
+    // The way from one place to another, or an error with the reason if there is none.
     [[nodiscard]] Result<std::vector<AxisPosition>> route(const AxisPosition& from, const AxisPosition& to) const;
-    // What is still to be gone of a route around what is forbidden, its end included; empty on a direct way.
+    // The remaining part of a route around forbidden places, with its end. Empty on a direct way.
     [[nodiscard]] const std::vector<AxisPosition>& route() const { return m_way.legs; }
-    // The target is forbidden: not it is driven but the nearest permitted place.
+    // The target is forbidden, so the axes go to the nearest permitted place.
     [[nodiscard]] bool limited() const { return m_limited.has_value(); }
-    [[nodiscard]] bool limited(Axis axis) const;  // this axis is elsewhere because of it
-    // Why the target can not be reached and the axes brake; empty while they can.
+    [[nodiscard]] bool limited(Axis axis) const;  // this axis is not at its target because of that
+    // Why the target can not be reached, so that the axes brake. Empty while it can be reached.
     [[nodiscard]] const QString& noWay() const { return m_way.obstacle; }
-    // The rotator is on a way that is permitted no more: it has to stop, and to begin anew where it stands.
+    // The way of the rotator is not permitted any more. The rotator must stop and start again from where it is.
     [[nodiscard]] bool stray() const { return m_axes.stray(); }
-    // The axis stands at, or brakes for, an edge that what is wanted lies beyond.
+    // The axis is at an edge, or brakes for it, and the target is beyond that edge.
     [[nodiscard]] bool held(Axis axis) const { return m_axes.held(axis); }
     // What holds an axis or forbids the target: `the keep-out "mast"`. Empty if nothing does.
     [[nodiscard]] QString obstacle() const;
@@ -102,11 +102,11 @@ private:
     };
     using Wanted = std::variant<Resting, AxisPosition, tracking::TargetStream, Straight, AxisRates>;
 
-    // How the target is reached, as planned last.
+    // The last planned way to the target.
     struct Way
     {
         std::vector<AxisPosition> legs;
-        QString obstacle;  // why there is none
+        QString obstacle;  // why there is no way
         std::optional<AxisPosition> end;
         SteadyTime planned{};
     };
@@ -130,7 +130,7 @@ private:
     struct Limited
     {
         AxisPosition target;   // forbidden
-        AxisPosition nearest;  // driven in its place
+        AxisPosition nearest;  // the target that is used instead
     };
     std::optional<Limited> m_limited;
 };

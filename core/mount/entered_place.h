@@ -4,7 +4,7 @@
 #include "core/base/clock.h"
 #include "core/units/sky.h"
 
-// Where the mount stood when somebody looked at it, entered on the command line. Mechanical angles. Plain value.
+// Where the mount was when somebody looked at it, as entered on the command line. Mechanical angles. Plain value.
 namespace boresight {
 
 struct EnteredPlace

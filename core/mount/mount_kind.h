@@ -12,20 +12,21 @@
 #include <functional>
 #include <optional>
 
-// One kind of rotator, as the wiring lists them.
+// One kind of rotator, as the list of mount kinds has it.
 namespace boresight {
 
 struct MountStart
 {
-    QString stateDir;  // of what the mount keeps for the next start
+    QString stateDir;  // folder of the files that the mount stores for the next start
     Simulation simulation = Simulation::Off;
-    // Where the mount stood when the operator looked, for drives that do not know it. Counts once, for ten minutes.
+    // Where the mount was when the operator looked, for drives that do not know it. Used once, and only for ten
+    // minutes.
     std::optional<EnteredPlace> standingAt{};
-    AxisSet axes = kAxes;  // that this mount turns
+    AxisSet axes = kAxes;  // the axes that this mount turns
 };
 
-// Makes the mounts of this kind for one program, one after the other. What is simulated stays the same: after a
-// reconnect it stands where it stood. Main thread only.
+// Makes the mounts of this kind for one program, one after the other. A simulated mount stays the same: after a
+// reconnect it is where it was. Main thread only.
 using MountKind = std::function<MountMaker(const profile::Profile& profile, const MountStart& start)>;
 
 }  // namespace boresight

@@ -10,34 +10,34 @@
 #include <optional>
 #include <vector>
 
-// What crosses the port of the mount: how an axis is, what went wrong, and what the control alone knows. Plain values.
-// Angles are mechanical (unwrapped).
+// The values of the port of the mount: the state of an axis, faults, and facts that only the control knows. Plain
+// values. Angles are mechanical (unwrapped).
 namespace boresight {
 
 // What moves or holds an axis now.
 enum class AxisHand
 {
-    Off,          // nothing does: it gives way
+    Off,          // nothing holds it: it gives way
     On,           // it is switched on, but follows no set-points
-    Unordered,    // orders that are not ours
-    TimedOut,     // what its own watchdog made of our last order, and that does not hold it
-    HoldsItself,  // what its own watchdog made of our last order, and that holds it
-    Held,         // our order to hold: it waits for the next motion
-    Follows       // our set-points
+    Unordered,    // it carries out commands that are not ours
+    TimedOut,     // its own watchdog ended our last command, and it is not held
+    HoldsItself,  // its own watchdog ended our last command, and it is held
+    Held,         // our command holds it until the next motion
+    Follows       // it follows our set-points
 };
 
 struct AxisReport
 {
     AxisHand hand = AxisHand::Off;
-    bool answers = false;        // within the driver's own time; as of the last tick
-    bool seen = false;           // what it does is reported; few lost replies in a row count as seen
-    bool latched = false;        // a fault or time-out: it takes no orders before a re-arm
+    bool answers = false;        // within the time of the driver, as of the last tick
+    bool seen = false;           // its movement is reported; a few lost replies in a row are permitted
+    bool latched = false;        // a fault or time-out: it accepts no commands before a re-arm
     bool changesHands = false;   // being taken over, recovered, switched off or given its position
-    bool underOrders = false;    // it is not only listened to
-    bool wrapKnown = false;      // which turn of the cable it is on
-    bool wrapAsked = false;      // only the operator knows it
-    std::optional<Angle> place;  // the last that is believed, whatever its age
-    SteadyTime placed{};         // when that was measured
+    bool underOrders = false;    // it gets commands, not only queries
+    bool wrapKnown = false;      // it is known which cable wrap it is on
+    bool wrapAsked = false;      // the operator is asked for the wrap
+    std::optional<Angle> place;  // the last position that is believed, of any age
+    SteadyTime placed{};         // when `place` was measured
     std::optional<AngularRate> rate;
     std::optional<SteadyTime> heard;         // the last reply of any kind
     std::optional<double> voltage;           // V
@@ -48,7 +48,7 @@ struct AxisReport
     std::optional<double> motorTemperature;  // °C
 };
 
-// Of an axis that the mount does not have: it stands at 0, needs nothing and hinders nothing.
+// The report of an axis that the mount does not have: it stands at 0, needs nothing and hinders nothing.
 [[nodiscard]] inline AxisReport reportOfMissingAxis(bool follows, SteadyTime now)
 {
     return {.hand = follows ? AxisHand::Follows : AxisHand::HoldsItself,
@@ -61,17 +61,17 @@ struct AxisReport
             .heard = now};
 }
 
-// What the control knows and no driver sees.
+// Facts that the control knows and no driver sees.
 struct MountSituation
 {
-    bool wanted = false;        // something is asked of the mount, be it to hold
+    bool wanted = false;        // the mount has a task, which may be to hold
     bool settled = false;       // the set-points of both axes stand still
-    bool faultLatched = false;  // a re-arm is waited for
+    bool faultLatched = false;  // waits for a re-arm
     bool stopLatched = false;
-    bool closing = false;  // the program ends
+    bool closing = false;  // the program is ending
 };
 
-// An axis can not go on: the motion ends, and a re-arm is needed.
+// An axis can not continue: the motion ends, and a re-arm is needed.
 struct AxisTrouble
 {
     Axis axis = Axis::Azimuth;
@@ -79,10 +79,10 @@ struct AxisTrouble
     QString what;
 };
 
-// What the supervision of one tick has found.
+// The result of the supervision in one tick.
 struct MountFindings
 {
-    bool interrupted = false;  // the place of an axis is not known any more: what was wanted means nothing now
+    bool interrupted = false;  // the position of an axis became unknown, so the target means nothing any more
     std::vector<AxisTrouble> troubles;
 };
 

@@ -9,8 +9,8 @@
 
 #include <optional>
 
-// What an operator can do to a rotator itself, besides moving it. Not every kind has it. The control asks only while
-// the mount rests. Station thread only. Angles are mechanical.
+// The functions of a rotator besides moving. Not every kind has them. The control uses them only while the mount stands
+// still. Station thread only. Angles are mechanical.
 namespace boresight {
 
 class MountService
@@ -18,34 +18,36 @@ class MountService
 public:
     virtual ~MountService() = default;
 
-    // What is known of the drives themselves, for their own panels.
+    // Fills in the facts about the drives, for their own panels.
     virtual void describe(DrivesStatus& status) const = 0;
-    // Settings of the drives can be written now; else the reason.
+    // Success if settings of the drives can be written now, otherwise the reason.
     [[nodiscard]] virtual Result<> mayBeWritten() const = 0;
-    // The gains of this axis can be read and changed while it stands; else the reason.
+    // Success if the gains of this axis can be read and changed while it stands still, otherwise the reason.
     [[nodiscard]] virtual Result<> mayBeTuned(Axis axis) const = 0;
-    // Lets its axes go, or one of them, which must be on. Returns what the log says of it.
+    // maySwitchOff(): success if the axis is on, otherwise the reason. switchOff() switches one axis or all off, so
+    // that nothing holds them, and returns the text for the log.
     [[nodiscard]] virtual Result<> maySwitchOff(Axis axis) const = 0;
     [[nodiscard]] virtual QString switchOff(std::optional<Axis> only) = 0;
 
-    // Leaves the bus to other tools, and takes it back. The first returns what the log says of it.
+    // leaveBus() releases the bus to other tools and returns the text for the log. takeBus() takes the bus back.
     [[nodiscard]] virtual QString leaveBus() = 0;
     [[nodiscard]] virtual Result<> mayTakeBus() const = 0;
     virtual Result<> takeBus() = 0;
 
-    // The operator is asked which wrap the axis is on, and an answer can be taken now; else the reason.
+    // Success if the operator is asked for the wrap of the axis and an answer can be used now, otherwise the reason.
     [[nodiscard]] virtual Result<> mayChooseWrap(Axis axis) const = 0;
-    // The operator has looked: the axis stands at about `angle`. `source` is named in the log.
+    // The operator has looked: the axis is near `angle`. `source` is named in the log.
     [[nodiscard]] virtual Result<> chooseWrap(Axis axis, Angle angle, const QString& source) = 0;
 
-    // The crash-stop proof: runs each axis up, stops feeding it, and measures how it stops.
+    // One step of the crash-stop test, which moves each axis, stops its commands and measures how it stops.
     struct ProofStep
     {
-        std::optional<AxisRates> run;  // move the mount so
-        bool rest = false;             // stop
+        std::optional<AxisRates> run;  // move the mount at these rates
+        bool rest = false;             // stop the mount
         bool ended = false;
     };
-    // Refused with the reason. The axes may move within these ranges. Then beginProof() begins it.
+    // Checks and prepares the test. The axes may move within these ranges. Refused with the reason. beginProof() starts
+    // it.
     [[nodiscard]] virtual Result<> mayProve(AngularRate rate, const TravelRange& azimuths,
                                             const TravelRange& elevations) = 0;
     virtual void beginProof() = 0;

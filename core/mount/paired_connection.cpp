@@ -10,7 +10,7 @@ PairedConnection::PairedConnection(std::unique_ptr<MountConnection> azimuth, std
       m_elevation(std::move(elevation)),
       m_mount(m_azimuth->driver(), m_elevation->driver())
 {
-    m_azimuth->setParent(this);  // so that they move to the station thread with us
+    m_azimuth->setParent(this);  // so that they move to the station thread together with this object
     m_elevation->setParent(this);
 }
 

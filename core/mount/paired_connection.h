@@ -15,7 +15,7 @@ class PairedConnection final : public MountConnection
     Q_OBJECT
 
 public:
-    // Neither has an axis that is the other's.
+    // Neither of them may have the axis of the other.
     PairedConnection(std::unique_ptr<MountConnection> azimuth, std::unique_ptr<MountConnection> elevation);
     ~PairedConnection() override;
 
@@ -30,7 +30,7 @@ public:
     [[nodiscard]] Result<> carryOut(const Request& request) override;
     void profileChanged(const profile::Profile& before, const profile::Profile& after) override;
     void setCourse(const std::optional<SensorCourse>& course) override;
-    // Of two lines one is shown: the one that is in trouble.
+    // Shows one of the two lines: the one with a problem.
     void describe(StationStatus& status) const override;
 
 private:

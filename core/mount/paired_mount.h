@@ -5,14 +5,14 @@
 
 #include <array>
 
-// Two drivers as one mount: the azimuth of the first and the elevation of the second, which may be of different kinds.
-// A trouble of one stops both, because the control sees one mount. Station thread only. Mechanical angles.
+// Two drivers as one mount: the azimuth of the first and the elevation of the second. They may be of different kinds. A
+// trouble of one stops both, because the control sees one mount. Station thread only. Mechanical angles.
 namespace boresight {
 
 class PairedMount final : public MountDriver
 {
 public:
-    // They outlive this. Neither moves an axis that is the other's.
+    // The drivers outlive this. Neither of them may have the axis of the other.
     PairedMount(MountDriver& azimuth, MountDriver& elevation) : m_drivers{&azimuth, &elevation} {}
 
     [[nodiscard]] Capabilities capabilities() const override;
@@ -23,7 +23,8 @@ public:
     [[nodiscard]] AxisReport report(Axis axis) const override { return of(axis).report(axis); }
     [[nodiscard]] Result<> available() const override;
     [[nodiscard]] const Result<>& fitness() const override;
-    // Of the one driver that has one, for its axis. Of two each would be meant for both axes, so such a pair has none.
+    // The service of the only driver that has one, for its axis. If both have one, the pair has none, because each
+    // service would act on both axes.
     [[nodiscard]] MountService* service() override;
     [[nodiscard]] const MountService* service() const override;
     void observe(SteadyTime now) override;

@@ -7,10 +7,10 @@
 
 namespace boresight {
 
-// How a sensor on the antenna has seen the azimuth go. Plain value.
+// How far a sensor on the antenna saw the azimuth turn. Plain value.
 struct SensorCourse
 {
-    std::uint64_t unbroken = 0;  // the same number: the sensor could be followed all the time in between
+    std::uint64_t unbroken = 0;  // two values with the same number: the sensor was tracked without a gap in between
     Angle azimuth;               // of the beam, true; 370° is not 10°
 
     bool operator==(const SensorCourse&) const = default;

@@ -6,32 +6,33 @@
 
 #include <optional>
 
-// Whether a mount inside the program stands in place of the real one, and what turns it. A mode of the program, over
-// any profile: no profile and no file holds it. What is set and found in it goes to files of its own. Pure.
+// Whether a simulated mount replaces the real one, and which driver turns it. This is a mode of the program and works
+// with any profile. No profile and no file stores it. Settings and findings of the simulation go into separate files.
+// Pure.
 namespace boresight {
 
 struct Simulation
 {
     bool on = false;
-    // Turns every axis of the profile. Without one each axis has the driver that the profile names.
+    // The driver of every axis of the profile. Empty: each axis has the driver that the profile names.
     std::optional<profile::AxisDriver> driver{};
 
     static const Simulation Off;
-    static const Simulation Reference;  // as the profile names: the reference mount by default
+    static const Simulation Reference;  // the drivers of the profile; by default the reference mount
 
     bool operator==(const Simulation&) const = default;
 };
 inline constexpr Simulation Simulation::Off{};
 inline constexpr Simulation Simulation::Reference{.on = true};
 
-// What runs with this profile when `asked` was asked for. A profile that names no bus of a real mount has nothing else
-// than the simulated one.
+// The simulation that runs with this profile if `asked` was requested. A profile without the bus of a real mount always
+// gets the simulated one.
 [[nodiscard]] inline Simulation simulationOf(const Simulation& asked, const profile::Profile& profile)
 {
     return asked == Simulation::Off && profile::namesNoBus(profile) ? Simulation::Reference : asked;
 }
 
-// What turns this axis. An axis that the profile does not have is not simulated either.
+// The driver of this axis. An axis that the profile does not have is not simulated.
 [[nodiscard]] inline profile::AxisDriver driverOf(const Simulation& simulation, const profile::Profile& profile,
                                                   Axis axis)
 {
@@ -39,7 +40,7 @@ inline constexpr Simulation Simulation::Reference{.on = true};
     return named == profile::AxisDriver::None ? named : simulation.driver.value_or(named);
 }
 
-// Whether an orientation sensor is simulated with the mount.
+// True if an orientation sensor is simulated together with the mount.
 [[nodiscard]] inline bool hasSensor(const Simulation& simulation, const profile::Profile& profile)
 {
     const profile::AxisDriver azimuth = driverOf(simulation, profile, Axis::Azimuth);

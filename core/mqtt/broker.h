@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-// Which broker, and as whom. Plain values.
+// The broker to use, and the login for it. Plain values.
 namespace boresight::mqtt {
 
 enum class Encryption
@@ -19,11 +19,11 @@ struct Broker
 {
     QString host;
     std::uint16_t port = 1883;
-    QString user;  // empty: without
+    QString user;  // empty: no login
     QString password;
     Encryption encryption = Encryption::None;
-    QString caFile;    // PEM; empty: the authorities that this computer knows
-    QString clientId;  // empty: the broker makes one up
+    QString caFile;    // PEM file; empty: the authorities that this computer trusts
+    QString clientId;  // empty: the broker chooses one
 
     bool operator==(const Broker&) const = default;
 };
@@ -31,10 +31,10 @@ struct Broker
 enum class Retain
 {
     No,
-    Yes  // the broker keeps it for those who come later
+    Yes  // the broker keeps the message for later subscribers
 };
 
-// Bytes. No writer to the topics that we read has a reason for a larger message.
+// In bytes. No sender on the topics that we read needs a larger message.
 inline constexpr qint64 kLargestMessage = 64 * 1024;
 
 struct Message

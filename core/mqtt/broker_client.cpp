@@ -89,7 +89,8 @@ void BrokerClient::attempt()
     }
 }
 
-// What was read is kept while it does well; a corrected file is read again.
+// The context is kept while it works. After a failure the files are read again, because somebody may have corrected
+// them.
 Result<> BrokerClient::prepareTls()
 {
     if (m_broker.encryption != Encryption::Tls || m_tls) {
@@ -105,7 +106,8 @@ void BrokerClient::lookUp()
         m_addresses = {address};
         tryNextAddress();
     } else {
-        // By name: Qt loses the object that stands for a slot given by address when a lookup is aborted.
+        // The slot is passed by name: with a slot passed by address, Qt loses its helper object when a lookup is
+        // aborted.
         m_lookup = QHostInfo::lookupHost(m_broker.host, this, SLOT(takeLookup(QHostInfo)));
     }
 }
@@ -113,7 +115,7 @@ void BrokerClient::lookUp()
 void BrokerClient::takeLookup(const QHostInfo& found)
 {
     if (found.lookupId() != m_lookup) {
-        return;  // closed meanwhile
+        return;  // closed in the meantime
     }
     m_lookup = -1;
     m_addresses = found.addresses();
@@ -196,7 +198,7 @@ void BrokerClient::giveUp(const Ending& ending)
     Q_EMIT nextAttemptChanged();
 }
 
-// The session may be the one that is calling.
+// This may run inside a signal of the session, so the session is deleted later.
 void BrokerClient::dropAttempt()
 {
     if (m_lookup >= 0) {

@@ -15,11 +15,11 @@
 #include <memory>
 #include <optional>
 
-// An MQTT broker, as long as somebody wants it: connects, comes back by itself with growing delays, renews the
-// subscriptions, and reports in one line what is wrong. Messages go to the receivers of a signal. Lives in its owner's
-// event loop; nothing blocks: names are looked up by Qt's helpers, the rest is BrokerSession's.
+// The connection to an MQTT broker while its owner wants one. Connects, reconnects by itself with growing delays,
+// renews the subscriptions, and reports in one line what is wrong. Received messages are emitted as a signal. Lives in
+// the event loop of its owner. Never blocks: Qt looks names up in the background, and BrokerSession does the rest.
 //
-// What is published while there is no connection is lost: nobody wants to know later where the mount was.
+// Messages that are published without a connection are lost, because old positions of the mount are of no use.
 namespace boresight::mqtt {
 
 class BrokerSession;
@@ -29,18 +29,19 @@ class BrokerClient : public Connection
     Q_OBJECT
 
 public:
-    // A connection that lasted so long was a good one, and the delays begin again after it.
+    // A connection that lasted this long was good. The delays then start from the first one again.
     static constexpr std::chrono::seconds kStable{10};
     static constexpr std::chrono::milliseconds kServicePeriod{250};
-    // A subscription that is refused is asked for again: somebody may correct the access list of the broker.
+    // A refused subscription is repeated after this time, because somebody may have corrected the access list of the
+    // broker.
     static constexpr std::chrono::seconds kAskAgain{30};
 
     // `clock` outlives the client.
     explicit BrokerClient(const Clock& clock, QObject* parent = nullptr);
-    // Without close(): as if the program had died, so that the broker publishes the will.
+    // Without close() before, the connection ends as if the program had died, and the broker publishes the will.
     ~BrokerClient() override;
 
-    // From now on. With another broker or will than before the connection is made again.
+    // Wants a connection from now on. If the broker or the will differ from before, the connection is made again.
     void open(const Broker& broker, const std::optional<Message>& will = std::nullopt);
     void close();
 
@@ -52,14 +53,14 @@ public:
     [[nodiscard]] bool isConnected() const override { return m_connectedAt.has_value(); }
     [[nodiscard]] const QString& problem() const override { return m_problem; }
 
-    // Empty while there is a connection or an attempt at one.
+    // Empty during a connection or an attempt.
     [[nodiscard]] const std::optional<SteadyTime>& nextAttempt() const { return m_nextAttempt; }
 
-    // What the timer calls; tests with a hand-turned clock call it themselves.
+    // The timer calls this. Tests with a hand-turned clock call it themselves.
     void service();
 
 Q_SIGNALS:
-    // nextAttempt() is another.
+    // nextAttempt() has changed.
     void nextAttemptChanged();
 
 private Q_SLOTS:
@@ -69,7 +70,7 @@ private:
     struct Subscriptions
     {
         QStringList wanted;
-        QStringList refused;  // of them, by this connection
+        QStringList refused;  // the wanted ones that this connection refused
         SteadyTime askAgainAt{};
     };
 
@@ -93,10 +94,10 @@ private:
     QTimer m_timer;
     RetryDelay m_delay;
     std::optional<SteadyTime> m_nextAttempt;
-    int m_lookup = -1;                // Qt's number of it
-    QList<QHostAddress> m_addresses;  // of the attempt, still untried
+    int m_lookup = -1;                // the number that Qt gave to the lookup; -1: none
+    QList<QHostAddress> m_addresses;  // addresses of this attempt that were not tried yet
     std::shared_ptr<TlsContext> m_tls;
-    BrokerSession* m_session = nullptr;  // a child; replaced at each attempt
+    BrokerSession* m_session = nullptr;  // a child; a new one for each attempt
     std::optional<SteadyTime> m_connectedAt;
     QString m_problem;
 };

@@ -23,7 +23,7 @@ QString systemText(int error)
     return QString::fromStdString(std::generic_category().message(error));
 }
 
-// Only what is connected sends data, be it the greeting of TLS.
+// Only a connected socket has sent data, for instance the beginning of TLS.
 bool hasSent(int socket)
 {
     tcp_info info{};
@@ -31,7 +31,7 @@ bool hasSent(int socket)
     return getsockopt(socket, IPPROTO_TCP, TCP_INFO, &info, &size) == 0 && info.tcpi_data_segs_out > 0;
 }
 
-// Why a socket that was connecting is not connected now; empty if it is.
+// Why a socket is not connected after connecting has ended. Empty if it is connected.
 std::optional<Ending> failureToConnect(int socket)
 {
     sockaddr_storage peer{};
@@ -42,14 +42,14 @@ std::optional<Ending> failureToConnect(int socket)
     int error = 0;
     size = sizeof error;
     getsockopt(socket, SOL_SOCKET, SO_ERROR, &error, &size);
-    // An error is told once, and it can be that the first write of the TLS handshake was told.
+    // The system reports an error once, and the first write of the TLS handshake may have received it already.
     if (error == ECONNRESET || error == EPIPE || (error == 0 && hasSent(socket))) {
-        return Ending{.kind = EndKind::HungUp};  // it was connected
+        return Ending{.kind = EndKind::HungUp};  // it was connected before
     }
     return Ending{.kind = EndKind::ConnectionFailed, .detail = systemText(error != 0 ? error : ECONNREFUSED)};
 }
 
-// libmosquitto's global state, once in the program and to its end.
+// Global state of libmosquitto, initialised once and kept until the program ends.
 void initializeLibrary()
 {
     struct Library
@@ -88,7 +88,7 @@ struct BrokerSession::Callbacks
         }
     }
 
-    // MQTT 3.1.1, 3.9.3: below 0x80 it is the quality of service that is granted.
+    // MQTT 3.1.1, 3.9.3: values below 0x80 are the granted quality of service.
     static void subscribed(mosquitto* /*handle*/, void* session, int number, int count, const int* granted)
     {
         static_cast<BrokerSession*>(session)->m_told.granted.emplace_back(number, count == 1 && granted[0] < kRefused);
@@ -159,7 +159,7 @@ void BrokerSession::open(const QHostAddress& address)
     int result = MOSQ_ERR_NOMEM;
     errno = 0;
     if (prepare()) {
-        // An address, never a name: that would be looked up here and now.
+        // An address, never a name: libmosquitto would look a name up here and block.
         result = mosquitto_connect_async(m_handle.get(), address.toString().toUtf8().constData(), m_broker.port,
                                          static_cast<int>(kKeepAlive.count()));
     }
@@ -236,7 +236,7 @@ void BrokerSession::service()
     }
 }
 
-// The first time it says how connecting went, which libmosquitto does not look at.
+// The first call shows whether connecting succeeded, which libmosquitto does not check.
 void BrokerSession::socketWritable()
 {
     if (m_phase == Phase::Connecting) {
@@ -249,7 +249,7 @@ void BrokerSession::socketWritable()
     pump();
 }
 
-// Reading also carries the TLS handshake on; when that is done there is something to write.
+// Reading also continues the TLS handshake. After the handshake there is data to write.
 void BrokerSession::pump()
 {
     int result = MOSQ_ERR_SUCCESS;
@@ -264,7 +264,7 @@ void BrokerSession::pump()
 
 void BrokerSession::settle(int result)
 {
-    const Ending ending = endingOf(result);  // before anything else changes errno
+    const Ending ending = endingOf(result);  // saved before other calls change errno
     if (const auto answer = std::exchange(m_told.answer, std::nullopt)) {
         if (*answer != 0) {
             end({.kind = kindOfRefusal(*answer)});
@@ -275,7 +275,7 @@ void BrokerSession::settle(int result)
     }
     deliver();
     if (m_phase == Phase::Ended) {
-        return;  // by a receiver
+        return;  // a receiver closed the session
     }
     if (result != MOSQ_ERR_SUCCESS) {
         end(ending);
@@ -358,8 +358,7 @@ Ending BrokerSession::endingOf(int result) const
     return {.kind = EndKind::Lost, .detail = closed ? Text::tr("closed by the broker") : systemText(error)};
 }
 
-// Of an encrypted connection libmosquitto asks to write from the beginning of the handshake to its end, without having
-// anything to write.
+// On an encrypted connection libmosquitto asks to write during the whole handshake, although it has nothing to write.
 void BrokerSession::watch()
 {
     const bool isOpen = m_phase != Phase::Ended && mosquitto_socket(m_handle.get()) >= 0;

@@ -19,13 +19,13 @@
 
 struct mosquitto;  // libmosquitto's client
 
-// One connection to a broker, from the first packet to its end; for the next one a new BrokerSession is made.
-// MQTT 3.1.1, quality of service 0, clean. broker_session.cpp is the only user of libmosquitto. Lives in its owner's
-// event loop: no thread, nothing blocks.
+// One connection to a broker, from the first packet to its end. Each connection has its own BrokerSession. MQTT 3.1.1,
+// quality of service 0, clean session. broker_session.cpp is the only user of libmosquitto. Lives in the event loop of
+// its owner. No thread, never blocks.
 //
-// libmosquitto does not notice everything by itself: a refused encrypted connection, a broker that takes the connection
-// and is silent, one that hangs up in the middle of the TLS handshake. So the socket is watched here as well, and there
-// is a deadline.
+// libmosquitto does not detect these cases: an encrypted connection that is refused, a broker that accepts the
+// connection and is silent, and a broker that closes it during the TLS handshake. So this class watches the socket,
+// too, and has a deadline.
 namespace boresight::mqtt {
 
 class BrokerSession : public QObject
@@ -33,37 +33,37 @@ class BrokerSession : public QObject
     Q_OBJECT
 
 public:
-    // From the first packet to the broker's consent.
+    // The longest time from open() until the broker accepts the login.
     static constexpr std::chrono::seconds kPatience{10};
-    // A broker that is silent for so long is asked, and given up if it does not answer for as long again.
+    // After this time of silence the broker is asked for a sign of life. Without an answer in the same time again, it
+    // is given up.
     static constexpr std::chrono::seconds kKeepAlive{15};
 
-    // `tls` is empty without encryption; `will` is what the broker publishes when the connection ends without
-    // goodbye().
+    // `tls` is empty without encryption. The broker publishes `will` when the connection ends without goodbye().
     BrokerSession(const Broker& broker, std::shared_ptr<TlsContext> tls, const std::optional<Message>& will,
                   const Clock& clock, QObject* parent = nullptr);
-    // Without goodbye(): the broker then publishes the will.
+    // Without goodbye() before, the broker publishes the will.
     ~BrokerSession() override;
 
-    // ended() reports later that it did not work.
+    // Reports a failure later by ended().
     void open(const QHostAddress& address);
     void goodbye();
-    // Without ended() and any other signal from here on.
+    // Closes the connection. No signal is emitted after this, not even ended().
     void drop();
 
-    // While accepted; false if the broker is gone, which ended() reports too.
+    // For an accepted session. False if the connection is lost, which ended() also reports.
     bool publish(const Message& message);
     bool subscribe(const QString& filter);
     bool unsubscribe(const QString& filter);
 
-    // Deadlines and the keep-alive: to be called some times a second.
+    // Checks deadlines and the keep-alive. Call it a few times per second.
     void service();
 
 Q_SIGNALS:
     void accepted();
     void received(const QString& topic, const QByteArray& payload, boresight::mqtt::Retain retain);
     void subscriptionAnswered(const QString& filter, bool granted);
-    // A message of more than kLargestMessage came and is thrown away.
+    // A message of more than kLargestMessage bytes came and was dropped.
     void dropped(qint64 bytes);
     void ended(const boresight::mqtt::Ending& ending);
 
@@ -71,16 +71,17 @@ private:
     enum class Phase
     {
         Connecting,
-        Greeting,  // connected; TLS handshake, CONNECT, CONNACK
+        Greeting,  // connected: TLS handshake, CONNECT, CONNACK
         Accepted,
         Ended
     };
-    // What libmosquitto reported while it ran: acted upon when it has returned, for it must not be destroyed before.
+    // The reports of libmosquitto while it runs. They are handled after it has returned, because it must not be
+    // destroyed before.
     struct Told
     {
         std::optional<int> answer;
         std::vector<Message> inbox;
-        std::optional<qint64> dropped;  // the size of a message that was too large; with encryption
+        std::optional<qint64> dropped;  // with encryption: the size of a message that was too large
         std::vector<std::pair<int, bool>> granted;
         QString tlsError;
     };
@@ -108,11 +109,11 @@ private:
     std::unique_ptr<mosquitto, Destroy> m_handle;
     QSocketNotifier m_readable;
     QSocketNotifier m_writable;
-    Inlet m_inlet;  // without encryption
+    Inlet m_inlet;  // used without encryption
     Phase m_phase = Phase::Connecting;
     SteadyTime m_opened{};
     Told m_told;
-    std::map<int, QString> m_asked;  // filters that no answer has come to yet, by the number of their packet
+    std::map<int, QString> m_asked;  // filters without an answer yet, by the number of their packet
 };
 
 }  // namespace boresight::mqtt

@@ -45,7 +45,7 @@ void ClientWorker::close(int opening)
     m_client.close();
 }
 
-// What was not reported yet belongs to the connection of before.
+// Drops what was not reported yet, because it belongs to the connection before.
 void ClientWorker::begin(int opening)
 {
     m_next = {.opening = opening};

@@ -8,7 +8,7 @@
 
 #include <QObject>
 
-// The side of ThreadedClient that lives on the thread: a BrokerClient, and the report about it.
+// The part of ThreadedClient on the other thread: a BrokerClient, and the reports about it.
 namespace boresight::mqtt {
 
 class ClientWorker final : public QObject
@@ -21,7 +21,7 @@ public:
     void open(int opening, const Broker& broker, const std::optional<Message>& will);
     void close(int opening);
     [[nodiscard]] BrokerClient& client() { return m_client; }
-    // The last report has been taken.
+    // The owner has read the last report.
     void taken() { m_outlet.taken(); }
 
 Q_SIGNALS:

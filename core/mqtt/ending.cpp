@@ -19,7 +19,7 @@ QString loginText(const Broker& broker)
                      .arg(broker.user);
 }
 
-// Somebody is there, but not what we expect.
+// A server answered, but it is not what we expect.
 QString wrongPortText(const Broker& broker)
 {
     return broker.encryption == Encryption::Tls ? Text::tr("Is mqtt.port the TLS port of the broker?")

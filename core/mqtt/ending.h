@@ -5,38 +5,38 @@
 
 #include <QString>
 
-// Why there is no connection, or none any more, and the line about it for the operator: what, where, what to do. Pure.
+// Why there is no connection, and the line about it for the operator: what, where, what to do. Pure.
 namespace boresight::mqtt {
 
 enum class EndKind
 {
-    NameUnknown,       // of the host
-    ConnectionFailed,  // refused, no route: what the system says
-    NoAnswer,          // not even that
-    Silent,            // somebody took the connection and says nothing
-    HungUp,            // and closed it before saying anything
-    TlsRefused,        // no encryption that both accept
+    NameUnknown,       // the host name has no address
+    ConnectionFailed,  // refused or no route; the system knows the reason
+    NoAnswer,          // the host did not answer at all
+    Silent,            // the host accepted the connection and sends nothing
+    HungUp,            // the host closed the connection before sending anything
+    TlsRefused,        // no encryption that both sides accept
     CertificateWrong,
     ProtocolRefused,
     ClientIdRefused,
     NotServing,
     LoginRefused,
     Lost,      // it worked before
-    Ousted,    // the same, soon after it had begun
-    NoPulse,   // it worked before, and nothing arrived since
-    Nonsense,  // what comes is not MQTT
-    Local      // nothing to do with the broker: memory, a CA file that cannot be read
+    Ousted,    // it worked before, and was lost soon after it had begun
+    NoPulse,   // it worked before, but nothing arrives any more
+    Nonsense,  // the received data is not MQTT
+    Local      // a local reason: memory, a CA file that cannot be read
 };
 
 struct Ending
 {
     EndKind kind = EndKind::Lost;
-    QString detail;  // what the system or the library says; may be empty
+    QString detail;  // the text of the system or the library; may be empty
 
     bool operator==(const Ending&) const = default;
 };
 
-// The next address of the same host may be better.
+// True if another address of the same host may work.
 [[nodiscard]] bool isOfTheAddress(EndKind kind);
 
 [[nodiscard]] QString toText(const Broker& broker);  // "broker.example:1883"

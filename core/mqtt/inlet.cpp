@@ -16,17 +16,17 @@ namespace boresight::mqtt {
 namespace {
 
 constexpr std::size_t kLongestHeader = 5;
-constexpr unsigned kBitsOfLength = 7;  // in each byte; the eighth says that another one follows
+constexpr unsigned kBitsOfLength = 7;  // per byte; the eighth bit means that another byte follows
 
-// Poll shall say "readable" only from so many bytes on.
+// Makes poll() report "readable" only when this many bytes have arrived.
 void wakeAt(int socket, std::size_t bytes)
 {
     const int wanted = static_cast<int>(bytes);
     setsockopt(socket, SOL_SOCKET, SO_RCVLOWAT, &wanted, sizeof wanted);
 }
 
-// Bytes of the connection that were read from the socket: what has arrived, less what waits. Asked again if something
-// came between the two questions.
+// The number of bytes that were read from the socket: arrived bytes minus waiting bytes. Measured again if bytes
+// arrived between the two measurements.
 std::uint64_t consumed(int socket)
 {
     const auto arrived = [socket] {

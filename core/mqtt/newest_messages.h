@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-// The newest messages that wait for another thread: at most kMost, and together at most kLargestMessage bytes. Of more
-// than that the oldest are dropped. A sensor sends some ten messages a second, so only a flood comes that far. Pure.
+// The newest messages that wait for another thread: at most kMost, and together at most kLargestMessage bytes. Above
+// that the oldest are dropped. A sensor sends ten messages a second, so only a flood reaches this limit. Pure.
 namespace boresight::mqtt {
 
 class NewestMessages
@@ -25,7 +25,7 @@ public:
             m_messages.pop_front();
         }
     }
-    // Oldest first.
+    // The oldest comes first.
     [[nodiscard]] std::vector<Message> take()
     {
         m_bytes = 0;

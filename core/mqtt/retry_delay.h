@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <chrono>
 
-// How long to wait before a broker is tried again: 1, 2, 4, 8, 16, then 30 s each time. Pure.
+// The delay before the next attempt to reach a broker: 1, 2, 4, 8, 16, then 30 s each time. Pure.
 namespace boresight::mqtt {
 
 class RetryDelay

@@ -12,7 +12,7 @@
 namespace boresight::mqtt {
 namespace {
 
-// A ten thousandth of a degree: finer than any encoder here, and short to write.
+// Rounds to a ten thousandth of a degree: finer than any encoder here, and short to write.
 double shownDegrees(Angle angle)
 {
     constexpr double kSteps = 1e4;

@@ -11,19 +11,19 @@
 
 #include <optional>
 
-// Tells the broker where the mount is and what it does, in the sensor's style: one line of JSON on PREFIXstate, each
-// second and whenever it changes state. PREFIXavailability says "online" or, retained as the will, "offline". Station
+// Publishes the position and state of the mount in the format of the sensor: one line of JSON on PREFIXstate, each
+// second and whenever the state changes. PREFIXavailability is "online" or, retained as the will, "offline". Station
 // thread.
 namespace boresight::mqtt {
 
 class Connection;
 
-// Unknown is empty. Programs read the words, so they are in no language but the protocol's.
+// Unknown values are empty. Programs read the words, so they are not translated.
 struct PublishedState
 {
     UtcTime utc;
     QString state;  // "TRACK"
-    QString fault;  // what stopped the mount, for people; empty without
+    QString fault;  // what stopped the mount, for people; empty if nothing did
     bool stopLatched = false;
     bool limited = false;
     bool simulated = false;
@@ -45,15 +45,15 @@ class StatePublisher : public QObject
 public:
     static constexpr std::chrono::seconds kPeriod{1};
 
-    // The connection outlives the publisher. `prefix` with or without its last slash.
+    // The connection outlives the publisher. `prefix` may end with a slash or not.
     StatePublisher(Connection& client, const Clock& clock, const QString& prefix, QObject* parent = nullptr);
 
-    // What the broker has to know before it is connected to.
+    // The will that the broker must get before the connection is opened.
     [[nodiscard]] static Message will(const QString& prefix);
 
-    // To be called as often as the state may have changed; publishes when it is time.
+    // Call it whenever the state may have changed. Publishes at once after a change, otherwise once each kPeriod.
     void show(const PublishedState& state);
-    // A moment of the schedule, as one line of JSON on PREFIXschedule.
+    // Publishes an event of the schedule as one line of JSON on PREFIXschedule.
     void tell(const QByteArray& moment);
     void sayOffline();
 
@@ -64,7 +64,7 @@ private:
     Connection& m_client;
     const Clock& m_clock;
     QString m_prefix;
-    std::optional<SteadyTime> m_lastTime;  // published
+    std::optional<SteadyTime> m_lastTime;  // when m_last was published
     PublishedState m_last;
 };
 

@@ -44,7 +44,7 @@ void ThreadedClient::close()
     m_thread->post([worker = m_worker, opening = m_last.opening] { worker->close(opening); });
 }
 
-// Reports that are still on their way are about the connection before.
+// Reports that are still on their way belong to the connection before.
 void ThreadedClient::forget()
 {
     const bool hadProblem = !m_last.problem.isEmpty();
@@ -83,7 +83,7 @@ void ThreadedClient::take(const ClientReport& report)
     }
 }
 
-// A receiver may close the connection, or open another one.
+// A receiver may close the connection or open another one in between.
 void ThreadedClient::deliver(const ClientReport& report)
 {
     const auto isStill = [this, &report] { return m_last.opening == report.opening; };

@@ -12,23 +12,23 @@
 #include <optional>
 #include <vector>
 
-// A BrokerClient on a thread of its own, for an owner whose thread must not wait for a broker (station thread).
-// Whatever a broker sends, the owner gets at most NewestMessages::kMost messages each PacedOutlet::kPeriod, the newest
-// ones. What the owner asks for is queued to the thread and never waits. The thread begins with the first request.
+// A BrokerClient on a thread of its own, for an owner whose thread must not wait for a broker (station thread). However
+// much a broker sends, the owner gets at most NewestMessages::kMost messages in each PacedOutlet::kPeriod, the newest
+// ones. Requests of the owner are queued to the thread, so the owner never waits. The first request starts the thread.
 namespace boresight::mqtt {
 
 class ClientWorker;
 
-// How the connection does, and what came, since the last report.
+// The state of the connection, and the messages since the last report.
 struct ClientReport
 {
-    int opening = 0;      // of which open() or close() this is the consequence
-    int connections = 0;  // since then
+    int opening = 0;      // number of the open() or close() that this report belongs to
+    int connections = 0;  // number of connections since then
     bool connected = false;
     QString problem;
     std::optional<SteadyTime> nextAttempt;
-    std::optional<qint64> dropped;                  // bytes: the last message that was too large
-    std::vector<std::pair<QString, bool>> answers;  // to subscriptions: granted or refused
+    std::optional<qint64> dropped;                  // bytes: size of the last message that was too large
+    std::vector<std::pair<QString, bool>> answers;  // answers to subscriptions: granted or refused
     std::vector<Message> messages;
 };
 
@@ -39,10 +39,10 @@ class ThreadedClient final : public Connection
 public:
     // `clock` outlives the client and may be read by any thread.
     explicit ThreadedClient(const Clock& clock, QObject* parent = nullptr);
-    // What was asked for is done first, close() included. Without close() the broker sends the will.
+    // Carries out all queued requests first, close() included. Without close() the broker publishes the will.
     ~ThreadedClient() override;
 
-    // As BrokerClient. isConnected() is false until the thread reports the new connection.
+    // Like BrokerClient. isConnected() is false until the thread reports the new connection.
     void open(const Broker& broker, const std::optional<Message>& will = std::nullopt);
     void close();
 
@@ -50,7 +50,7 @@ public:
     void unsubscribe(const QString& filter) override;
     bool publish(const Message& message) override;
 
-    // As of the last report.
+    // The values of the last report.
     [[nodiscard]] const Broker& broker() const override { return m_broker; }
     [[nodiscard]] bool isConnected() const override { return m_last.connected; }
     [[nodiscard]] const QString& problem() const override { return m_last.problem; }

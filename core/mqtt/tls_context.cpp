@@ -16,9 +16,9 @@
 namespace boresight::mqtt {
 namespace {
 
-constexpr qint64 kLargestCaFile = 32 * 1024;  // bytes: some ten authorities, 3 ms to read
+constexpr qint64 kLargestCaFile = 32 * 1024;  // bytes: ten authorities, 3 ms to read
 
-// The first of what went wrong is the cause of the others.
+// The first error is the cause of the others.
 QString causeOfFailure()
 {
     std::array<char, 256> text{};
@@ -45,7 +45,7 @@ struct TlsContext::Callbacks
         return accepted;
     }
 
-    // libmosquitto has named the address in the greeting; a broker with several names needs to know which is meant.
+    // libmosquitto has put the address into the greeting. A broker with several names needs the name instead.
     static void watch(const SSL* ssl, int where, int /*value*/)
     {
         TlsContext& owner = ownerOf(ssl);
@@ -54,7 +54,7 @@ struct TlsContext::Callbacks
         }
         owner.m_certificateError = X509_V_OK;
         if (!owner.m_hostIsAddress) {
-            // SSL_set_tlsext_host_name(), whose macro casts in the old style.
+            // This is SSL_set_tlsext_host_name(), whose macro contains an old-style cast.
             SSL_ctrl(const_cast<SSL*>(ssl), SSL_CTRL_SET_TLSEXT_HOSTNAME, TLSEXT_NAMETYPE_host_name,
                      owner.m_host.data());
         }
@@ -91,8 +91,8 @@ Result<> TlsContext::prepare()
     return loadAuthorities();
 }
 
-// The computer's own authorities lie in a directory where OpenSSL looks up the one it needs. To read the list of all of
-// them takes 50 ms, two and a half ticks of the station.
+// The authorities of this computer are in a directory where OpenSSL looks up the one that it needs. Reading the list of
+// all of them would take 50 ms, two and a half ticks of the station.
 Result<> TlsContext::loadAuthorities()
 {
     if (m_caFile.isEmpty()) {

@@ -9,11 +9,11 @@
 
 struct ssl_ctx_st;  // OpenSSL's SSL_CTX
 
-// Whom we trust, and whom we expect, when the connection to a broker is encrypted. The only user of OpenSSL.
+// The trusted authorities and the expected host name of an encrypted connection to a broker. The only user of OpenSSL.
 //
-// libmosquitto could do that by itself, but then it must be given the broker's name, and resolves it, blocking, in the
-// thread that also feeds the drives. So it is given an address, and the name is checked here. Besides, OpenSSL knows
-// why a certificate is refused and libmosquitto does not report it.
+// libmosquitto could check both itself. But then it needs the name of the broker, and it looks the name up and blocks.
+// So it gets an address, and the name is checked here. OpenSSL also knows why a certificate is refused, which
+// libmosquitto does not report.
 namespace boresight::mqtt {
 
 class TlsContext
@@ -22,7 +22,8 @@ class TlsContext
     {};
 
 public:
-    // `caFile` empty: the authorities that this computer knows. Reads the file, which may hold a few authorities only.
+    // `caFile` empty: the authorities that this computer trusts. Reads the file, which may contain only a few
+    // authorities.
     [[nodiscard]] static Result<std::shared_ptr<TlsContext>> create(const QString& caFile, const QString& host);
     TlsContext(OnlyByCreate, const QString& caFile, const QString& host);
     ~TlsContext();
@@ -30,7 +31,7 @@ public:
     TlsContext& operator=(const TlsContext&) = delete;
 
     [[nodiscard]] ssl_ctx_st* get() const { return m_context; }
-    // Why the certificate of the last handshake was refused; empty if it was not.
+    // Why the certificate of the last handshake was refused. Empty if it was accepted.
     [[nodiscard]] QString refusal() const;
 
 private:

@@ -11,8 +11,8 @@
 #include <chrono>
 #include <optional>
 
-// A short page of a web server that is read again and again, on a thread of its own: a slow server delays nobody. One
-// question is asked at a time, and of its answer a few bytes are read. Station thread.
+// Reads a short page of a web server again and again, on a thread of its own, so that a slow server delays nobody.
+// Sends one request at a time, and reads at most kLongest + 1 bytes of the answer. Station thread.
 namespace boresight::page {
 
 class PageWorker;
@@ -28,15 +28,15 @@ class PagePoll final : public QObject
     Q_OBJECT
 
 public:
-    // Bytes. Of a longer page only one byte more than this arrives, so its reader can refuse it.
+    // In bytes. Of a longer page, one byte more than this arrives, so that the reader can refuse it.
     static constexpr qint64 kLongest = 4096;
     static constexpr std::chrono::milliseconds kLongestWait{5000};  // for a server that sends nothing
 
-    // `name` is that of the thread.
+    // `name`: the name of the thread.
     PagePoll(const QString& name, const QUrl& url, std::chrono::milliseconds period, QObject* parent = nullptr);
     ~PagePoll() override;
 
-    // Of the last question; empty: none, or no answer yet.
+    // The problem of the last request. Empty if there was none, or no answer came yet.
     [[nodiscard]] const QString& trouble() const { return m_trouble; }
 
 Q_SIGNALS:

@@ -26,7 +26,7 @@ PageWorker::PageWorker(QUrl url, std::chrono::milliseconds period) : m_url(std::
 
 PageWorker::~PageWorker() = default;
 
-// A server in the own network is asked without a proxy: to ask the desktop for one blocks.
+// The server is in the local network, so no proxy is used. A query of the desktop for its proxy would block.
 void PageWorker::open()
 {
     m_manager = std::make_unique<QNetworkAccessManager>();

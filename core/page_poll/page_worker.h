@@ -10,7 +10,7 @@
 
 #include <memory>
 
-// The side of PagePoll that lives on the thread: asks the server, one question at a time.
+// The part of PagePoll on the other thread: sends the requests, one at a time.
 namespace boresight::page {
 
 class PageWorker final : public QObject
@@ -21,7 +21,7 @@ public:
     PageWorker(QUrl url, std::chrono::milliseconds period);
     ~PageWorker() override;
 
-    // Asks at once, and then each period.
+    // Sends a request at once, and then one each period.
     void open();
 
 Q_SIGNALS:

@@ -18,7 +18,7 @@ rotctld::LineOutcome PairsTalk::obey(std::string_view line)
     if (const auto command = parseLine(line)) {
         std::visit([&](const auto& wanted) { carryOut(wanted, outcome); }, *command);
     } else {
-        if (endsInStop(line)) {  // it counts, whatever stands before it
+        if (endsInStop(line)) {  // a stop counts even if the rest of the line is refused
             carryOut(Stop{}, outcome);
         }
         outcome.result = tl::unexpected(command.error());
@@ -57,7 +57,7 @@ void PairsTalk::carryOut(const Place& place, rotctld::LineOutcome& outcome)
           outcome);
 }
 
-// From the target, so that several steps one after the other add up.
+// Moves from the target, so that several steps one after the other add up.
 void PairsTalk::carryOut(const MoveBy& move, rotctld::LineOutcome& outcome)
 {
     point(m_held.place(m_client).and_then(

@@ -9,11 +9,11 @@
 #include <optional>
 #include <string>
 
-// The mount to one client that writes plain numbers. Each line is answered by "OK", by the position or by the reason
-// why not. Station thread.
+// The mount for one client that writes plain numbers. Each line is answered with "OK", with the position, or with the
+// reason of a refusal. Station thread.
 namespace boresight::pairs {
 
-// Where the mount is; empty while the profile does not know.
+// The site of the mount. Empty while the profile has none.
 using SiteNow = std::function<std::optional<Site>()>;
 
 class PairsTalk final : public rotctld::LineProtocol
@@ -40,7 +40,7 @@ private:
     rotctld::HeldTarget m_held;
 };
 
-// How a server starts a conversation with each of its clients. Both outlive it.
+// How a server starts a conversation with a client. Rotator and clock outlive it.
 [[nodiscard]] rotctld::StartConversation talkPairs(rotctld::Rotator& rotator, const Clock& clock, SiteNow site);
 
 }  // namespace boresight::pairs

@@ -54,7 +54,7 @@ std::optional<Angle> angleIn(const std::string& word)
     return degrees ? std::optional(Angle::fromDegrees(*degrees)) : std::nullopt;
 }
 
-// With a sign. "0" needs none.
+// True for a number with a sign. "0" needs none.
 bool isStep(const std::string& word)
 {
     return word.front() == '+' || word.front() == '-' || angleIn(word) == Angle{};
@@ -84,7 +84,7 @@ Result<Command> parseNumbers(const std::vector<std::string>& words, std::string_
     const bool both = words.size() == 2;
     if (line.find('+') != std::string_view::npos) {
         if (!isStep(words.front()) || !isStep(words.back())) {
-            return unknown(line);  // an angle and a step
+            return unknown(line);  // a mixture of an angle and a step
         }
         return Command(MoveBy{.azimuth = both ? *first : Angle{}, .elevation = *last});
     }
@@ -134,7 +134,7 @@ Result<Command> parseLine(std::string_view line)
     return words.empty() ? unknown(line) : parseNumbers(words, line);
 }
 
-// A step never leads another way round: what is beyond a limit is refused.
+// A step beyond a limit is refused. It never makes the mount go round the other way.
 Result<SkyPointing> movedBy(const SkyPointing& from, const MoveBy& move, const rotctld::Limits& limits)
 {
     const SkyPointing to{.azimuth = limits.turned(from.azimuth + move.azimuth),

@@ -11,11 +11,11 @@
 #include <string_view>
 #include <variant>
 
-// What a person or a script writes to the mount in plain numbers, and what is answered, bytes <-> values. Pure.
+// The lines of a person or a script in plain numbers, and the answers, bytes <-> values. Pure.
 //
 //   60               elevation; the azimuth stays
 //   120.5 30         azimuth and elevation
-//   +5 0, -5 +0, +2  by so much from where it is sent: a plus sign makes the line a move by an angle
+//   +5 0, -5 +0, +2  move by these angles from the target: a plus sign makes the line a move
 //   bearing IM58kr, bearing IM58kr long
 //   stop, park, ?
 namespace boresight::pairs {
@@ -31,7 +31,7 @@ struct Park
 
 struct Place
 {
-    std::optional<Angle> azimuth = {};  // -3600°…3600°; empty: it stays
+    std::optional<Angle> azimuth = {};  // -3600°…3600°; empty: stays as it is
     Angle elevation;                    // -90°…180°
 };
 
@@ -48,16 +48,16 @@ struct Bearing
 
 using Command = std::variant<Report, Stop, Park, Place, MoveBy, Bearing>;
 
-// One line without its end. InvalidInput: it is no command. OutOfRange: an angle that no mount has.
+// Reads one line without its end. InvalidInput: not a command. OutOfRange: an angle that no mount has.
 [[nodiscard]] Result<Command> parseLine(std::string_view line);
-// Also where the line is no command.
+// True if the last word is a stop, even if the line is no command.
 [[nodiscard]] bool endsInStop(std::string_view line);
-// Where the mount would go. OutOfRange: that is beyond these limits.
+// The target of the move. OutOfRange: it is beyond these limits.
 [[nodiscard]] Result<SkyPointing> movedBy(const SkyPointing& from, const MoveBy& move, const rotctld::Limits& limits);
 
 inline constexpr std::string_view kDone = "OK\n";
 
-// A target that the station has changed is done as that: "OK: 90.0° 90.0°".
+// The answer if the station has changed the target: "OK: 90.0° 90.0°".
 [[nodiscard]] std::string doneAs(const QString& became);
 // "120.5 30.0", azimuth and elevation in degrees.
 [[nodiscard]] std::string reportOf(const SkyPointing& place);

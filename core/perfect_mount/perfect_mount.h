@@ -5,8 +5,8 @@
 
 #include <array>
 
-// The mount of a rehearsal behind the port of the mount: its axes stand where the last set-points are. What such a
-// mount loses, the limits of the profile and the way of the cable cost. It never fails. Mechanical angles. One thread.
+// The mount of a rehearsal as a MountDriver: its axes are always at the last set-points. If even this mount loses a
+// target, the limits of the profile or the cable are the reason. It never fails. Mechanical angles. One thread.
 namespace boresight {
 
 class PerfectMount final : public MountDriver
@@ -41,8 +41,8 @@ private:
     std::array<QString, 2> m_names;
     Result<> m_fitness;
     std::array<tracking::Setpoint, 2> m_setpoints{};
-    std::array<bool, 2> m_begins{};  // to follow, not taken yet
-    bool m_wanted = false;           // to be taken over
+    std::array<bool, 2> m_begins{};  // starts to follow, but takeFollowing() was not called yet
+    bool m_wanted = false;           // engage() was called, and the axes do not follow yet
     bool m_follows = false;
     SteadyTime m_now{};
 };

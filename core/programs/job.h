@@ -8,29 +8,29 @@
 #include <utility>
 #include <vector>
 
-// A program to be run, and how it ended. Plain values.
+// A program to run, and how it ended. Plain values.
 namespace boresight::programs {
 
 using Environment = std::vector<std::pair<QString, QString>>;
 
 struct Job
 {
-    QString path;  // of the program, from / on
+    QString path;  // absolute path of the program
     QStringList arguments;
-    Environment environment;  // besides that of Boresight
+    Environment environment;  // added to the environment of Boresight
 };
 
 struct Limits
 {
-    std::chrono::milliseconds longest{30'000};  // then it is asked to end
-    std::chrono::milliseconds patience{2'000};  // then it is killed
-    int most = 8;                               // at the same time
+    std::chrono::milliseconds longest{30'000};  // after this time the program is asked to end
+    std::chrono::milliseconds patience{2'000};  // after this further time it is killed
+    int most = 8;                               // programs at the same time
 };
 
 struct Ending
 {
-    bool good = false;  // status 0
-    QString text;       // one line, with the path and what the program said of its trouble
+    bool good = false;  // exit status 0
+    QString text;       // one line with the path and the first error line of the program
 };
 
 }  // namespace boresight::programs

@@ -8,9 +8,9 @@
 
 #include <memory>
 
-// Runs programs of the operator beside the thread on which it lives, and never makes that wait but at its own end: what
-// runs then has Limits::patience. No shell: arguments are handed over as they are. The thread begins with the first
-// program, and neither it nor a program has more than normal priority.
+// Runs programs of the operator on a thread of its own, so the thread of its owner never waits. Only the destructor
+// waits: running programs get Limits::patience. No shell: arguments are passed as they are. The first program starts
+// the thread. Neither the thread nor a program has more than normal priority.
 namespace boresight::programs {
 
 class ProgramWorker;
@@ -26,7 +26,7 @@ public:
     void run(const Job& job);
 
 Q_SIGNALS:
-    // Once for each job.
+    // Emitted once for each job.
     void ended(const boresight::programs::Ending& ending);
 
 private:

@@ -25,7 +25,7 @@ void ProgramWorker::start(const Job& job)
     RunningProgram* const program = m_running.emplace_back(std::make_unique<RunningProgram>(job, m_limits)).get();
     connect(program, &RunningProgram::ended, this, [this, program](const Ending& ending) {
         Q_EMIT ended(ending);
-        // It still stands in its own signal.
+        // The program object still runs its own signal, so it is deleted later.
         QMetaObject::invokeMethod(
             this, [this, program] { forget(program); }, Qt::QueuedConnection);
     });

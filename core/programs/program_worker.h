@@ -8,7 +8,7 @@
 #include <memory>
 #include <vector>
 
-// The side of ProgramRunner that lives on the thread: the programs that run.
+// The part of ProgramRunner on the other thread: the running programs.
 namespace boresight::programs {
 
 class ProgramWorker final : public QObject
@@ -17,7 +17,7 @@ class ProgramWorker final : public QObject
 
 public:
     explicit ProgramWorker(const Limits& limits) : m_limits(limits) {}
-    ~ProgramWorker() override;  // what runs has Limits::patience to end
+    ~ProgramWorker() override;  // running programs get Limits::patience to end
 
     void start(const Job& job);
 

@@ -37,7 +37,7 @@ RunningProgram::RunningProgram(const Job& job, const Limits& limits) : m_limits(
     connect(&m_process, &QProcess::errorOccurred, this, [this](QProcess::ProcessError error) {
         if (error == QProcess::FailedToStart) {
             m_limit.stop();
-            // "execve: No such file or directory"
+            // The text is for instance "execve: No such file or directory".
             Q_EMIT ended({.text = line(Text::tr("could not be started: %1")
                                            .arg(m_process.errorString().section(QStringLiteral(": "), -1)))});
         }
@@ -61,7 +61,7 @@ void RunningProgram::waitUntil(QDeadlineTimer deadline)
     m_process.waitForFinished(static_cast<int>(deadline.remainingTime()));
 }
 
-// All is read, so that the program never waits; little is kept.
+// Everything is read, so that the program never waits. Only the beginning is kept.
 void RunningProgram::keepErrors()
 {
     const QByteArray read = m_process.readAllStandardError();
@@ -87,7 +87,7 @@ void RunningProgram::finish(int status, QProcess::ExitStatus how)
     m_limit.stop();
     keepErrors();
     if (m_late) {
-        signalAll(SIGKILL);  // what it has started, and left behind
+        signalAll(SIGKILL);  // ends programs that it has started and left running
     }
     const double took = static_cast<double>(m_time.elapsed()) / 1000.0;
     QString what = Text::tr("ended after %1 s").arg(took, 0, 'f', 1);

@@ -10,8 +10,8 @@
 #include <QProcess>
 #include <QTimer>
 
-// One program while it runs, in a process group of its own: what it has started ends with it at the time limit. What it
-// prints is thrown away, but for the beginning of its errors. It is killed when this is destroyed.
+// One running program in a process group of its own: at the time limit, the programs that it has started end with it.
+// Its output is dropped, except for the beginning of its errors. The destructor kills it.
 namespace boresight::programs {
 
 class RunningProgram final : public QObject
@@ -22,11 +22,11 @@ public:
     RunningProgram(const Job& job, const Limits& limits);
     ~RunningProgram() override;
     void start() { m_process.start(QIODevice::ReadOnly); }
-    // Waits for it, at most until then. It is the last that is asked of it.
+    // Waits until the program has ended, at most until `deadline`. No signal is emitted after this.
     void waitUntil(QDeadlineTimer deadline);
 
 Q_SIGNALS:
-    void ended(const boresight::programs::Ending& ending);  // the last word
+    void ended(const boresight::programs::Ending& ending);  // the last signal
 
 private:
     void keepErrors();
@@ -40,7 +40,7 @@ private:
     QTimer m_limit;
     QElapsedTimer m_time;
     QByteArray m_errors;
-    qint64 m_group = 0;  // 0: it has not begun
+    qint64 m_group = 0;  // process group; 0: not started
     bool m_late = false;
 };
 

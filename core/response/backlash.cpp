@@ -15,14 +15,14 @@ namespace {
 constexpr std::size_t kShortestLeg = 40;  // samples
 constexpr std::size_t kShortestGap = 3;
 constexpr std::size_t kFewestReversals = 4;
-// A step of torque counts when it explains so much more than the noise of one sample: chance reaches half of it.
+// In squares of the noise of one sample. A step of torque counts from this on. Chance reaches half of it.
 constexpr double kClearStep = 25.0;
-constexpr double kLeastStep = 0.08;  // of the torque with the load
-// The gap ends well before the leg does, or nothing shows where it ends.
+constexpr double kLeastStep = 0.08;  // as a share of the torque with the load
+// As a share of the leg. The gap must end well before the leg, otherwise its end is not seen.
 constexpr double kLargestPart = 0.7;
-constexpr std::ptrdiff_t kAveraged = 2;  // on each side: a place is known in counts only
+constexpr std::ptrdiff_t kAveraged = 2;  // samples on each side, to average the steps of the encoder
 
-// Samples in one direction: first to last, one beyond.
+// Samples in one direction: from `first` to before `last`.
 struct Leg
 {
     std::size_t first = 0;
@@ -54,7 +54,7 @@ struct Level
     double spread = 0.0;
 };
 
-// Torque along the way of the leg, of its second half: the load moves with the axis there.
+// The torque along the direction of the leg in its second half, where the load moves with the axis.
 Level loadedLevel(Samples samples, const Leg& leg)
 {
     const Samples half = samples.subspan((leg.first + leg.last) / 2, leg.last - (leg.first + leg.last) / 2);
@@ -69,7 +69,7 @@ Level loadedLevel(Samples samples, const Leg& leg)
     return {.mean = mean, .spread = std::sqrt(std::max(squares / count - mean * mean, 0.0))};
 }
 
-// Sums of a row of torques, to judge how well a level describes a part of it.
+// Sums over a series of torques, to compute how well a level describes a part of it.
 class Sums
 {
 public:
@@ -85,7 +85,7 @@ public:
     {
         return (m_sums[to] - m_sums[from]) / static_cast<double>(to - from);
     }
-    // Of the squares of what the level leaves.
+    // The sum of the squared differences from the level.
     [[nodiscard]] double rest(std::size_t from, std::size_t to, double level) const
     {
         return m_squares[to] - m_squares[from] - 2.0 * level * (m_sums[to] - m_sums[from]) +
@@ -97,15 +97,15 @@ private:
     std::vector<double> m_squares;
 };
 
-struct Steps  // of the torque after a reversal
+struct Steps  // steps of the torque after a reversal
 {
-    std::size_t begin = 0;  // the load is let go
-    std::size_t end = 0;    // it is met on the other side
+    std::size_t begin = 0;  // where the motor loses the load
+    std::size_t end = 0;    // where it meets the load on the other side
     double level = 0.0;     // between them
-    double gain = 0.0;      // how much better than one step alone, in squares of the noise
+    double gain = 0.0;      // how much better than a single step, in squares of the noise
 };
 
-// The load before the reversal, a level between, the load after it: where the two steps are that describe it best.
+// Finds the two steps that fit best: the load before the reversal, a level between them, and the load after it.
 Steps stepsIn(const std::vector<double>& torques, const Level& before, const Level& after)
 {
     const Sums sums(torques);
@@ -145,10 +145,10 @@ struct Reversal
     double freeTorque = 0.0;
     double loadTorque = 0.0;
     bool shown = false;
-    bool longer = false;  // than the leg
+    bool longer = false;  // the gap is longer than the leg
 };
 
-// `sense`: of the reported torque, -1 where it counts against the angle.
+// `sense`: the sign of the reported torque, -1 if it counts against the angle.
 Reversal reversalOf(Samples samples, const Leg& before, const Leg& after, double sense)
 {
     Level was = loadedLevel(samples, before);
@@ -175,7 +175,7 @@ Reversal reversalOf(Samples samples, const Leg& before, const Leg& after, double
             .longer = part > kLargestPart};
 }
 
-// `pitch`: the way from one sample to the next, which blurs both ends of every gap alike.
+// `pitch`: the way from one sample to the next, which makes both ends of every gap equally uncertain.
 BacklashFigures meanOf(const std::vector<Reversal>& shown, std::size_t tried, Angle pitch)
 {
     const auto count = static_cast<double>(shown.size());

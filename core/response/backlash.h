@@ -4,8 +4,8 @@
 #include "core/base/result.h"
 #include "core/response/samples.h"
 
-// The free play of a gear, as a sensor in front of it sees it: an axis that moves slowly to and fro needs little torque
-// while it crosses the gap, and more as soon as it takes the load along. Pure.
+// The backlash of a gear, measured by a sensor in front of it: an axis that moves slowly to and fro needs little torque
+// while it crosses the gap, and more as soon as it moves the load. Pure.
 namespace boresight::response {
 
 struct BacklashFigures
@@ -14,13 +14,13 @@ struct BacklashFigures
     Angle uncertainty;        // two standard deviations of the mean of the reversals
     double freeTorque = 0.0;  // Nm, inside the gap
     double loadTorque = 0.0;  // Nm, with the load
-    int reversals = 0;        // that showed the gap
+    int reversals = 0;        // number of reversals that showed the gap
     int tried = 0;
 
     bool operator==(const BacklashFigures&) const = default;
 };
 
-// Of legs to and fro at one rate, torque included. The error says why the gap cannot be measured.
+// From legs to and fro at one rate, with torque. The error says why the gap cannot be measured.
 [[nodiscard]] Result<BacklashFigures> backlashFigures(Samples samples);
 
 }  // namespace boresight::response

@@ -9,9 +9,9 @@ namespace boresight::response {
 namespace {
 
 constexpr Seconds kShortest{1.0};
-// The axis swings in after the rate became constant; that belongs to all samples, not to the steady part.
+// After the rate became constant, the axis still settles. This time belongs to `error`, not to `steady`.
 constexpr Seconds kSwingsIn{0.3};
-constexpr double kSameRate = 0.01;  // of the fastest
+constexpr double kSameRate = 0.01;  // share of the fastest rate
 
 AngularRate rateAt(Samples samples, std::size_t i)
 {

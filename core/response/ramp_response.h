@@ -9,16 +9,16 @@ namespace boresight::response {
 
 struct RampFigures
 {
-    AngularRate rate;                       // of the set-point, where it is constant
-    Angle lag;                              // mean distance behind the set-point there; negative: ahead
-    ErrorFigures steady;                    // there
-    ErrorFigures error;                     // of all samples, with the beginning and the end
-    std::optional<TorqueFigures> torque{};  // there
+    AngularRate rate;                       // of the set-point, while it is constant
+    Angle lag;                              // mean distance behind it in that time; negative: ahead
+    ErrorFigures steady;                    // in that time
+    ErrorFigures error;                     // of all samples, with the start and the end
+    std::optional<TorqueFigures> torque{};  // in that time
 
     bool operator==(const RampFigures&) const = default;
 };
 
-// The samples may hold what comes before and after. An error where nowhere in it the rate is constant for a second.
+// The samples may include the time before and after the ramp. An error if the rate is nowhere constant for 1 s.
 [[nodiscard]] Result<RampFigures> rampFigures(Samples samples);
 
 }  // namespace boresight::response

@@ -7,25 +7,25 @@
 #include <optional>
 #include <span>
 
-// What an axis was asked to do and what it did, by time, and the figures that every kind of run has. Plain values, any
-// thread; mechanical angles.
+// The set-points of an axis and its answers over time, and the figures that every kind of run has. Plain values, any
+// thread. Mechanical angles.
 namespace boresight::response {
 
 struct Sample
 {
     Seconds time{0.0};
     Angle wanted;                    // the set-point
-    Angle actual;                    // the answer to it
+    Angle actual;                    // the measured position
     std::optional<double> torque{};  // Nm
 };
 
 using Samples = std::span<const Sample>;
 
-// Of the tracking error, actual minus wanted.
+// Figures of the tracking error, actual minus wanted.
 struct ErrorFigures
 {
     Angle rms;
-    Angle peak;  // its size
+    Angle peak;  // absolute value
 
     bool operator==(const ErrorFigures&) const = default;
 };
@@ -33,13 +33,13 @@ struct ErrorFigures
 struct TorqueFigures
 {
     double rms = 0.0;   // Nm
-    double peak = 0.0;  // Nm, its size
+    double peak = 0.0;  // Nm, absolute value
 
     bool operator==(const TorqueFigures&) const = default;
 };
 
 [[nodiscard]] ErrorFigures errorFigures(Samples samples);
-// Empty where nothing reports a torque.
+// Empty if no sample has a torque.
 [[nodiscard]] std::optional<TorqueFigures> torqueFigures(Samples samples);
 
 }  // namespace boresight::response

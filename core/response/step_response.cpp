@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t kFewestAfterwards = 8;
 constexpr Angle kSamePlace = Angle::fromDegrees(1e-6);
 
-// The first sample from which on the set-point stays where it ends.
+// The index of the first sample from which on the set-point stays at its end.
 std::size_t arrivalIn(Samples samples)
 {
     const Angle end = samples.back().wanted;

@@ -4,24 +4,25 @@
 #include "core/base/result.h"
 #include "core/response/samples.h"
 
-// How an axis goes from one place to another and comes to rest there. The set-point may jump or move: overshoot is
-// measured against its last place, and the time to settle counts from when it arrived there. Pure.
+// How an axis goes from one position to another and stops there. The set-point may jump or move: overshoot is measured
+// against its last position, and the settling time counts from its arrival there. Pure.
 namespace boresight::response {
 
 struct StepFigures
 {
-    Angle size;                         // from where it began to the last set-point
-    double overshoot = 0.0;             // beyond the end, as a part of the size
-    std::optional<Seconds> settling{};  // then it stays within the band; empty: not before the samples end
-    Angle band;                         // "settled" is within this of the end
-    Angle left;                         // the mean error of the last quarter after the arrival
+    Angle size;              // from the start to the last set-point
+    double overshoot = 0.0;  // beyond the end, as a share of the size
+    // From this time on the axis stays within the band. Empty: not before the samples end.
+    std::optional<Seconds> settling{};
+    Angle band;  // "settled" means within this distance of the end
+    Angle left;  // mean error in the last quarter of the time after the arrival
     ErrorFigures error;
     std::optional<TorqueFigures> torque{};
 
     bool operator==(const StepFigures&) const = default;
 };
 
-// The first sample is before the step. An error says why there is no result.
+// The first sample is from before the step. An error says why there is no result.
 [[nodiscard]] Result<StepFigures> stepFigures(Samples samples, Angle band);
 
 }  // namespace boresight::response

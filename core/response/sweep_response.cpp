@@ -14,11 +14,11 @@ namespace boresight::response {
 namespace {
 
 constexpr double kFewestPeriods = 1.5;
-// Less is lost in the counts of an encoder.
+// A smaller swing is lost in the steps of an encoder.
 constexpr Angle kSmallestSwing = Angle::fromDegrees(0.005);
 constexpr std::size_t kUnknowns = 4;  // cosine, sine, place, drift
 
-using Row = std::array<double, kUnknowns + 1>;  // of the normal equations, the right side last
+using Row = std::array<double, kUnknowns + 1>;  // of the normal equations; the last element is the right side
 
 void eliminate(std::array<Row, kUnknowns>& rows)
 {
@@ -36,7 +36,7 @@ void eliminate(std::array<Row, kUnknowns>& rows)
     }
 }
 
-// The wave in what `place` gives of each sample: its size and phase.
+// The size and phase of the wave in the values that `place` returns for the samples.
 template <class Place>
 std::complex<double> waveIn(Samples samples, double omega, Place place)
 {

@@ -11,14 +11,14 @@ struct SweepPoint
 {
     double hertz = 0.0;
     Angle amplitude;    // of the set-point
-    double gain = 0.0;  // of the axis by the set-point: 1 is perfect
-    Angle phase;        // of the axis to the set-point: negative is behind
+    double gain = 0.0;  // amplitude of the axis divided by that of the set-point: 1 is perfect
+    Angle phase;        // of the axis against the set-point; negative: behind
 
     bool operator==(const SweepPoint&) const = default;
 };
 
-// Both are fitted as a wave of this frequency on a straight line. An error where the samples hold less than a period
-// and a half, or the set-point hardly swings.
+// Fits a wave of this frequency on a straight line to the set-point and to the axis. An error if the samples have less
+// than one and a half periods, or if the set-point hardly swings.
 [[nodiscard]] Result<SweepPoint> sweepPoint(Samples samples, double hertz);
 
 }  // namespace boresight::response

@@ -22,7 +22,7 @@ BoxConnection::BoxConnection(std::unique_ptr<BoxLine> line, std::unique_ptr<BoxM
       m_mount(std::move(mount)),
       m_line(std::move(line))
 {
-    m_line->setParent(this);  // so that it moves to the station thread with us
+    m_line->setParent(this);  // so that it moves to the station thread together with this object
     connect(m_line.get(), &BoxLine::received, this, [this](const QByteArray& bytes) {
         m_mount->take({bytes.constData(), static_cast<std::size_t>(bytes.size())}, m_clock.now());
     });
@@ -42,7 +42,7 @@ void BoxConnection::open()
     }
 }
 
-// The last order goes out first: there is no watchdog that would stop the rotator.
+// Sends the last command first, because no watchdog would stop the rotator.
 void BoxConnection::close()
 {
     send();
@@ -72,7 +72,7 @@ void BoxConnection::send()
     }
     watchProof();
     if (m_mount->talk().wantsAnotherLine() && m_line->state() == BoxLine::State::Up) {
-        m_line->close();  // and open() comes again within a second
+        m_line->close();  // open() is called again within a second
     }
 }
 

@@ -9,7 +9,7 @@
 
 #include <memory>
 
-// A rotator with a box, and its line. A line whose other end is not such a rotator is closed, and stays so until the
+// A rotator with a control box, and its line. A line to another kind of device is closed, and stays closed until the
 // operator reconnects. Station thread only.
 namespace boresight {
 
@@ -46,15 +46,15 @@ private:
     std::unique_ptr<BoxMount> m_mount;
     std::unique_ptr<BoxLine> m_line;
     Result<> m_mine;
-    RotatorTalk::Proof m_proof = RotatorTalk::Proof::Unknown;  // as reported
-    bool m_closed = false;                                     // for good, or left alone
+    RotatorTalk::Proof m_proof = RotatorTalk::Proof::Unknown;  // as last reported
+    bool m_closed = false;                                     // for good, or because the device is foreign
 };
 
 // The rotator of this kind behind this line.
 template <class Mount>
 [[nodiscard]] MountMaker rotatorBehind(std::unique_ptr<BoxLine> line, const MountStart& start)
 {
-    // A std::function is copied, a line is not.
+    // A std::function must be copyable, and a line is not.
     return [line = std::make_shared<std::unique_ptr<BoxLine>>(std::move(line)), start](
                const profile::InForce& profile, const Clock& clock, EventLog& log, AlarmBoard& alarms) {
         return std::make_unique<BoxConnection>(std::move(*line), std::make_unique<Mount>(profile, alarms, start.axes),

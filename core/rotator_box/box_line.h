@@ -8,8 +8,8 @@
 #include <QObject>
 #include <QString>
 
-// The line to a box that speaks text: a serial port, a TCP connection, or a simulated one. Bytes only. Station thread
-// only; nothing blocks.
+// The line to a box with a text protocol: a serial port, a TCP connection, or a simulated line. Bytes only. Station
+// thread only. Never blocks.
 namespace boresight {
 
 class BoxLine : public QObject
@@ -21,17 +21,17 @@ public:
 
     using State = MountLine::State;
 
-    [[nodiscard]] virtual QString name() const = 0;  // as in the profile
-    // Opens it if it is not open and not being opened. Called again each second.
+    [[nodiscard]] virtual QString name() const = 0;  // the bus name of the profile
+    // Opens the line if it is closed and is not being opened. Called again each second.
     virtual void open() = 0;
-    // For good, or until open().
+    // Closes the line until open().
     virtual void close() = 0;
     virtual void write(const QByteArray& bytes) = 0;
     // Once per tick.
     virtual void tick(SteadyTime /*now*/) {}
 
     [[nodiscard]] State state() const { return m_state; }
-    // Why it is not up: what, where, what to do.
+    // Why the line is not up: what, where, what to do.
     [[nodiscard]] const QString& problem() const { return m_problem; }
 
 Q_SIGNALS:
@@ -39,8 +39,8 @@ Q_SIGNALS:
     void stateChanged();
 
 protected:
-    static constexpr qint64 kMostUnwritten = 512;  // of a box that takes nothing any more
-    static constexpr qint64 kBytesAtOnce = 2048;   // no box says so much between two looks
+    static constexpr qint64 kMostUnwritten = 512;  // bytes; limit for a box that accepts nothing any more
+    static constexpr qint64 kBytesAtOnce = 2048;   // no box sends more than this between two reads
 
     void show(State state, const QString& problem = {});
 

@@ -12,11 +12,11 @@
 namespace boresight {
 namespace {
 
-// The target is this far ahead of the set-point. The rotator then runs on until the next target, half a second later.
+// The target is this far ahead of the set-point, because the next target comes half a second later.
 constexpr Seconds kAhead{0.6};
-// Of a rotator that is slower than its profile says: it must not run far when the line fails.
+// For a rotator that is slower than its profile says. It must not move far when the line fails.
 constexpr Angle kFarthest = 12_deg;
-// Until an alarm reports that nothing answers.
+// After this time without an answer an alarm is raised.
 constexpr std::chrono::seconds kPatience{3};
 
 Angle inSteps(Angle angle, Angle step)
@@ -24,7 +24,7 @@ Angle inSteps(Angle angle, Angle step)
     return step > Angle{} ? step * std::round(angle / step) : angle;
 }
 
-// The nearest place that the rotator can be sent to. From inside the travel it is inside.
+// The nearest position that the rotator can be sent to. For an angle inside the travel, the result is inside, too.
 Angle onStep(const TravelRange& travel, Angle angle, Angle step)
 {
     const TravelRange steps = stepsIn(travel, step);
@@ -51,7 +51,7 @@ QString tableOf(Axis axis)
     return axis == Axis::Azimuth ? QStringLiteral("azimuth") : QStringLiteral("elevation");
 }
 
-// A new profile has the sign and the offset of another mount.
+// A new profile still has the default sign and offset, which belong to another mount. They are accepted.
 Result<> countsAsTheRotator(const profile::Profile& profile, Axis axis)
 {
     const pointing::AxisGeometry& geometry = profile.axis(axis).geometry;
@@ -85,7 +85,7 @@ QString BoxMount::label(Axis axis) const
     return Text::of(name(axis).toStdString());
 }
 
-// Such a rotator does not report who it is.
+// Such a rotator has no identity that can be read.
 std::optional<QString> BoxMount::identity(Axis /*axis*/) const
 {
     return m_heard ? std::optional(QString()) : std::nullopt;
@@ -128,7 +128,7 @@ AxisReport BoxMount::report(Axis axis) const
 void BoxMount::lineOpened()
 {
     m_lineOpen = true;
-    if (!talk().wantsAnotherLine()) {  // else the patience goes on
+    if (!talk().wantsAnotherLine()) {  // otherwise the time without an answer continues
         m_opened.reset();
     }
     talk().restart();
@@ -153,7 +153,7 @@ void BoxMount::takePlaces(const RotatorTalk::Places& places)
 {
     m_heard = m_now;
     if (std::exchange(m_state.silent, false)) {
-        stop();  // it may still be on its way to where it was sent before the silence
+        stop();  // it may still be moving to a target from before the silence
     }
     for (const Axis axis : kAxes) {
         const std::optional<Angle>& angle = axis == Axis::Azimuth ? places.azimuth : places.elevation;
@@ -170,8 +170,9 @@ void BoxMount::takePlaces(const RotatorTalk::Places& places)
     }
     if (placed()) {
         m_opened = m_now;
+        // After a lost motion the alarm may be that of a silence. It stays as the reason until Re-arm.
         if (!m_state.lost) {
-            m_alarms.clear(alarmEntry("rotator.no-answer"));  // or of a silence, which is the reason until Re-arm
+            m_alarms.clear(alarmEntry("rotator.no-answer"));
         }
     }
 }
@@ -188,7 +189,7 @@ MountFindings BoxMount::supervise(const MountSituation& /*known*/)
             superviseAxis(axis, found);
         }
     }
-    // Where it still runs after a stop is no place to take it over, and that stop would be watched no more.
+    // A rotator that still moves after a stop is not taken over: its stop would not be watched any more.
     const bool isStopping = std::ranges::any_of(kAxes, [this](Axis axis) { return of(axis).watch.stopping(); });
     if (m_state.wanted && !m_state.follows && !isStopping && answers() && placed()) {
         begin();
@@ -201,7 +202,7 @@ void BoxMount::beginSilence(MountFindings& found)
     m_state.silent = true;
     const bool followed = m_state.follows;
     if (followed) {
-        stop();  // it may still read what we write
+        stop();  // it may still receive what we write
         letGo();
     }
     for (const Axis axis : kAxes) {
@@ -219,7 +220,7 @@ void BoxMount::beginSilence(MountFindings& found)
     }
 }
 
-// At the start, and after a silence that ended no motion. What comes in place of an answer says what is wrong.
+// For the start, and for a silence that ended no motion. The received bytes may show what is wrong.
 void BoxMount::showNoAnswer()
 {
     const bool patient = !m_opened || m_now - *m_opened < kPatience;
@@ -329,11 +330,12 @@ void BoxMount::brakeHard(bool hard)
         stop();
     }
     if (was && !hard) {
-        m_state.follows = false;  // the set-points braked farther than the box: it is taken over again where it stands
+        // The set-points braked over a longer way than the rotator, so it is taken over again where it is.
+        m_state.follows = false;
     }
 }
 
-// It moves although it does not follow: what was ordered before goes on, or somebody stands at the box.
+// The rotator moves although it does not follow: it carries out an old command, or somebody uses its keys.
 void BoxMount::seize()
 {
     const auto isStopping = [this](Axis axis) { return of(axis).watch.stopping(); };
@@ -359,7 +361,7 @@ void BoxMount::leave(profile::OnExit /*how*/)
     }
 }
 
-// Not farther than the axis needs to stop from there: it is permitted up to that point.
+// The target is not farther ahead than the axis needs to stop: only the way up to that point is known to be permitted.
 Angle BoxMount::aimOf(Axis axis) const
 {
     const tracking::Setpoint& setpoint = of(axis).setpoint;

@@ -13,20 +13,19 @@
 #include <string>
 #include <string_view>
 
-// A rotator behind the port of the mount that runs to where it is sent by itself: steps, no rates, no watchdog. It is
-// sent only as far ahead of a set-point as that needs to stop: what lies beyond may be forbidden. It is sent elsewhere
-// only when the step changes, so taking it over moves nothing. What it says and what is said to it is the matter of
-// each kind. No I/O: bytes and time are passed in. Station thread only. Mechanical angles are those that the rotator
-// counts.
+// The driver of a rotator that moves to its target by itself: steps, no rates, no watchdog. The target is only as far
+// ahead of the set-point as the axis needs to stop, because the range beyond may be forbidden. A target is sent only
+// when its step changes, so taking the rotator over moves nothing. RotatorTalk has the protocol of each kind. No I/O:
+// bytes and time are passed in. Station thread only. Mechanical angles are those that the rotator counts.
 namespace boresight {
 
 class BoxMount : public MountDriver
 {
 public:
     void take(std::string_view bytes, SteadyTime now) { talk().take(bytes, now); }
-    // After the control has commanded: what is to be written now.
+    // Call it after the control has commanded. Returns the bytes to send.
     [[nodiscard]] std::string send();
-    // The line was opened again, and nobody knows what is behind it.
+    // The line was opened again, perhaps to another device.
     void lineOpened();
     void lineClosed()
     {
@@ -35,9 +34,9 @@ public:
     }
     [[nodiscard]] virtual RotatorTalk& talk() = 0;
     [[nodiscard]] virtual const RotatorTalk& talk() const = 0;
-    // In a short word, for the screen.
+    // The kind as a short word for the screen.
     [[nodiscard]] virtual QString kind() const = 0;
-    // What a device that is none of these is not, in a sentence.
+    // The kind with its article, for the alarm about a foreign device: "a GS-232 rotator".
     [[nodiscard]] virtual QString kindInWords() const = 0;
 
     [[nodiscard]] Capabilities capabilities() const override { return m_capabilities; }
@@ -63,21 +62,21 @@ public:
     void setSensor(Axis /*axis*/, const std::optional<Angle>& /*heading*/) override {}
 
 protected:
-    // They outlive this. `axes` are those that the rotator turns, each of them can do `each`.
+    // The references outlive this. `axes`: the axes that the rotator turns. `each`: the capabilities of each axis.
     BoxMount(const profile::InForce& profile, AlarmBoard& alarms, const AxisSet& axes, const AxisCapabilities& each);
 
-    // The target of both axes, in steps. An axis that this mount does not turn is sent to where it stands. False: it
-    // cannot be sent there.
+    // Sets the target of both axes, in steps. An axis that this mount does not turn is sent to where it is. False if
+    // the rotator cannot be sent there.
     virtual bool goTo(const RotatorTalk::Places& target) = 0;
-    // What to do while nothing answers.
+    // The advice while nothing answers.
     [[nodiscard]] virtual QString remedyOfNoAnswer() const = 0;
-    // How finely the places are compared to see whether an axis moves: finer is the noise of its sensor.
+    // The resolution for deciding whether an axis moves. Smaller changes are noise of its sensor.
     [[nodiscard]] virtual Angle grain() const { return Angle{}; }
 
     [[nodiscard]] const profile::InForce& profile() const { return m_profile; }
-    // Where the rotator says that it stands, if that is credible. Also of an axis that this mount does not turn.
+    // The believed position, also of an axis that this mount does not turn.
     [[nodiscard]] const std::optional<Angle>& believed(Axis axis) const { return of(axis).filter.place(); }
-    // The rotator does not go where it is sent: the motion of all axes ends.
+    // The rotator does not reach its targets, so the motion of all axes ends.
     void loseAll(MountFindings& found, const AlarmCase& alarm);
 
 private:
@@ -85,18 +84,18 @@ private:
     {
         PlaceFilter filter;
         ObedienceWatch watch;
-        std::optional<PlaceFilter::Jump> jump;  // not reported yet
+        std::optional<PlaceFilter::Jump> jump;  // not yet reported
         tracking::Setpoint setpoint{};
-        std::optional<Angle> ordered;  // in steps; where it was sent last, or stood when it was taken over
-        bool begins = false;           // to follow, not taken yet
+        std::optional<Angle> ordered;  // in steps: the last target, or the position at which it was taken over
+        bool begins = false;           // starts to follow, but takeFollowing() was not called yet
     };
     struct State
     {
-        bool wanted = false;  // to be taken over
+        bool wanted = false;  // engage() was called, and the axes do not follow yet
         bool follows = false;
         bool lost = false;    // nothing moves before recover()
-        bool silent = false;  // it answered, and does not any more
-        bool hard = false;    // behind STOP
+        bool silent = false;  // it answered before, but does not answer any more
+        bool hard = false;    // hard braking, after STOP
     };
 
     [[nodiscard]] AxisOfBox& of(Axis axis) { return m_axes[index(axis)]; }
@@ -123,19 +122,19 @@ private:
     std::array<QString, 2> m_names;
     std::array<AxisOfBox, 2> m_axes;
     State m_state;
-    std::optional<SteadyTime> m_heard;   // an answer
-    std::optional<SteadyTime> m_opened;  // the line, or since then it stands somewhere
+    std::optional<SteadyTime> m_heard;   // when the last answer came
+    std::optional<SteadyTime> m_opened;  // when the line was opened or a position was last known
     bool m_lineOpen = false;
-    bool m_broke = false;  // the line, since the last tick: it may be open again
-    SteadyTime m_now{};    // of the running or last tick
+    bool m_broke = false;  // the line was lost since the last tick; it may be open again
+    SteadyTime m_now{};    // of the current or last tick
 };
 
 // The multiples of `step` inside the travel; min > max if there is none.
 [[nodiscard]] TravelRange stepsIn(const TravelRange& travel, Angle step);
 // "azimuth", "elevation": the table of an axis in the profile.
 [[nodiscard]] QString tableOf(Axis axis);
-// The rotator counts by itself, and its count is the angle of the axis: a sign or an offset of the profile would have
-// no effect.
+// The rotator counts its angles itself, and its count is the angle of the axis. So a sign or an offset in the profile
+// would have no effect, and is refused.
 [[nodiscard]] Result<> countsAsTheRotator(const profile::Profile& profile, Axis axis);
 
 }  // namespace boresight

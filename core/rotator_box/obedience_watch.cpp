@@ -9,7 +9,7 @@ void ObedienceWatch::sent(Angle target, SteadyTime now)
     m_target = target;
     m_stopped.reset();
     if (wasThere) {
-        m_progress = now;  // a target that moves on is no excuse for an axis that stands
+        m_progress = now;  // a target that moves on is no excuse for an axis that stands still
         m_sentAgain = false;
     }
 }
@@ -30,7 +30,7 @@ void ObedienceWatch::release()
 void ObedienceWatch::place(Angle place, SteadyTime now)
 {
     if (m_place && *m_place != place) {
-        if (m_before != place) {  // to and fro by one count is the converter
+        if (m_before != place) {  // a change to and fro by one count is noise of the converter
             m_changed = now;
             m_progress = now;
             m_sentAgain = false;
@@ -66,7 +66,7 @@ ObedienceWatch::Verdict ObedienceWatch::judgeStop(SteadyTime now)
 {
     if (!moves(now)) {
         if (now - *m_stopped >= kStands) {
-            m_stopped.reset();  // seen to stand
+            m_stopped.reset();  // it was seen standing still
         }
         return Verdict::Obeys;
     }

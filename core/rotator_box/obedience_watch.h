@@ -6,21 +6,21 @@
 
 #include <optional>
 
-// Whether one axis of a rotator obeys. The box does not report the end of a motion, so its positions are compared.
-// An axis that stands away from where it was sent is sent there once more, then it is stuck. An axis that goes on after
-// a stop is stopped again each second, then it runs on. Pure.
+// Whether one axis of a rotator obeys. The box does not report the end of a motion, so its positions are compared. An
+// axis that stops away from its target is sent there once more, then it is stuck. An axis that moves on after a stop is
+// stopped again each second, then it counts as running on. Pure.
 namespace boresight {
 
 class ObedienceWatch
 {
 public:
-    static constexpr Angle kMet = Angle::fromDegrees(2.0);  // such a rotator ends that far from its target
+    static constexpr Angle kMet = Angle::fromDegrees(2.0);  // a rotator may stop this far from its target
     static constexpr std::chrono::seconds kSendAgain{2};
     static constexpr std::chrono::seconds kStuck{5};
     static constexpr std::chrono::seconds kCoast{3};  // after a stop; then it is stopped again
     static constexpr std::chrono::seconds kRunsOn{6};
     static constexpr std::chrono::seconds kStands{
-        2};  // no other place for so long: slower than half a degree in a second is none
+        2};  // time without another position until the axis counts as standing
 
     enum class Verdict
     {
@@ -38,9 +38,9 @@ public:
     void place(Angle place, SteadyTime now);
     [[nodiscard]] Verdict judge(SteadyTime now);
 
-    // It was stopped, and not seen to stand since.
+    // The axis was stopped, and was not seen standing still since then.
     [[nodiscard]] bool stopping() const { return m_stopped.has_value(); }
-    // Its place has changed within kStands.
+    // The position has changed within kStands.
     [[nodiscard]] bool moves(SteadyTime now) const { return m_changed && now - *m_changed < kStands; }
 
 private:
@@ -48,12 +48,12 @@ private:
     [[nodiscard]] Verdict judgeStop(SteadyTime now);
 
     std::optional<Angle> m_place;
-    std::optional<Angle> m_before;        // the place before this one
-    std::optional<SteadyTime> m_changed;  // its place, from one that was known
+    std::optional<Angle> m_before;        // the position before m_place
+    std::optional<SteadyTime> m_changed;  // when the position last changed from a known one
     std::optional<Angle> m_target;
-    SteadyTime m_progress{};  // it was near its target, moved, or was sent elsewhere
+    SteadyTime m_progress{};  // when the axis was last near its target, moved, or got another target
     bool m_sentAgain = false;
-    std::optional<SteadyTime> m_stopped;  // and not seen to stand since
+    std::optional<SteadyTime> m_stopped;  // set until the axis was seen standing still
     SteadyTime m_lastStop{};
 };
 

@@ -8,7 +8,7 @@ namespace {
 
 bool canBe(Angle from, Angle to, Seconds time)
 {
-    // A long silence does not make a jump of a whole turn credible.
+    // Even after a long silence, a jump of a whole turn is not believed at once.
     constexpr Angle kMost = Angle::fromDegrees(180.0);
     return abs(to - from) <= std::min(PlaceFilter::kFastest * time + PlaceFilter::kNoise, kMost);
 }

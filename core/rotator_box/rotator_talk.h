@@ -9,8 +9,8 @@
 #include <string>
 #include <string_view>
 
-// The conversation with a rotator that answers lines of text: what is sent when, and which bytes are an answer. Each
-// protocol has its own. Nothing but questions is sent before the other end has proved to be such a rotator. No I/O:
+// The conversation with a rotator that answers lines of text: decides when to send what, and which bytes are an answer.
+// Each protocol has its own. Before the other end has proved to be such a rotator, only questions are sent. No I/O:
 // time and bytes are passed in.
 namespace boresight {
 
@@ -32,27 +32,27 @@ public:
     {
         std::uint64_t sent = 0;
         std::uint64_t received = 0;  // answers
-        std::uint64_t unknown = 0;   // lines that mean nothing
+        std::uint64_t unknown = 0;   // lines without a meaning
     };
 
     virtual ~RotatorTalk() = default;
 
-    // Another line, another device perhaps: it has to prove itself again.
+    // The line was opened again, perhaps to another device, which must prove itself again.
     virtual void restart() = 0;
     virtual void take(std::string_view bytes, SteadyTime now) = 0;
-    // The newest that came since the last time. It has what was asked for.
+    // The newest positions since the last call. They contain what was asked for.
     [[nodiscard]] virtual std::optional<Places> takePlaces() = 0;
-    // It waits for nothing but the proof.
+    // Sends a stop as soon as the device is proved, without another wait.
     virtual void stop() = 0;
-    // What is to be sent now. Once per tick.
+    // The bytes to send now. Once per tick.
     [[nodiscard]] virtual std::string send(SteadyTime now) = 0;
 
-    // The line has to be opened anew: its answers do not fit the questions any more, or none come.
+    // The line must be closed and opened again, because answers do not fit the questions any more, or none come.
     [[nodiscard]] virtual bool wantsAnotherLine() const { return false; }
 
     [[nodiscard]] virtual Proof proof() const = 0;
     [[nodiscard]] virtual const Counts& counts() const = 0;
-    // What came in place of an answer, as printable text.
+    // What was received in place of an answer, as printable text.
     [[nodiscard]] virtual const std::string& strange() const = 0;
 
 protected:

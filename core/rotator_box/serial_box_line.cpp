@@ -51,19 +51,19 @@ void SerialBoxLine::open()
         return;
     }
     m_path.storeName();
-    m_port.clear();  // sent before the port was opened
+    m_port.clear();  // drops data from before the port was opened
     show(State::Up);
 }
 
-// Two programs on one port take each other's answers away. Looking for the other one takes some milliseconds. They cost
-// no set-point: while a line is opened nothing follows.
+// Two programs on one port take each other's answers. Looking for the other program takes some milliseconds. No
+// set-point is late because of this, because no axis follows while the line is being opened.
 Result<> SerialBoxLine::openPort(const QString& device)
 {
     if (const Result<> check = checkSerialPort(device); !check) {
         return check;
     }
     const auto identity = portIdentity(device);
-    // The program behind a pseudo-terminal often holds this end open too.
+    // The program behind a pseudo-terminal often has this end open, too.
     const bool isTerminal = identity && isPseudoTerminal(identity->device);
     if (const auto holder = portHolder(device); holder && !isTerminal) {
         return failure(ErrorCode::Busy, inUse(device, *holder));
@@ -103,14 +103,14 @@ void SerialBoxLine::read()
 {
     const QByteArray bytes = m_port.read(kBytesAtOnce);
     if (m_port.bytesAvailable() > 0) {
-        m_port.clear(QSerialPort::Input);  // some adapters ignore the speed
+        m_port.clear(QSerialPort::Input);  // a flood: some adapters ignore the configured speed
     }
     if (state() == State::Up && !bytes.isEmpty()) {
         Q_EMIT received(bytes);
     }
 }
 
-// Called from inside the port's own functions, so the port is closed when they have returned.
+// The functions of the port call this, so the port is closed after they have returned.
 void SerialBoxLine::lose(QSerialPort::SerialPortError error)
 {
     const bool gone = error == QSerialPort::ResourceError || error == QSerialPort::ReadError ||

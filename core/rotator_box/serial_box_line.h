@@ -7,8 +7,8 @@
 
 #include <QSerialPort>
 
-// A box on a serial port, 8N1 without a handshake. A port that another program has open is left alone, and that program
-// is named. After a replug the port is found again by the maker and number of its adapter.
+// A box on a serial port, 8N1 without handshake. A port that another program has open is left alone, and the error
+// names that program. After a replug the port is found again by the maker and serial number of its adapter.
 namespace boresight {
 
 class SerialBoxLine final : public BoxLine

@@ -15,7 +15,7 @@ public:
     virtual ~SimulatedBox() = default;
 
     virtual void take(std::string_view bytes, SteadyTime now) = 0;
-    // What has come out of it by now.
+    // The bytes that it has sent by now.
     [[nodiscard]] virtual std::string answers(SteadyTime now) = 0;
 };
 

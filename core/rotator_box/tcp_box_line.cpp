@@ -15,7 +15,7 @@ namespace boresight {
 
 TcpBoxLine::TcpBoxLine(BusName bus, QObject* parent) : BoxLine(parent), m_bus(std::move(bus))
 {
-    m_socket.setProxy(QNetworkProxy::NoProxy);  // to ask the desktop for one blocks
+    m_socket.setProxy(QNetworkProxy::NoProxy);  // a query of the desktop for its proxy would block
     m_socket.setReadBufferSize(kBytesAtOnce);
     m_patience.setSingleShot(true);
     connect(&m_patience, &QTimer::timeout, this, &TcpBoxLine::giveUp);
@@ -46,7 +46,7 @@ QString TcpBoxLine::lost(const QString& reason) const
 void TcpBoxLine::open()
 {
     if (state() != State::Up && !m_patience.isActive()) {
-        m_socket.abort();  // what was not written must not keep it closing
+        m_socket.abort();  // unwritten data must not delay the closing
         m_patience.start(kConnectTime);
         m_socket.connectToHost(QString::fromStdString(m_bus.target), m_bus.port);
     }
@@ -57,8 +57,8 @@ void TcpBoxLine::begin()
     m_patience.stop();
     m_socket.setSocketOption(QAbstractSocket::LowDelayOption, 1);
     m_socket.setSocketOption(QAbstractSocket::KeepAliveOption, 1);
-    // A target that was not acknowledged must not arrive minutes later. After this time the line is lost, and with it
-    // what waits.
+    // An unacknowledged target must not arrive minutes later. After this time the line is lost together with all
+    // waiting data.
     const int milliseconds = 2000;
     setsockopt(static_cast<int>(m_socket.socketDescriptor()), IPPROTO_TCP, TCP_USER_TIMEOUT, &milliseconds,
                sizeof milliseconds);

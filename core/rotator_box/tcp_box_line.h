@@ -7,7 +7,7 @@
 #include <QTcpSocket>
 #include <QTimer>
 
-// A box behind a serial server or with a network plug of its own.
+// A box behind a serial server, or with a network connection of its own.
 namespace boresight {
 
 class TcpBoxLine final : public BoxLine
@@ -17,7 +17,7 @@ class TcpBoxLine final : public BoxLine
 public:
     static constexpr std::chrono::seconds kConnectTime{5};
 
-    // `bus` as the profile names it, with a host and a port.
+    // `bus`: a bus name of the profile with a host and a port.
     explicit TcpBoxLine(BusName bus, QObject* parent = nullptr);
     ~TcpBoxLine() override;
 
@@ -35,7 +35,7 @@ private:
 
     BusName m_bus;
     QTcpSocket m_socket{this};
-    QTimer m_patience{this};  // of a host that does not answer
+    QTimer m_patience{this};  // for a host that does not answer
 };
 
 }  // namespace boresight

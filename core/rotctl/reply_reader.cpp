@@ -20,7 +20,7 @@ std::string_view withoutBlanks(std::string_view text)
     return text.substr(from, text.find_last_not_of(" \t") - from + 1);
 }
 
-// "RPRT -1" is -1. Hamlib's errors are negative.
+// "RPRT -1" gives -1. Errors of Hamlib are negative.
 std::optional<int> codeOf(std::string_view line)
 {
     constexpr std::string_view kReport = "RPRT ";
@@ -92,7 +92,7 @@ ReplyReader::Progress ReplyReader::take(std::string_view line)
 ReplyReader::Progress ReplyReader::takeExtended(std::string_view line)
 {
     if (const auto code = codeOf(line)) {
-        // Some imitations leave the first line out before an error.
+        // Some imitations send an error without the first line.
         return m_lines > 1 || *code < 0 ? end(*code) : Progress::Strange;
     }
     if (m_lines == 1) {
@@ -101,7 +101,7 @@ ReplyReader::Progress ReplyReader::takeExtended(std::string_view line)
     return takeValue(line) ? Progress::More : Progress::Strange;
 }
 
-// What later versions add is passed over.
+// Values that later versions add are ignored.
 bool ReplyReader::takeValue(std::string_view line)
 {
     const std::size_t colon = line.find_first_of(":=");
@@ -154,8 +154,8 @@ ReplyReader::Progress ReplyReader::takePlain(std::string_view line)
     return Progress::Strange;
 }
 
-// The version of the protocol, the model, and the limits: four bare numbers in version 0, names with values up to
-// "done" in version 1, and both of one server that suits clients of each age.
+// The version of the protocol, the model, and the limits. Version 0 has four bare numbers, version 1 has names with
+// values up to "done". A server that supports clients of both ages sends both.
 ReplyReader::Progress ReplyReader::takePlainState(std::string_view line)
 {
     constexpr int kLast = 6;
@@ -177,7 +177,7 @@ ReplyReader::Progress ReplyReader::takePlainState(std::string_view line)
     return progress == Progress::More && m_lines == kLast && m_numbers.version == 0 ? end(0) : progress;
 }
 
-// A line that is a number and nothing else: of the position, or the limit with this number.
+// A line with only a number. `limit` 0: an angle of the position. Otherwise: the limit with this number.
 ReplyReader::Progress ReplyReader::takeNumber(std::string_view line, int limit)
 {
     const bool isAzimuth = limit == 0 ? m_lines == 1 : limit <= 2;

@@ -7,8 +7,8 @@
 #include <optional>
 #include <string_view>
 
-// Reads the answer of a rotctld, line by line. An answer is one wholly or not at all: half a line is no number, and a
-// line that does not belong to the answer makes it strange. Pure.
+// Reads the answer of a rotctld line by line. An answer is used completely or not at all: half a line is no number, and
+// a line that does not belong to the answer makes the answer strange. Pure.
 namespace boresight::rotctl {
 
 enum class Question
@@ -19,7 +19,7 @@ enum class Question
     Stop
 };
 
-// Which axes the rotator has, as rotctld says.
+// The axes of the rotator, as rotctld reports them.
 enum class RotatorType
 {
     Unknown,
@@ -39,14 +39,14 @@ struct RotatorState
 
 struct Reply
 {
-    int code = 0;  // negative: an error of Hamlib, and nothing else is in the answer
+    int code = 0;  // negative: an error of Hamlib, and the answer has no values
     std::optional<RotatorState> state;
     std::optional<AxisPosition> position;
 
     bool operator==(const Reply&) const = default;
 };
 
-// "RPRT -5": the last line of an answer in the extended form, and all of a refusal.
+// "RPRT -5": the last line of an answer in the extended form, or a complete refusal.
 [[nodiscard]] bool isReport(std::string_view line);
 
 class ReplyReader
@@ -56,18 +56,18 @@ public:
     {
         More,
         Whole,
-        Strange  // no answer to this question: nothing more is read
+        Strange  // not an answer to this question; the rest is not read
     };
 
     ReplyReader(Question question, Form form) : m_question(question), m_form(form) {}
 
     // A line without its end, not empty.
     [[nodiscard]] Progress take(std::string_view line);
-    // Of a whole answer.
+    // Valid after Progress::Whole.
     [[nodiscard]] const Reply& reply() const { return m_reply; }
 
 private:
-    static constexpr int kMostLines = 60;  // of an answer
+    static constexpr int kMostLines = 60;  // the most lines of one answer
 
     [[nodiscard]] Progress takeExtended(std::string_view line);
     [[nodiscard]] Progress takePlain(std::string_view line);

@@ -23,7 +23,7 @@ std::string stopAll(Form form)
 std::optional<std::string> goTo(Form form, const AxisPosition& place)
 {
     if (!kPossibleAzimuth.contains(place.azimuth) || !kPossibleElevation.contains(place.elevation)) {
-        return std::nullopt;  // also what is no number
+        return std::nullopt;  // also if an angle is not a number
     }
     return (form == Form::Extended ? "+\\set_pos " : "P ") + formatFixed(place.azimuth.degrees(), 2) + " " +
            formatFixed(place.elevation.degrees(), 2) + "\n";

@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
-// What a client says to a rotctld. The extended form is asked for with a "+": its answers name what they answer, and
-// each ends in a line of its own. Servers that imitate rotctld often know the plain form only. Pure.
+// The commands of a client to a rotctld. A "+" asks for the extended form: its answers begin with the name of the
+// command and end with a separate line. Servers that imitate rotctld often know only the plain form. Pure.
 namespace boresight::rotctl {
 
 enum class Form
@@ -19,10 +19,10 @@ enum class Form
 [[nodiscard]] std::string askState(Form form);  // the limits of the rotator
 [[nodiscard]] std::string askPosition(Form form);
 [[nodiscard]] std::string stopAll(Form form);
-// With two decimals. Empty: an angle is no number, or no rotator turns that far.
+// With two decimals. Empty if an angle is not a number, or if no rotator turns that far.
 [[nodiscard]] std::optional<std::string> goTo(Form form, const AxisPosition& place);
 
-// Farther than any rotator turns.
+// Wider than the travel of any rotator.
 inline constexpr TravelRange kPossibleAzimuth{.min = Angle::fromDegrees(-720.0), .max = Angle::fromDegrees(900.0)};
 inline constexpr TravelRange kPossibleElevation{.min = Angle::fromDegrees(-180.0), .max = Angle::fromDegrees(360.0)};
 

@@ -6,7 +6,7 @@
 namespace boresight::rotctl {
 namespace {
 
-// The numbers of Hamlib's rig_errcode_e.
+// The numbers are those of rig_errcode_e in Hamlib.
 QString meaningOf(int code)
 {
     switch (-code) {

@@ -3,12 +3,13 @@
 
 #include <QString>
 
-// The errors of Hamlib in plain words. Pure.
+// The errors of Hamlib as texts. Pure.
 namespace boresight::rotctl {
 
-// `code` as rotctld reports it: negative. A clause without a full stop, with the number of Hamlib behind it.
+// `code`: as rotctld reports it, negative. The text is a clause without a full stop, with the number of Hamlib at its
+// end.
 [[nodiscard]] QString errorInWords(int code);
-// The rotator cannot do this at all, so asking again is of no use.
+// The rotator does not have this function, so repeating the command is useless.
 [[nodiscard]] bool isUnavailable(int code);
 
 }  // namespace boresight::rotctl

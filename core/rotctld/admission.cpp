@@ -12,7 +12,8 @@ QString Admission::crowd(const std::string& host, std::size_t most) const
     if (m_served >= most) {
         return Text::tr("refused: %1 clients are connected").arg(QString::number(m_served));
     }
-    // A program that connects and never lets go must not keep the other computers out: a quarter is left to them.
+    // A program that connects again and again must not keep other computers out, so a quarter of the places is left to
+    // them.
     const auto found = m_servedOf.find(host);
     if (found != m_servedOf.end() && found->second >= most - most / 4) {
         return Text::tr("refused: %1 clients of its host are connected").arg(QString::number(found->second));

@@ -28,7 +28,7 @@ std::optional<Number> leadingFloat(std::string_view text)
         format = std::chars_format::hex;
     }
     if (text.starts_with('-')) {
-        return std::nullopt;  // "--5": from_chars would take the second sign
+        return std::nullopt;  // "--5": from_chars would accept the second sign
     }
     Number value{};
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, format);

@@ -4,9 +4,9 @@
 #include <optional>
 #include <string_view>
 
-// Numbers as a rotctld client may write them. Hamlib reads them with C's scanf: the number ends at the first character
-// that does not fit ("10.5deg" is 10.5, "50.5" as an integer is 50), hexadecimal is allowed, at least one digit must
-// be there. Not a number, infinity and overflow are refused here, though scanf takes them. Pure.
+// Numbers as a rotctld client may write them. Hamlib reads them with scanf of C: the number ends at the first character
+// that does not fit ("10.5deg" is 10.5, "50.5" as an integer is 50), hexadecimal is permitted, and at least one digit
+// is required. Unlike scanf, these functions refuse NaN, infinity and overflow. Pure.
 namespace boresight::rotctld {
 
 [[nodiscard]] std::optional<double> leadingDouble(std::string_view text);

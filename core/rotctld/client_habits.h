@@ -15,12 +15,12 @@
 #include <string>
 #include <string_view>
 
-// What one client does, for the list of clients: which program it probably is, what it asks for and how often. Nothing
-// that is granted or refused depends on it. Pure.
+// The behaviour of one client, for the list of clients: its probable program, its commands and their rate. No
+// permission depends on it. Pure.
 namespace boresight::rotctld {
 
 inline constexpr std::size_t kShownBytes = 40;
-// What the client sent, for the log: printable, and no more than so many bytes. It may be no text at all.
+// The text of a client for the log: printable, and no more than kShownBytes bytes. It may be binary data.
 [[nodiscard]] QString shownText(std::string_view bytes);
 
 class ClientHabits
@@ -28,22 +28,23 @@ class ClientHabits
 public:
     explicit ClientHabits(SteadyTime begin) : m_rate(begin) {}
 
-    // Each command, before it is run; one that was understood, afterwards; a line without sense.
+    // Call take() for each command before it runs, understood() afterwards if it was understood, and countOdd() for an
+    // unknown line.
     void take(const Command& command, SteadyTime now);
-    // The same of another protocol. `point`: where the client wants the mount to point, if it says so.
+    // take() for another protocol. `point`: the target of the command, if it has one.
     void take(std::string_view command, bool motion, const std::optional<SkyPointing>& point, SteadyTime now);
     void understood(const Command& command) { m_program.observe(command); }
-    // The last command. `became`: what an accepted target became, empty if nothing else than the client wrote.
+    // The result of the last command. `became`: the changed target if the station changed it, else empty.
     void answered(const Result<>& outcome, const QString& became = {});
     void countOdd() { ++m_oddCommands; }
 
     [[nodiscard]] std::string_view program() const { return m_program.name(); }
     [[nodiscard]] QString lastCommand() const { return shownText(m_lastCommand); }
-    // The last command, and why it was refused if it was, or what became of its target: "P 400 30 → az 40.0°".
+    // The last command, with the reason if it was refused, or with its changed target: "P 400 30 → az 40.0°".
     [[nodiscard]] QString lastInWords() const;
     [[nodiscard]] std::uint64_t oddCommands() const { return m_oddCommands; }
     [[nodiscard]] double commandsPerSecond(SteadyTime now) const { return m_rate.perSecond(now); }
-    [[nodiscard]] std::optional<SteadyTime> lastMotion() const { return m_lastMotion; }  // asked for, granted or not
+    [[nodiscard]] std::optional<SteadyTime> lastMotion() const { return m_lastMotion; }  // requested, accepted or not
     [[nodiscard]] std::optional<Angle> leap() const { return m_steps.leap(); }
 
 private:

@@ -5,8 +5,8 @@
 
 #include <string_view>
 
-// Which program a client probably is. No client sends its name, so the way it writes its commands decides. For the
-// screen and the log only, nothing depends on it. Pure.
+// Which program a client probably is. Clients do not send their name, so the way they write commands decides. Only for
+// the screen and the log. No behaviour depends on it. Pure.
 namespace boresight::rotctld {
 
 class ClientProgram

@@ -10,7 +10,7 @@ namespace {
 
 using Event = CommandParser::Event;
 
-constexpr std::size_t kLineHead = 32;       // the longest opening of a foreign protocol is shorter
+constexpr std::size_t kLineHead = 32;       // longer than the longest known opening of a foreign protocol
 constexpr std::size_t kMaxNameLength = 32;  // the longest name has 10 letters
 constexpr std::size_t kMaxBinaryBytes = 4;  // a stray NUL or umlaut is no foreign protocol
 
@@ -24,7 +24,7 @@ bool isWordByte(char byte)
     return (byte >= 'a' && byte <= 'z') || (byte >= 'A' && byte <= 'Z') || (byte >= '0' && byte <= '9') || byte == '_';
 }
 
-// Any ASCII punctuation but the three that have a meaning of their own.
+// Any ASCII punctuation except the three characters with another meaning.
 bool isSeparator(char byte)
 {
     return byte > ' ' && byte < 0x7f && !isWordByte(byte) && byte != '\\' && byte != '#';
@@ -127,12 +127,11 @@ Event CommandParser::idle(std::string_view& input)
     return letter(byte, input);
 }
 
-// What is seen only at the start of a line: a foreign protocol, or a long name whose backslash was forgotten
-// (Look4Sat).
+// Checks that apply only at the start of a line: a foreign protocol, or a long name without its backslash (Look4Sat).
 std::optional<Event> CommandParser::openLine(std::string_view& input)
 {
     constexpr std::string_view kOrdinary =
-        "p\\+|;\r\n";  // opens most lines, but none of a foreign protocol and no bare name
+        "p\\+|;\r\n";  // these characters open most lines, but no line of a foreign protocol and no bare name
     if (kOrdinary.find(input.front()) != std::string_view::npos) {
         return std::nullopt;
     }
@@ -163,7 +162,7 @@ Event CommandParser::plus(std::string_view& input)
     return Event::NeedMore;
 }
 
-// The byte that decides which command it is, after the prefix.
+// Handles the byte after the prefix, which decides which command follows.
 Event CommandParser::letter(unsigned char byte, std::string_view rest)
 {
     if (isBlank(static_cast<char>(byte))) {  // "+ p" and "+\np": the prefix is void
@@ -256,7 +255,7 @@ void CommandParser::addToArgument(char byte)
     }
 }
 
-// Blanks and line ends before an argument do not count; the one after it is left for the next command.
+// Blanks and line ends before an argument are skipped. The blank after it stays for the next command.
 Event CommandParser::argument(std::string_view& input)
 {
     std::string& text = m_command.arguments[m_command.argumentCount];

@@ -8,10 +8,10 @@
 #include <string>
 #include <string_view>
 
-// Bytes of one client -> commands. The protocol is a character stream, not lines: `p` runs before its newline, `P`
-// waits for two words wherever they come, `#` comments. Half a command stays inside until the rest arrives.
-// Other than Hamlib, what follows an unknown or failed command on its line is thrown away, unread (HAMLIB.md).
-// Pure; no I/O, no clock.
+// Bytes of one client -> commands. The protocol is a stream of characters, not of lines: `p` runs before its newline,
+// `P` waits for two words even on later lines, and `#` begins a comment. Half a command is kept until the rest arrives.
+// Unlike in Hamlib, the rest of a line after an unknown or failed command is dropped (HAMLIB.md). Pure. No I/O, no
+// clock.
 namespace boresight::rotctld {
 
 inline constexpr std::size_t kMaxArgumentLength = 127;  // Hamlib 4.7 cuts here, older ones overflow
@@ -40,24 +40,24 @@ class CommandParser
 public:
     enum class Event
     {
-        NeedMore,  // all input is taken
+        NeedMore,  // all input was read
         Command,   // see command()
         Odd,       // an unknown command; the rest of its line will be ignored
         Stranger,  // this is another protocol: see stranger()
         TooLong    // no line feed in kMaxLineLength bytes
     };
 
-    // Takes bytes off the front of `input` up to and including the next event.
+    // Removes bytes from the front of `input`, up to and including the next event.
     [[nodiscard]] Event next(std::string_view& input);
-    // The client will send no more: a command that only waits for the end of its word is complete now.
+    // The client sends no more, so a command that waits only for the end of its word is complete.
     [[nodiscard]] Event finish();
-    // The command failed: the rest of its line is not a command.
+    // The command failed, so the rest of its line is dropped.
     [[nodiscard]] Event skipLine();
 
     [[nodiscard]] const Command& command() const { return m_command; }
     [[nodiscard]] std::string_view stranger() const { return m_stranger; }
     [[nodiscard]] std::string_view lineHead() const { return m_lineHead; }
-    // Part of a command has come and the rest is missing.
+    // A command is incomplete.
     [[nodiscard]] bool midCommand() const { return m_state != State::Idle && m_state != State::Ignore; }
 
 private:
@@ -97,12 +97,12 @@ private:
     State m_state = State::Idle;
     Command m_command;
     std::string m_name;
-    std::string m_lineHead;  // the first bytes of the line, to recognise foreign protocols
+    std::string m_lineHead;  // first bytes of the line, to detect foreign protocols
     std::string_view m_stranger;
     std::size_t m_lineLength = 0;
-    std::size_t m_binaryBytes = 0;  // unprintable ones outside arguments since the last command
+    std::size_t m_binaryBytes = 0;  // unprintable bytes outside arguments since the last command
     bool m_comment = false;
-    bool m_doubtful = false;  // the last thing it said was unknown
+    bool m_doubtful = false;  // the last command was unknown
 };
 
 }  // namespace boresight::rotctld

@@ -20,7 +20,7 @@ void CommandRate::count(SteadyTime now)
     ++second.commands;
 }
 
-// Of whole seconds, so that a steady client shows a steady number; in its first second, what there is.
+// Counts complete seconds, so that a steady client shows a steady number. In the first second, counts what there is.
 double CommandRate::perSecond(SteadyTime now) const
 {
     const std::int64_t running = secondAt(now);

@@ -6,7 +6,7 @@
 #include <array>
 #include <cstdint>
 
-// How many commands a second a client sends, over the last seconds. One addition per command; pure.
+// The number of commands per second of a client, over the last seconds. One addition per command. Pure.
 namespace boresight::rotctld {
 
 class CommandRate
@@ -22,14 +22,14 @@ public:
 private:
     struct Second
     {
-        std::int64_t number = -1;  // since the begin
+        std::int64_t number = -1;  // counted from m_begin
         std::uint32_t commands = 0;
     };
 
     [[nodiscard]] std::int64_t secondAt(SteadyTime now) const;
 
     SteadyTime m_begin;
-    std::array<Second, kSeconds + 1> m_seconds{};  // the running one and those before it
+    std::array<Second, kSeconds + 1> m_seconds{};  // the current second and those before it
 };
 
 }  // namespace boresight::rotctld

@@ -6,7 +6,7 @@
 namespace boresight::rotctld {
 namespace {
 
-// Names, letters, argument names and labels are those of Hamlib 4.5.4; clients read the labels.
+// Names, letters, argument names and labels are those of Hamlib 4.5.4, because clients read the labels.
 constexpr std::array kCommands{
     CommandSpec{.id = CommandId::SetPosition,
                 .letter = 'P',

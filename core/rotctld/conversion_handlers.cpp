@@ -16,7 +16,7 @@ std::string sixDecimals(double value)
     return formatFixed(value, 6);
 }
 
-// The numbers of a command whose arguments all are numbers, up to `Count`.
+// The values of a command with numeric arguments, up to `Count`.
 template <std::size_t Count>
 Result<std::array<double, Count>> numbers(const Command& command)
 {
@@ -81,7 +81,7 @@ Result<> fromDms(const Command& command, ReplyWriter& reply)
     return {};
 }
 
-// E: like D with the seconds in the fraction of the minutes. Hamlib 4.5.4 adds a second and loses the sign here.
+// E: like D, with the seconds as a fraction of the minutes. Hamlib 4.5.4 adds a second and loses the sign here.
 Result<> fromMinutes(const Command& command, ReplyWriter& reply)
 {
     const auto degrees = integer(command, 0);

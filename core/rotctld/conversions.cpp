@@ -12,7 +12,7 @@ namespace {
 constexpr double kKilometresPerDegree = 111.2;
 constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
 
-// Letters and digits take turns, each pair dividing the square before: 18 fields, 10 squares, 24 subsquares …
+// Letters and digits alternate, and each pair divides the square before: 18 fields, 10 squares, 24 subsquares …
 constexpr std::array kDivisions{18, 10, 24, 10, 24, 10};
 constexpr int kMaxLocatorLength = 2 * static_cast<int>(kDivisions.size());
 
@@ -21,7 +21,7 @@ bool isDigitPair(std::size_t pair)
     return kDivisions.at(pair) == 10;
 }
 
-// One coordinate, scaled to 0…180, as the first, third, … or second, fourth, … characters.
+// Writes one coordinate, scaled to 0…180, into the characters first, first + 2, first + 4, …
 void writeOrdinate(std::string& locator, std::size_t first, double ordinate)
 {
     constexpr double kRoundingGuard = 0.000001;  // keeps 50° in the square that begins at 50°
@@ -57,7 +57,7 @@ bool onTheGlobe(LongitudeLatitude place)
     return std::abs(place.latitude) <= 90.0 && std::abs(place.longitude) <= 180.0;
 }
 
-// A pole has no azimuth; a hair beside it does.
+// A pole has no azimuth, so a point close to the pole is used.
 double besidePole(double latitude)
 {
     constexpr double kBeside = 89.999999999;
@@ -68,7 +68,7 @@ double besidePole(double latitude)
 
 std::optional<std::string> toLocator(LongitudeLatitude place, int length)
 {
-    constexpr double kMostTurned = 270.0;  // beyond, Hamlib's letters leave the alphabet
+    constexpr double kMostTurned = 270.0;  // beyond this, the letters of Hamlib leave the alphabet
     if (length < 2 || length / 2 * 2 > kMaxLocatorLength || std::abs(place.longitude) > 2.0 * kMostTurned ||
         std::abs(place.latitude) > kMostTurned) {
         return std::nullopt;
@@ -125,7 +125,7 @@ std::optional<DistanceAzimuth> greatCircle(LongitudeLatitude from, LongitudeLati
         return DistanceAzimuth{};  // the same place
     }
     if (cosine < -0.999999) {
-        return DistanceAzimuth{.kilometres = 180.0 * kKilometresPerDegree};  // the antipode lies in every direction
+        return DistanceAzimuth{.kilometres = 180.0 * kKilometresPerDegree};  // every direction leads to the antipode
     }
     const double azimuth = std::atan2(
         std::sin(east) * std::cos(toLatitude),

@@ -5,9 +5,9 @@
 #include <string>
 #include <string_view>
 
-// The protocol's small calculations: Maidenhead locator, degrees-minutes-seconds, great circle on Hamlib's sphere of
-// 111.2 km per degree. Degrees and kilometres as plain doubles, because they come from and go to text unchanged and
-// never near the mount. Results agree with Hamlib 4.5.4 to the last printed digit. Pure.
+// The small calculations of the protocol: Maidenhead locator, degrees-minutes-seconds, great circle on Hamlib's sphere
+// of 111.2 km per degree. Degrees and kilometres are plain doubles, because they come from text, go back to text, and
+// never reach the mount. The results agree with Hamlib 4.5.4 to the last printed digit. Pure.
 namespace boresight::rotctld {
 
 struct LongitudeLatitude
@@ -30,11 +30,11 @@ struct DistanceAzimuth
     double azimuth = 0.0;  // whole degrees
 };
 
-// length 2…13 characters, an odd one rounds down.
+// `length`: 2…13 characters. An odd length is rounded down.
 [[nodiscard]] std::optional<std::string> toLocator(LongitudeLatitude place, int length);
 [[nodiscard]] std::optional<LongitudeLatitude> fromLocator(std::string_view locator);  // centre of the square
 
-// Signs of the parts do not count, only `negative`.
+// Only `negative` decides the sign. The signs of the parts are ignored.
 [[nodiscard]] double toDegrees(const DegreesMinutesSeconds& angle);
 [[nodiscard]] DegreesMinutesSeconds toDegreesMinutesSeconds(double degrees);  // wrapped to ±180° first
 

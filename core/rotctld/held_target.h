@@ -5,15 +5,15 @@
 
 #include <optional>
 
-// Where the axes stay that a command of one client does not name. A controller has a set-point for each axis, and one
-// of them stays when the other is sent. So does the target here, while the mount follows it. Once somebody has moved or
-// stopped the mount, the axis stays where it is measured. Station thread.
+// The position of an axis that a command of a client does not contain. A real controller has a set-point for each axis,
+// and one set-point stays when the other is sent. So the last target of the client is kept while the mount follows it.
+// After somebody has moved or stopped the mount, the axis stays where it is measured. Station thread.
 namespace boresight::rotctld {
 
 class HeldTarget
 {
 public:
-    // It outlives this.
+    // The rotator outlives this.
     explicit HeldTarget(Rotator& rotator) : m_rotator(rotator) {}
 
     [[nodiscard]] Result<SkyPointing> place(const Client& client);

@@ -8,7 +8,8 @@
 namespace boresight::rotctld {
 namespace {
 
-constexpr std::string_view kModel = "1";  // the dummy's number: clients show it at most, some know no other
+// The model number of the dummy rotator of Hamlib. Clients only show it, and some know no other number.
+constexpr std::string_view kModel = "1";
 
 std::string oneLine(std::string text)
 {
@@ -58,7 +59,7 @@ std::array<NamedLimit, 4> named(const Limits& limits)
              {"max_el", "Maximum Elevation", limits.maxElevation}}};
 }
 
-// Six decimals as C's %f. Lines stay far below the 64 bytes a Hamlib client can take.
+// Six decimals, like %f in C. Lines stay far below the 64 bytes that a Hamlib client can read.
 void dumpState(const Command& command, const Context& context, ReplyWriter& reply)
 {
     const auto limits = named(context.rotator.limits());
@@ -80,7 +81,7 @@ void dumpState(const Command& command, const Context& context, ReplyWriter& repl
     reply.line("done");
 }
 
-// Clients pick lines out of this by their names. With header and code it must stay under 2000 bytes (HamClock).
+// Clients search this text for lines by their names. With header and code it must stay under 2000 bytes (HamClock).
 void dumpCapabilities(const Context& context, ReplyWriter& reply)
 {
     const Limits limits = context.rotator.limits();

@@ -13,7 +13,8 @@ namespace {
 
 constexpr std::string_view kLineEnds = "\r\n";
 
-// Programs that speak no rotator protocol at all. What a rotctld client would not say may be right here.
+// True for programs that use no rotator protocol at all. Only HTTP and TLS, because other openings may be valid in this
+// protocol.
 bool speaksOtherwise(std::string_view line)
 {
     const auto stranger = strangerIn(line);
@@ -48,7 +49,7 @@ bool LineSession::step(std::string& reply)
     return true;
 }
 
-// For the rest of a line.
+// Waits for the rest of a line.
 void LineSession::wait()
 {
     if (m_input.size() > kMaxLineLength) {

@@ -10,18 +10,18 @@
 #include <string>
 #include <string_view>
 
-// A conversation in a protocol of lines: each ends with CR or LF and is one command. Empty lines mean nothing. What is
-// left without a line end when the client leaves is thrown away. Station thread.
+// A conversation in a protocol of lines: each line ends with CR or LF and is one command. Empty lines are ignored. Half
+// a line is dropped when the client leaves. Station thread.
 namespace boresight::rotctld {
 
-// What one line did. A result of InvalidInput: the line is no command.
+// The effect of one line. A result of InvalidInput: the line is no command.
 struct LineOutcome
 {
     std::string reply;
     Result<> result;
-    QString became = {};                    // an accepted target, in words
-    bool motion = false;                    // it asked for a motion, granted or not
-    std::optional<SkyPointing> point = {};  // it asked to point there
+    QString became = {};                    // the changed target, as text; empty if unchanged
+    bool motion = false;                    // it requested a motion, accepted or not
+    std::optional<SkyPointing> point = {};  // the target that it requested
 };
 
 class LineProtocol
@@ -59,7 +59,7 @@ private:
     const Clock& m_clock;
     ClientHabits m_habits;
     std::string m_input;
-    std::size_t m_taken = 0;  // of m_input
+    std::size_t m_taken = 0;  // bytes of m_input that were read
     bool m_inputEnded = false;
     QString m_ending;
     bool m_dropped = false;

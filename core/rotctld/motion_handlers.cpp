@@ -21,7 +21,8 @@ Result<> pointTo(const Command& command, const Context& context)
     if (!elevation) {
         return badArgument(command, 1);
     }
-    // Further round than any cable goes. Hamlib takes any finite number here, and a direction made of 1e38 is noise.
+    // More than any cable permits. Hamlib accepts any finite number here, but a direction of 1e38 degrees means
+    // nothing.
     constexpr float kMostAzimuth = 3600.0F;
     if (std::abs(*azimuth) > kMostAzimuth) {
         return failure(ErrorCode::InvalidInput,

@@ -6,14 +6,14 @@
 namespace boresight::rotctld {
 namespace {
 
-constexpr Angle kSamePoint = Angle::fromDegrees(0.02);  // two decimals on the wire
+constexpr Angle kSamePoint = Angle::fromDegrees(0.02);  // the protocol has two decimals
 constexpr Angle kFine = Angle::fromDegrees(1.0);
 constexpr Angle kLeap = Angle::fromDegrees(2.0);
-// A client that sends whenever it can does so at least this often: what it leaps then is the speed of its target.
+// A client that tracks closely sends at least this often. Then its steps only show the speed of its target.
 constexpr Seconds kSilence{2.5};
-// Corrections of one leap are over long before that; who goes on sending so long follows its target closely.
+// The corrections of one leap end long before this time. A client that still sends then tracks its target closely.
 constexpr Seconds kCorrections{15.0};
-// Between passes, and where somebody turned to another target.
+// A longer pause means another pass or another target.
 constexpr Seconds kAnotherTarget{180.0};
 constexpr Angle kFarthestLeap = Angle::fromDegrees(25.0);
 constexpr int kEnough = 3;
@@ -30,7 +30,7 @@ void PointSteps::observe(const SkyPointing& point, SteadyTime now)
     const std::optional<SkyPointing> before = m_last;
     const Angle step = before ? stepBetween(point, *before) : Angle();
     if (before && step < kSamePoint) {
-        return;  // said again
+        return;  // the same point again
     }
     const Seconds time = now - m_lastTime;
     m_last = point;

@@ -6,23 +6,22 @@
 
 #include <optional>
 
-// How coarsely a client tracks its target, measured by the points that it sends. Gpredict sends the next one only when
-// the satellite is its "Threshold" away from the antenna, 5° unless the user changed it, and points as far ahead: it is
-// silent for a while, leaps by up to twice that, corrects the leap while the antenna is under way, and is silent again.
-// Pure.
+// How coarsely a client tracks its target, measured from the points that it sends. Gpredict sends the next point only
+// when the satellite is its "Threshold" away from the antenna (default 5°), and points as far ahead. So it is silent
+// for a while, leaps by up to twice that angle, corrects the leap while the antenna moves, and is silent again. Pure.
 namespace boresight::rotctld {
 
 class PointSteps
 {
 public:
     void observe(const SkyPointing& point, SteadyTime now);
-    // The smallest of the last leaps, while it keeps leaping; empty again once it follows closely.
+    // The smallest of the last leaps, while the client keeps leaping. Empty again when it tracks closely.
     [[nodiscard]] std::optional<Angle> leap() const;
 
 private:
     std::optional<SkyPointing> m_last;
     SteadyTime m_lastTime{};
-    SteadyTime m_lastSilence{};  // its end
+    SteadyTime m_lastSilence{};  // when the last silence ended
     Angle m_smallest;
     int m_leaps = 0;  // in a row, each after a silence
 };

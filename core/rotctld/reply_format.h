@@ -8,22 +8,22 @@
 #include <string>
 #include <string_view>
 
-// Writes the answer to one command in the form the client asked for: default (values or RPRT) or extended (header,
-// labelled values, RPRT, with the client's separator). Pure.
+// Writes the reply to one command in the form that the client asked for: default (values or RPRT) or extended (header,
+// labelled values, RPRT, with the separator of the client). Pure.
 namespace boresight::rotctld {
 
-// The number that a client receives: 0 done, else negative (README.md has the table).
+// The RPRT code for the client: 0 for success, otherwise negative (table in README.md).
 [[nodiscard]] int rprtCode(const Error& error);
 
 class ReplyWriter
 {
 public:
-    // Appends to `reply`, which must outlive this and `command`.
+    // Appends to `reply`. Both references must outlive this.
     ReplyWriter(const Command& command, std::string& reply);
 
-    void value(std::string_view text);  // under the command's next label
-    void line(std::string_view text);   // unlabelled, ended by the separator
-    void text(std::string_view lines);  // as it is
+    void value(std::string_view text);  // with the next label of the command
+    void line(std::string_view text);   // without label, with the separator at its end
+    void text(std::string_view lines);  // unchanged
 
     void finish(const Result<>& outcome);
 

@@ -11,21 +11,21 @@
 #include <cstdint>
 #include <string>
 
-// What the rotctld server asks of the mount. The station implements it; the server knows nothing else of the station.
-// All calls come on the station thread and return at once. An Error's code becomes the RPRT code (README.md), its text
-// goes to the log: InvalidInput and OutOfRange -1, NoAnswer, NoDevice and Io -6, Refused and Busy -9,
-// NotAvailable -11, Protocol -8.
+// The functions of the mount for the rotctld server. The station implements them, and the server uses nothing else of
+// the station. All calls come on the station thread and return at once. The code of an Error becomes the RPRT code
+// (README.md), and its text goes to the log: InvalidInput and OutOfRange -1, NoAnswer, NoDevice and Io -6, Refused and
+// Busy -9, NotAvailable -11, Protocol -8.
 namespace boresight::rotctld {
 
 struct Client
 {
-    std::uint64_t id = 0;  // never reused while the program runs
-    std::string address;   // "127.0.0.1:51234"; of a pseudo-terminal the path of its link
+    std::uint64_t id = 0;  // not used again while the program runs
+    std::string address;   // "127.0.0.1:51234"; for a pseudo-terminal the path of its link
     std::string protocol = "rotctld";
-    bool readsOnly = false;  // its listener is for reading: the rotator refuses its motions
+    bool readsOnly = false;  // its listener is only for reading, so the rotator refuses its motions
 };
 
-// As the client wrote it: an azimuth of any turn, -3600°…3600°, elevation -90°…180°.
+// As the client wrote it: any azimuth in -3600°…3600°, elevation -90°…180°.
 struct PointRequest
 {
     Angle azimuth;
@@ -40,7 +40,7 @@ enum class MoveDirection
     Right
 };  // left = counter-clockwise
 
-// What dump_state and dump_caps advertise.
+// The limits that dump_state and dump_caps report.
 struct Limits
 {
     Angle minAzimuth;
@@ -48,14 +48,15 @@ struct Limits
     Angle minElevation;
     Angle maxElevation;
 
-    // A program counts 0…360° or 0…450°, the mount perhaps -180…180°.
+    // Moves an azimuth outside the limits by 360° if that brings it inside. A program may count 0…360° or 0…450°, and
+    // the mount -180…180°.
     [[nodiscard]] Angle turned(Angle azimuth) const
     {
         const Angle other = azimuth > maxAzimuth ? azimuth - 360_deg : azimuth + 360_deg;
         const bool isOutside = azimuth > maxAzimuth || azimuth < minAzimuth;
         return isOutside && other >= minAzimuth && other <= maxAzimuth ? other : azimuth;
     }
-    // Of a measured place: its noise is no place to go to.
+    // Moves a measured position into the limits, because its noise may put it outside.
     [[nodiscard]] SkyPointing nearest(const SkyPointing& place) const
     {
         return {.azimuth = std::max(minAzimuth, std::min(place.azimuth, maxAzimuth)),
@@ -63,7 +64,7 @@ struct Limits
     }
 };
 
-// One answer to get_status: what moves which way, and which limits are reached.
+// The answer to get_status: which axis moves in which direction, and which limits are reached.
 struct MotionFlags
 {
     bool movingLeft = false;
@@ -83,19 +84,19 @@ public:
 
     [[nodiscard]] virtual std::string info() const = 0;  // one line, e.g. "Boresight 0.1.0, my mount"
     [[nodiscard]] virtual Limits limits() const = 0;
-    // Measured, in the client's azimuth convention; an error when older than 1 s or unknown. Who asks matters: a
-    // tracking client that reads and then sends no point is content with where the mount points.
+    // The measured position in the azimuth convention of the client. An error if it is older than 1 s or unknown. The
+    // client matters: a tracking client that reads the position and sends no new point accepts where the mount points.
     [[nodiscard]] virtual Result<SkyPointing> position(const Client& client) = 0;
     [[nodiscard]] virtual MotionFlags motion() const = 0;
-    // The mount goes to the last target of this client, or stays there. False: it was moved or stopped since.
+    // The mount moves to the last target of this client, or stays there. False: it was moved or stopped since then.
     [[nodiscard]] virtual bool follows(const Client& client) const = 0;
 
-    // Accepted: what became of the target, in words, where that is not what the client wrote. Else empty.
+    // On success: the changed target as text, or empty if the target was not changed.
     virtual Result<QString> pointTo(const Client& client, const PointRequest& request) = 0;
-    // Runs until stop, a limit or the end of that client's connection. Speed in percent of the fastest jog rate as
-    // the client wrote it, -1 for "default".
+    // Moves until a stop, a limit or the end of the connection of this client. `speed`: percent of the fastest jog rate
+    // as the client wrote it, or -1 for the default.
     virtual Result<> move(const Client& client, MoveDirection direction, int speed) = 0;
-    // As move, at a rate above zero. Accepted: what became of the rate, in words, where that is not what was asked.
+    // Like move(), at a rate above zero. On success: the changed rate as text, or empty if the rate was not changed.
     virtual Result<QString> moveAt(const Client& client, MoveDirection direction, AngularRate rate) = 0;
     virtual Result<> stop(const Client& client) = 0;
     virtual Result<> park(const Client& client) = 0;
@@ -106,10 +107,10 @@ public:
     virtual Result<> setSpeedLevel(const Client& client, int level) = 0;
 
     virtual void clientConnected(const Client& client) = 0;
-    // Its `move` must end: hold. Its last pointTo stands, as with Hamlib: radiosonde_auto_rx connects for each request,
-    // and closing Gpredict's window sends no stop.
+    // Its move() must end, and the mount holds. Its last pointTo() stays valid, as with Hamlib: radiosonde_auto_rx
+    // connects for each request, and closing the window of Gpredict sends no stop.
     virtual void clientGone(const Client& client, const QString& reason) = 0;
-    // For the log: a client did something worth a line (foreign protocol, flood, dropped, refused).
+    // For the log: a client did something that needs a line (foreign protocol, flood, dropped, refused).
     virtual void clientRemark(const Client& client, const QString& text) = 0;
 };
 

@@ -20,20 +20,20 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// One turn: at most so many clients with so many commands each. A command costs 2…6 µs with its system calls and
-// accepting a client 10…50 µs: a turn took 0.2 ms of processor time (median) and 0.35 ms (p99) with 100 clients
-// flooding.
+// Limits of one turn: this many clients with this many commands each. A command costs 2…6 µs with its system calls, and
+// accepting a client 10…50 µs. With 100 flooding clients a turn took 0.2 ms of processor time (median) and 0.35 ms
+// (p99).
 constexpr int kClientsPerTurn = 8;
 constexpr std::size_t kBacklogPerTurn = 8;
 constexpr int kCommandsPerClient = 4;
 constexpr int kAcceptsPerTurn = 8;
 constexpr std::size_t kReadSize = 1024;
 
-constexpr std::size_t kMaxUnsent = 16384;  // then its commands wait
-constexpr auto kUnsentTime = 10s;          // without taking a byte of its replies
-constexpr auto kFloodTime = 10s;           // never once waiting for an answer
+constexpr std::size_t kMaxUnsent = 16384;  // bytes; with more, its commands wait
+constexpr auto kUnsentTime = 10s;          // the client has read nothing of its replies for this time
+constexpr auto kFloodTime = 10s;           // commands have been waiting without a break for this time
 constexpr auto kHalfCommandTime = 60s;
-constexpr auto kLingerTime = 2s;  // after our last byte, so that it is not destroyed by a reset
+constexpr auto kLingerTime = 2s;  // after our last byte, so that a reset does not destroy it
 constexpr auto kHousekeepingPeriod = 100ms;
 
 constexpr std::uint64_t kListenerId = 0;
@@ -61,11 +61,11 @@ struct Server::Connection
     std::optional<SteadyTime> busySince;  // since when commands have been waiting without a break
     SteadyTime leftAt;
     bool waiting = false;    // commands wait for the next turn
-    bool inputFull = false;  // the last read filled the buffer: more is probably there
+    bool inputFull = false;  // the last read filled the buffer, so there is probably more
     bool atEnd = false;      // the client sends no more
-    bool left = false;       // the session is over; only its last bytes are delivered
+    bool left = false;       // the session is over; only the last bytes are still sent
     bool sendingEnded = false;
-    bool broken = false;  // the socket is of no more use
+    bool broken = false;  // the socket cannot be used any more
     std::uint32_t watched = 0;
 };
 
@@ -177,7 +177,7 @@ void Server::acceptWaiting()
         auto accepted = m_entrance->accept();
         if (!accepted) {
             if (accepted.error() == AcceptFailure::Shortage) {
-                watchListener(false);  // housekeeping tries again; who is connected is served meanwhile
+                watchListener(false);  // housekeeping tries again; connected clients are served meanwhile
             }
             return;
         }
@@ -202,7 +202,7 @@ bool Server::turnedAway(const Client& client)
 {
     const std::string host = hostOf(client.address);
     if (!m_admission.admits(host)) {
-        // Named without its port: who knocks again and again gets one line in the log, not one each time.
+        // Logged without its port, so that repeated attempts of a host make one line in the log.
         m_rotator.clientRemark(
             {.address = host, .protocol = m_settings.protocol},
             Text::tr("refused: its address is not permitted (%1)").arg(QLatin1String(m_settings.allowKey)));
@@ -252,8 +252,8 @@ void Server::watchListener(bool on)
     }
 }
 
-// Tells epoll what the connection can use now: input while none of its commands wait and its replies go out, room for
-// output while some is unsent. A broken connection is reported in any case.
+// Tells epoll what the connection can use now: input while no command waits and its replies go out, and room for output
+// while a reply is unsent. A broken connection is always reported.
 void Server::watch(Connection& connection)
 {
     const bool served = connection.left || (!connection.waiting && connection.unsent.size() <= kMaxUnsent);
@@ -300,12 +300,12 @@ void Server::receive(Connection& connection)
     const Received received = receiveSome(connection.socket, buffer.data(), buffer.size());
     connection.atEnd = received.atEnd;
     if (received.atEnd && !m_settings.pty.empty()) {
-        connection.unsent.clear();  // nobody reads a terminal that is closed
+        connection.unsent.clear();  // nobody reads a closed terminal
     }
     connection.broken = !received.failure.isEmpty();
     connection.inputFull = received.bytes.size() == buffer.size();
     if (connection.left) {
-        return;  // after `q` only the end counts
+        return;  // after `q` only the end of the input matters
     }
     if (connection.broken) {
         farewell(connection, Text::tr("lost: %1").arg(received.failure));
@@ -357,7 +357,7 @@ void Server::serveBacklog()
     }
 }
 
-// One call per reply: several clients take one segment for one reply.
+// One call per reply, because several clients treat one segment as one reply.
 void Server::send(Connection& connection, std::string_view reply)
 {
     if (connection.unsent.empty()) {
@@ -381,7 +381,7 @@ void Server::flush(Connection& connection)
     connection.lastSent = m_clock.now();
 }
 
-// Brings a connection to its next state after it was served; it may be gone afterwards.
+// Brings a connection to its next state after it was served. The connection may be deleted by this.
 void Server::settle(Connection& connection)
 {
     if (!connection.left && !connection.session->ending().isEmpty()) {
@@ -408,7 +408,7 @@ void Server::settle(Connection& connection)
 void Server::forget(Connection& connection)
 {
     const bool byItself = connection.atEnd && !connection.session->dropped();
-    ::epoll_ctl(m_epoll.get(), EPOLL_CTL_DEL, connection.socket.get(), nullptr);  // a terminal outlives its client
+    ::epoll_ctl(m_epoll.get(), EPOLL_CTL_DEL, connection.socket.get(), nullptr);  // the terminal stays open
     m_connections.erase(connection.id);
     m_entrance->left(byItself);
 }

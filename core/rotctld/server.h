@@ -21,10 +21,10 @@
 
 class QSocketNotifier;
 
-// A server of one protocol: listens, reads, lets each client's Conversation run a few commands per turn, writes each
-// reply with one call, and hangs up on those who misbehave. Lives on the station thread beside the control tick; one
-// turn is bounded, so that no client delays the tick. All sockets sit in one epoll set, which is all the event loop
-// sees: the cost of a turn does not grow with the number of idle clients.
+// A server of one protocol: listens, reads, lets the Conversation of each client run a few commands per turn, writes
+// each reply with one call, and drops clients that misbehave. Lives on the station thread beside the control tick. The
+// length of a turn is limited, so no client delays the tick. All sockets are in one epoll set, and the event loop
+// watches only this set. So the cost of a turn does not grow with the number of idle clients.
 namespace boresight::rotctld {
 
 struct ServerSettings
@@ -32,13 +32,13 @@ struct ServerSettings
     std::string host = "127.0.0.1";          // an address; "0.0.0.0" or "::" opens the port to the network
     std::uint16_t port = 4533;               // 0 picks a free one
     std::size_t maxClients = 900;            // below the usual limit of 1024 descriptors
-    std::vector<std::string> allow;          // addresses and networks; empty: whoever can reach the port
-    std::string pty = {};                    // the link to a pseudo-terminal, instead of host and port
-    std::string unixPath = {};               // a socket in the file system, instead of host and port
-    std::string protocol = "rotctld";        // its clients speak it
-    const char* allowKey = "rotctld.allow";  // where the operator wrote `allow`
+    std::vector<std::string> allow;          // addresses and networks; empty: everybody who reaches the port
+    std::string pty = {};                    // link to a pseudo-terminal, in place of host and port
+    std::string unixPath = {};               // socket in the file system, in place of host and port
+    std::string protocol = "rotctld";        // the protocol of its clients
+    const char* allowKey = "rotctld.allow";  // the key of the profile for `allow`
     bool readsOnly = false;                  // its clients may not move the mount
-    // The number of the newest client. Servers of one rotator share it: who connected later has the higher number.
+    // The number of the newest client. All servers of one rotator share it, so a later client has a higher number.
     std::shared_ptr<std::uint64_t> newestClient = std::make_shared<std::uint64_t>(0);
 };
 
@@ -46,12 +46,12 @@ struct ClientInfo
 {
     std::uint64_t id = 0;
     std::string address;
-    std::string program;  // recognised, else its protocol unless that is rotctld
-    QString lastCommand;  // why it was refused, or what became of its target
+    std::string program;  // the detected program; if unknown, its protocol unless that is rotctld
+    QString lastCommand;  // with the reason if it was refused, or with its changed target
     std::uint64_t oddCommands = 0;
-    double commandsPerSecond = 0.0;        // over the last seconds
+    double commandsPerSecond = 0.0;        // mean over the last seconds
     std::optional<SteadyTime> lastMotion;  // its last command for a motion, accepted or not
-    std::optional<Angle> leap;             // what it moves the mount by at a time, while that is coarse
+    std::optional<Angle> leap;             // size of its steps, if it tracks coarsely
 };
 
 class Server : public QObject
@@ -65,21 +65,22 @@ public:
     ~Server() override;
 
     Result<> listen();
-    void close();  // hangs up on everybody and gives the port back
+    void close();  // drops all clients and closes the port
 
     [[nodiscard]] std::string address() const;  // "127.0.0.1:4533"; of a pseudo-terminal the path of its link
     [[nodiscard]] std::uint16_t port() const;
     [[nodiscard]] std::vector<ClientInfo> clients() const;
     [[nodiscard]] const std::shared_ptr<std::uint64_t>& newestClient() const { return m_settings.newestClient; }
 
-    // Who may connect from now on, by address; who is connected and may not is hung up on.
+    // Who may connect from now on, by address. Clients that are not permitted any more are dropped.
     void setAllowed(const std::vector<std::string>& entries);
-    // From now on; who is connected stays.
+    // From now on. Connected clients stay.
     void setMaxClients(std::size_t count) { m_settings.maxClients = count; }
-    // Hangs up on one client; its program may connect again. False when there is none of this number.
+    // Drops one client. Its program may connect again. False if no client has this number.
     bool disconnect(std::uint64_t id, const QString& reason);
 
-    // Ends pauses and drops clients that outlived a time limit. Its own timer calls it; tests turn the clock first.
+    // Ends pauses, and drops clients whose time limit has passed. Called by a timer. Tests advance the clock and call
+    // it.
     void housekeep();
 
 private:
@@ -111,7 +112,7 @@ private:
     std::unique_ptr<Entrance> m_entrance;  // none while it does not listen
     Descriptor m_epoll;
     std::unique_ptr<QSocketNotifier> m_readiness;
-    QTimer m_nextTurn;  // serves clients whose budget ran out, after everything else in the event loop had its turn
+    QTimer m_nextTurn;  // serves clients whose budget ran out, after the other events of the event loop
     QTimer m_housekeeping;
     Connections m_connections;
     std::deque<std::uint64_t> m_backlog;

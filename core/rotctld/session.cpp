@@ -41,8 +41,8 @@ void Session::endOfInput()
 {
     m_inputEnded = true;
     if (paused()) {
-        // Whether it half-closed or left for good cannot be told, and nobody wants a park command of somebody who
-        // left to run minutes later.
+        // A half-closed connection looks the same as a client that has left. And a park command of a client that has
+        // left must not run minutes later.
         m_ending = Text::tr("closed the connection during the pause it asked for");
     }
 }
@@ -161,7 +161,7 @@ Result<> Session::execute(const Command& command, ReplyWriter& writer, QString& 
                       writer);
 }
 
-// Only this client waits. Hamlib sleeps with its lock held, so that nobody can stop the mount meanwhile.
+// Only this client waits. Hamlib sleeps with its lock held, so nobody could stop the mount during that time.
 Result<> Session::pause(const Command& command)
 {
     const auto seconds = leadingInteger(command.arguments[0]);

@@ -22,7 +22,7 @@ public:
     Session(Client client, Rotator& rotator, const Clock& clock, DumpStateForm dumpState);
 
     void receive(std::string_view bytes) override;
-    // A pause it asked for ends, and with it the session.
+    // A pause that the client asked for ends, and with it the session.
     void endOfInput() override;
 
     [[nodiscard]] bool step(std::string& reply) override;
@@ -53,7 +53,7 @@ private:
     CommandParser m_parser;
     ClientHabits m_habits;
     std::string m_input;
-    std::size_t m_taken = 0;  // of m_input
+    std::size_t m_taken = 0;  // bytes of m_input that were read
     bool m_inputEnded = false;
     std::optional<SteadyTime> m_pausedUntil;
     std::string m_pauseReply;
@@ -62,7 +62,7 @@ private:
     int m_oddInARow = 0;
 };
 
-// How a server starts a conversation with each of its clients. Both outlive it.
+// How a server starts a conversation with a client. Rotator and clock outlive it.
 [[nodiscard]] StartConversation talkRotctld(Rotator& rotator, const Clock& clock, DumpStateForm dumpState);
 
 }  // namespace boresight::rotctld

@@ -6,8 +6,9 @@
 #include <algorithm>
 #include <array>
 
-// Levels, functions, parameters, configuration. A mount has one level, SPEED; the dummy's example items (MGL, MGEF,
-// MGP …) are no part of it, so the lists of functions and parameters are empty. Configuration is not for clients.
+// Levels, functions, parameters, configuration. A mount has one level, SPEED. It does not have the example items of
+// Hamlib's dummy (MGL, MGEF, MGP …), so the lists of functions and parameters are empty. Clients may not change the
+// configuration.
 namespace boresight::rotctld {
 namespace {
 
@@ -33,14 +34,15 @@ Result<> level(const Command& command, const Context& context, ReplyWriter& repl
     if (command.arguments[0] != kSpeed) {
         return badArgument(command, 0);
     }
-    // Hamlib prints a level bare and with a line feed, whatever label and separator the client asked for.
+    // Hamlib prints a level without label and with a line feed, even if the client asked for labels or another
+    // separator.
     reply.text(std::to_string(context.rotator.speedLevel()) + "\n");
     return {};
 }
 
 Result<> setConfiguration(const Command& command, const Context& context)
 {
-    // Hamlib lets any client move the limits with these.
+    // In Hamlib every client may change the limits with these.
     constexpr std::array<std::string_view, 5> kLimits{"min_az", "max_az", "min_el", "max_el", "south_zero"};
     if (std::ranges::find(kLimits, command.arguments[0]) != kLimits.end()) {
         context.rotator.clientRemark(context.client,

@@ -20,16 +20,16 @@
 namespace boresight::rotctld {
 namespace {
 
-constexpr int kBacklog = 512;  // connects back to back; Hamlib has 4, the system may cut it
+constexpr int kBacklog = 512;  // for many connects at once; Hamlib has 4, and the system may limit it
 
 void setOption(int fd, int level, int name, int value)
 {
-    // Failing costs comfort, never correctness.
+    // A failure costs comfort, but not correctness.
     ::setsockopt(fd, level, name, &value, sizeof value);
 }
 
-// A client whose computer vanished is noticed within ten seconds: 4 s of silence, then three probes 2 s apart; the same
-// limit holds for bytes it does not acknowledge or has no room for.
+// A client whose computer vanished is detected within ten seconds: 4 s of silence, then three probes 2 s apart. The
+// same limit applies to bytes that it does not acknowledge or has no room for.
 void prepareClient(int fd)
 {
     constexpr int kGiveUpMilliseconds = 10'000;
@@ -41,8 +41,8 @@ void prepareClient(int fd)
     setOption(fd, IPPROTO_TCP, TCP_USER_TIMEOUT, kGiveUpMilliseconds);
 }
 
-// The journal, the log and a port that is opened again need descriptors: the last ones are not for clients. The kernel
-// gives the lowest free number, so what is above it is free.
+// The last descriptors are not for clients, because the journal, the log and a reopened port need them. The kernel
+// always gives the lowest free number, so all numbers above it are free.
 bool isNearShortage(int fd)
 {
     constexpr rlim_t kReserved = 32;
@@ -172,7 +172,7 @@ Received receiveSome(const Descriptor& socket, char* buffer, std::size_t size)
         return {};
     }
     if (errno == EIO && ::isatty(socket.get()) != 0) {
-        return {.bytes = {}, .atEnd = true, .failure = {}};  // its program has closed the terminal
+        return {.bytes = {}, .atEnd = true, .failure = {}};  // the program has closed the terminal
     }
     return {.bytes = {}, .atEnd = true, .failure = reason()};
 }

@@ -10,8 +10,8 @@
 #include <string_view>
 #include <utility>
 
-// The system calls of the server, non-blocking, each with its reason when it fails. Linux. What is received and sent
-// may go through a pseudo-terminal as well.
+// The non-blocking system calls of the server, each with a reason for a failure. Linux. Receiving and sending also work
+// on a pseudo-terminal.
 namespace boresight::rotctld {
 
 // Owns a file descriptor.
@@ -43,7 +43,7 @@ struct Accepted
     std::string address;  // "127.0.0.1:51234", "[::1]:51234"
 };
 
-// `host` is an address or "localhost"; names are not looked up, which could block.
+// `host` is an address or "localhost". Names are not looked up, because that could block.
 [[nodiscard]] Result<Descriptor> listenOn(const std::string& host, std::uint16_t port);
 [[nodiscard]] std::string localAddress(const Descriptor& socket);
 [[nodiscard]] std::uint16_t localPort(const Descriptor& socket);
@@ -51,7 +51,7 @@ struct Accepted
 enum class AcceptFailure
 {
     NoneWaiting,
-    Shortage  // no memory or only the reserved descriptors left; the client waits in the queue of the kernel
+    Shortage  // no memory, or only the reserved descriptors are left; the client waits in the queue of the kernel
 };
 
 [[nodiscard]] tl::expected<Accepted, AcceptFailure> acceptOne(const Descriptor& listener);
@@ -64,7 +64,7 @@ struct Received
 };
 
 [[nodiscard]] Received receiveSome(const Descriptor& socket, char* buffer, std::size_t size);
-// How many bytes went out; an empty optional when the connection broke.
+// The number of bytes that were sent. Empty if the connection broke.
 [[nodiscard]] std::optional<std::size_t> sendSome(const Descriptor& socket, std::string_view bytes);
 void endSending(const Descriptor& socket);
 

@@ -15,7 +15,7 @@ struct Opening
     std::string_view protocol;
 };
 
-// What the other side says first. A blank after a word is part of it: `P` and `D` are commands of ours.
+// The first bytes of other protocols. A blank after a word belongs to it, because `P` and `D` are rotctld commands.
 constexpr std::array kOpenings{
     Opening{"GET "sv, "HTTP"},
     Opening{"POST "sv, "HTTP"},
@@ -76,7 +76,7 @@ bool isGs232(std::string_view line)
            (line[0] == 'W' || isLineEnd(line.substr(4)));
 }
 
-// "Host: …", "User-Agent: …": a header whose request line was lost.
+// "Host: …", "User-Agent: …": a header whose request line is missing.
 bool isHeader(std::string_view line)
 {
     const std::size_t colon = line.find(": ");

@@ -32,7 +32,7 @@ QString systemReason()
     return toQString(std::strerror(errno));
 }
 
-// Of a link; empty: it is none.
+// The target of a link. Empty if `path` is no link.
 std::string targetOf(const std::string& path)
 {
     std::array<char, 128> target{};
@@ -63,7 +63,7 @@ private:
     std::string m_path;
     ProgramLock m_lock;
     Descriptor m_master;
-    std::string m_terminal;  // "/dev/pts/7"; empty: there is none now
+    std::string m_terminal;  // "/dev/pts/7"; empty: there is no terminal now
     bool m_taken = false;
 };
 
@@ -84,7 +84,7 @@ Result<> TerminalEntrance::open()
     return make();
 }
 
-// All of it, or there is no terminal.
+// Makes terminal and link. If one of them fails, there is neither.
 Result<> TerminalEntrance::make()
 {
     Descriptor master(::posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
@@ -93,15 +93,16 @@ Result<> TerminalEntrance::make()
                         ::ptsname_r(master.get(), name.data(), name.size()) == 0 && prepare(name.data());
     const Result<> made = opened ? link(name.data()) : Result<>(cannotServe(m_path, ErrorCode::Io, systemReason()));
     if (!made && linksHere()) {
-        ::unlink(m_path.c_str());  // to a terminal that is gone; its name may be that of another one soon
+        // The link would lead to a terminal that is gone. Another terminal may get its name soon.
+        ::unlink(m_path.c_str());
     }
     m_master = made ? std::move(master) : Descriptor();
     m_terminal = made ? name.data() : "";
     return made;
 }
 
-// Other programs find the terminal by this name, also while it is made anew: the link is replaced in one step. What is
-// no link to a terminal stays as it is.
+// Other programs find the terminal by this link at any time, because the link is replaced in one step. A file that is
+// no link to a terminal is not replaced.
 Result<> TerminalEntrance::link(const char* terminal) const
 {
     const std::string fresh = m_path + ".new";
@@ -127,8 +128,8 @@ bool TerminalEntrance::linksHere() const
     return !m_terminal.empty() && targetOf(m_path) == m_terminal;
 }
 
-// Bytes pass as they are, no echo, and nothing is left of the last client. Opened and closed once, the terminal shows
-// whether a client has it open.
+// Makes the terminal raw without echo, and clears what the last client left. A terminal that was opened and closed once
+// shows whether a client has it open.
 bool TerminalEntrance::prepare(const char* terminal)
 {
     constexpr mode_t kOfTheUser = 0600;
@@ -151,7 +152,7 @@ tl::expected<Accepted, AcceptFailure> TerminalEntrance::accept()
     if (m_taken || ::poll(&state, 1, 0) < 0) {
         return tl::unexpected(AcceptFailure::NoneWaiting);
     }
-    // What a program wrote and left counts, too: "echo S" to the terminal.
+    // A program that wrote something and has closed again counts, too: "echo S" to the terminal.
     const bool nobody = (state.revents & POLLHUP) != 0 && (state.revents & POLLIN) == 0;
     Descriptor end(nobody ? -1 : ::fcntl(m_master.get(), F_DUPFD_CLOEXEC, 0));
     if (!end.valid()) {
@@ -161,7 +162,7 @@ tl::expected<Accepted, AcceptFailure> TerminalEntrance::accept()
     return Accepted{.socket = std::move(end), .address = m_path};
 }
 
-// Who was hung up on finds its terminal gone; the next client opens another by the same link.
+// A dropped client loses its terminal. The next client opens another terminal by the same link.
 void TerminalEntrance::left(bool byItself)
 {
     m_taken = false;

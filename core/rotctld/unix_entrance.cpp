@@ -71,7 +71,7 @@ private:
     std::string m_path;
     ProgramLock m_lock;
     Descriptor m_listener;
-    ino_t m_file = 0;  // of the socket; 0: there is none yet
+    ino_t m_file = 0;  // inode of the socket; 0: there is none yet
     bool m_watched = false;
 };
 
@@ -89,7 +89,7 @@ bool UnixEntrance::isOurs() const
     return m_file != 0 && ::lstat(m_path.c_str(), &found) == 0 && found.st_ino == m_file;
 }
 
-// Nobody listens on the socket of a program that was killed. All else stays as it is.
+// The socket of a killed program has no listener, so it is removed. Other files stay.
 Result<> UnixEntrance::removeStale() const
 {
     struct stat found
@@ -106,7 +106,7 @@ Result<> UnixEntrance::removeStale() const
     return ::unlink(m_path.c_str()) == 0 ? Result<>() : systemFailure(m_path);
 }
 
-// The mode of the socket becomes that of its file, so there is no moment in which others may open it.
+// The mode of the socket becomes the mode of its file, so other users can never open it.
 Result<> UnixEntrance::open()
 {
     if (m_path.size() >= sizeof(sockaddr_un::sun_path)) {

@@ -53,7 +53,7 @@ void HamlibLine::connectTo(quint16 port)
     m_connection->open();
 }
 
-// A program that ended is reported by its own words, which come a moment later.
+// If the program has ended, its own error text is reported, which arrives a moment later.
 void HamlibLine::followConnection()
 {
     if (m_connection->state() == State::Up) {

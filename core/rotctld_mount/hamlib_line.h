@@ -8,8 +8,8 @@
 
 #include <memory>
 
-// A rotator of Hamlib by a rotctld of our own: that program, and the connection to it. Whenever the connection is
-// closed or lost, the program ends. open() starts the next one.
+// A rotator of Hamlib through a rotctld of our own: the program and the connection to it. Whenever the connection is
+// closed or lost, the program is ended. open() starts a new one.
 namespace boresight::rotctl {
 
 class HamlibLine final : public BoxLine
@@ -17,7 +17,7 @@ class HamlibLine final : public BoxLine
     Q_OBJECT
 
 public:
-    // As OwnRotctld.
+    // `bus` and `baud` as for OwnRotctld.
     HamlibLine(const BusName& bus, int baud, QObject* parent = nullptr);
     ~HamlibLine() override;
 
@@ -33,7 +33,7 @@ private:
 
     const BusName m_bus;
     OwnRotctld m_program;
-    std::unique_ptr<TcpBoxLine> m_connection;  // to the program that listens
+    std::unique_ptr<TcpBoxLine> m_connection;  // empty until the program listens
 };
 
 }  // namespace boresight::rotctl

@@ -40,7 +40,7 @@ std::vector<RotatorModel> parseModels(const QString& listing)
 
 RotatorModels hamlibModels()
 {
-    constexpr int kPatience = 5000;  // ms; it takes some
+    constexpr int kPatience = 5000;  // ms; rotctl takes some time
     const QString path = QStandardPaths::findExecutable(QStringLiteral("rotctl"));
     if (path.isEmpty() || QStandardPaths::findExecutable(QStringLiteral("rotctld")).isEmpty()) {
         return {.problem = hamlibIsMissing()};

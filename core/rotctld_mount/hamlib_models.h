@@ -7,14 +7,14 @@
 
 #include <vector>
 
-// The models that Hamlib drives, as `rotctl -l` lists them.
+// The rotator models of Hamlib, as `rotctl -l` lists them.
 namespace boresight::rotctl {
 
-// Its columns are those of the line that names them. Other lines are left out.
+// The header line of the list defines the columns. Lines that are no models are left out.
 [[nodiscard]] std::vector<RotatorModel> parseModels(const QString& listing);
-// Runs rotctl. Waits for it: not on a thread that has anything else to do.
+// Runs rotctl and waits for it. Use a thread that has nothing else to do.
 [[nodiscard]] RotatorModels hamlibModels();
-// What to install.
+// The advice what to install.
 [[nodiscard]] QString hamlibIsMissing();
 
 }  // namespace boresight::rotctl

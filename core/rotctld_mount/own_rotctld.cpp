@@ -21,17 +21,17 @@
 namespace boresight::rotctl {
 namespace {
 
-constexpr qsizetype kMostErrors = 1000;  // bytes that are kept
+constexpr qsizetype kMostErrors = 1000;  // bytes of error output that are kept
 constexpr std::chrono::milliseconds kBetweenLooks{50};
 
-// rotctld takes no socket that is open already. Whether another program was faster is seen when it listens.
+// rotctld accepts no open socket, so another program may take this port first. look() detects that.
 quint16 freePort()
 {
     QTcpServer server;
     return server.listen(QHostAddress::LocalHost) ? server.serverPort() : quint16{0};
 }
 
-// The inode of the socket that listens there, as "socket:[123]". Empty: nobody does.
+// The inode of the socket that listens on the port, as "socket:[123]". Empty if no socket does.
 QString listenerOn(quint16 port)
 {
     constexpr int kLocal = 1;  // columns of proc(5), /proc/net/tcp
@@ -54,7 +54,7 @@ QString listenerOn(quint16 port)
 bool hasOpen(qint64 process, const QString& socket)
 {
     const QDir files(QStringLiteral("/proc/%1/fd").arg(process));
-    // The links lead to no file, which System includes.
+    // The links point to no files, so they need QDir::System.
     for (const QString& name : files.entryList(QDir::AllEntries | QDir::System | QDir::NoDotAndDotDot)) {
         const QByteArray path = files.filePath(name).toLocal8Bit();
         QByteArray target(64, '\0');
@@ -83,8 +83,8 @@ OwnRotctld::OwnRotctld(BusName bus, int baud, QObject* parent) : QObject(parent)
     m_process.setStandardInputFile(QProcess::nullDevice());
     m_process.setStandardOutputFile(QProcess::nullDevice());
     m_process.setChildProcessModifier([parent = ::getpid()] {
-        // Ctrl+C in the terminal of Boresight, or a signal to all processes of its service, does not end it before the
-        // last order. Boresight kills it afterwards.
+        // Ctrl+C in the terminal of Boresight, or a signal to all processes of its service, must not end rotctld before
+        // its last command. Boresight kills it afterwards.
         ::setpgid(0, 0);
         sigset_t ends;
         ::sigemptyset(&ends);
@@ -93,7 +93,7 @@ OwnRotctld::OwnRotctld(BusName bus, int baud, QObject* parent) : QObject(parent)
         ::sigprocmask(SIG_BLOCK, &ends, nullptr);
         ::prctl(PR_SET_PDEATHSIG, SIGKILL);
         if (::getppid() != parent) {
-            ::_exit(1);  // Boresight ended meanwhile
+            ::_exit(1);  // Boresight ended in the meantime
         }
     });
     m_limit.setSingleShot(true);
@@ -108,7 +108,7 @@ OwnRotctld::OwnRotctld(BusName bus, int baud, QObject* parent) : QObject(parent)
     });
 }
 
-// What it was sent last, as a rule a stop, reaches the rotator first. A next one needs the serial port.
+// The last command, usually a stop, reaches the rotator first. The next rotctld needs the serial port.
 OwnRotctld::~OwnRotctld()
 {
     m_process.disconnect(this);
@@ -146,7 +146,7 @@ void OwnRotctld::end()
     }
 }
 
-// On a port that another program took meanwhile it ends by itself.
+// If another program has taken the port, rotctld ends by itself.
 void OwnRotctld::look()
 {
     const QString socket = listenerOn(m_port);
@@ -189,12 +189,12 @@ void OwnRotctld::fail(const QString& reason)
 {
     m_look.stop();
     m_limit.stop();
-    m_ending = true;  // what comes of its end is known
+    m_ending = true;  // its end needs no further report
     Q_EMIT failed(reason);
 }
 
-// Its last line names the kind of error, and the one before it the port: "serial_open: Unable to open /dev/ttyUSB0 - No
-// such file or directory", "IO error".
+// The last line contains the kind of error, and the line before it the port: "serial_open: Unable to open /dev/ttyUSB0
+// - No such file or directory", "IO error".
 QString OwnRotctld::lastWords() const
 {
     constexpr qsizetype kLines = 2;

@@ -19,27 +19,30 @@ class OwnRotctld final : public QObject
     Q_OBJECT
 
 public:
-    static constexpr std::chrono::seconds kStartTime{10};  // some models ask their rotator first
-    // In which it carries out the order before the last and the last, a stop: 0.8 s for a SPID at 600 Bd.
+    static constexpr std::chrono::seconds kStartTime{10};  // some models query their rotator first
+    // Within this time the program carries out its last two commands, of which the last is a stop. A SPID at 600 Bd
+    // takes 0.8 s.
     static constexpr std::chrono::seconds kLastOrder{2};
-    static constexpr std::chrono::milliseconds kLastWords{300};  // in which one that has ended reports why
+    static constexpr std::chrono::milliseconds kLastWords{300};  // time in which an ended program reports its error
 
-    // `bus` as the profile names it, with a model; `baud` as bits per second of its serial port.
+    // `bus`: a Hamlib bus of the profile, with its model. `baud`: bits per second of its serial port.
     OwnRotctld(BusName bus, int baud, QObject* parent);
     ~OwnRotctld() override;
 
     [[nodiscard]] bool runs() const { return m_process.state() != QProcess::NotRunning; }
-    // Nothing where one still runs.
+    // Does nothing if a program still runs.
     void start();
-    // After the time for its last order. Then it is killed: one that hangs does not end otherwise.
+    // Ends the program after the time for its last command. Then it is killed, because a hanging program does not end
+    // otherwise.
     void end();
-    // The connection to it is lost. As a rule it has ended, which its own words say better. Else it is killed.
+    // The connection to the program is lost. Usually the program has ended, and its own error text arrives soon.
+    // Otherwise it is killed.
     void connectionLost() { m_limit.start(kLastWords); }
 
 Q_SIGNALS:
-    // It listens there. Nobody else does: the port was compared with its own files.
+    // The program listens on this port. It is our program: the port was compared with its open files.
     void listens(quint16 port);
-    // Why it does not run any more, or never did. Not after end().
+    // Why the program ended or did not start. Not emitted after end().
     void failed(const QString& reason);
 
 private:
@@ -48,15 +51,15 @@ private:
     void finish();
     void limitReached();
     void fail(const QString& reason);
-    // The end of what it printed of its trouble, after a colon. Empty: nothing.
+    // The end of its error output, after a colon. Empty if it printed nothing.
     [[nodiscard]] QString lastWords() const;
 
     const BusName m_bus;
     const int m_baud;
     QProcess m_process{this};
-    QTimer m_look{this};   // until it listens
-    QTimer m_limit{this};  // of its start, then of its end
-    QByteArray m_errors;   // the last bytes
+    QTimer m_look{this};   // until the program listens
+    QTimer m_limit{this};  // for the start of the program, then for its end
+    QByteArray m_errors;   // the end of its error output
     quint16 m_port = 0;
     bool m_ending = false;
 };

@@ -14,7 +14,7 @@ Angle movedTo(Angle place, Angle target, Angle farthest)
     return std::clamp(target, place - farthest, place + farthest);
 }
 
-// The server reads positions in single precision, where 20.6 is 20.6000004.
+// The server parses positions in single precision, where 20.6 is 20.6000004.
 Angle asWritten(Angle angle)
 {
     constexpr double kDecimals = 1e4;

@@ -13,8 +13,8 @@
 #include <string_view>
 
 // A simulated rotctld with the dummy rotator of Hamlib: 6 °/s on both axes without ramps, exact arrival, -180…450° and
-// 0…90°. It works at one command at a time, in order. The bytes are those of our own server, which answers as Hamlib's
-// does. It fails on request. Pure: time is passed in.
+// 0…90°. It carries out one command at a time, in order. The bytes come from our own server, which answers like that of
+// Hamlib. It fails on request. Pure: time is passed in.
 namespace boresight::rotctl {
 
 class RotctldBox final : public SimulatedBox, private rotctld::Rotator
@@ -28,46 +28,46 @@ public:
 
     struct Faults
     {
-        bool silent = false;                   // acts, but answers nothing
-        bool deaf = false;                     // takes nothing
-        bool halfAnswers = false;              // each second answer loses its second half
-        bool frozen = false;                   // the motors stand, whatever it is told
-        bool stuckPlace = false;               // it reports what it reported before
-        bool runsOn = false;                   // a stop is accepted, and nothing stops
-        Angle offset{};                        // of the azimuth that it reports
-        Angle sag{};                           // by which it reports the elevation too low
-        std::chrono::milliseconds works{5};    // at each command
-        std::array<double, 2> pace{1.0, 1.0};  // of each motor, of its speed
-        // As the rotator behind it fails: the error of each answer.
+        bool silent = false;                   // acts, but sends no answers
+        bool deaf = false;                     // receives nothing
+        bool halfAnswers = false;              // every second answer loses its second half
+        bool frozen = false;                   // the motors do not move
+        bool stuckPlace = false;               // it reports the old position again and again
+        bool runsOn = false;                   // a stop is accepted, but the rotator moves on
+        Angle offset{};                        // error of the reported azimuth
+        Angle sag{};                           // the reported elevation is lower by this angle
+        std::chrono::milliseconds works{5};    // for each command
+        std::array<double, 2> pace{1.0, 1.0};  // share of its speed that each motor reaches
+        // Errors of the rotator behind rotctld: the error of each kind of answer.
         std::optional<ErrorCode> position{};
         std::optional<ErrorCode> order{};
         std::optional<ErrorCode> stop{};
     };
 
     explicit RotctldBox(const AxisPosition& place = {});
-    RotctldBox(const RotctldBox&) = delete;  // its server knows it
+    RotctldBox(const RotctldBox&) = delete;  // its server refers to it
     RotctldBox& operator=(const RotctldBox&) = delete;
 
     void take(std::string_view bytes, SteadyTime now) override;
     [[nodiscard]] std::string answers(SteadyTime now) override;
 
-    // The program was ended and started again: the rotator stands, and a client has to connect anew.
+    // The program was ended and started again: the rotator stands still, and a client must connect again.
     void restart(SteadyTime now);
-    // The client connects anew: what it has sent is carried out, and the answers are lost.
+    // The client connects again: its commands are carried out, but their answers are lost.
     void reconnect();
-    // As another client would.
+    // Moves the rotator like another client.
     void send(const AxisPosition& target) { m_target = target; }
     [[nodiscard]] Faults& faults() { return m_faults; }
 
-    // Where it really stands at the time of the last call.
+    // The true position at the time of the last call.
     [[nodiscard]] AxisPosition truth() const { return m_place; }
-    [[nodiscard]] int moves() const { return m_moves; }  // orders to move or stop so far, accepted or not
-    [[nodiscard]] const std::deque<std::string>& heard() const { return m_heard; }  // as it came
-    [[nodiscard]] std::size_t waiting() const { return m_todo.size(); }             // commands that it has not begun
+    [[nodiscard]] int moves() const { return m_moves; }  // commands to move or stop so far, accepted or not
+    [[nodiscard]] const std::deque<std::string>& heard() const { return m_heard; }  // received lines
+    [[nodiscard]] std::size_t waiting() const { return m_todo.size(); }             // commands that were not begun yet
     void moveOn(SteadyTime now);
 
 private:
-    // The server asks for the time of the pauses that a client wants.
+    // The server reads this clock for the pauses that a client asks for.
     class HandedClock final : public Clock
     {
     public:
@@ -86,7 +86,7 @@ private:
     struct Command
     {
         std::string line;
-        bool answered = true;  // its client is still there
+        bool answered = true;  // false: its client has gone
     };
 
     void beginSession();
@@ -118,10 +118,10 @@ private:
     AxisPosition m_target;
     AxisPosition m_shown;
     Faults m_faults;
-    std::optional<rotctld::Session> m_session;  // always there
-    std::string m_half;                         // of a line
+    std::optional<rotctld::Session> m_session;  // never empty after construction
+    std::string m_half;                         // the beginning of a line
     std::deque<Command> m_todo;
-    SteadyTime m_busy{};  // until then
+    SteadyTime m_busy{};  // until this time it works at a command
     std::deque<Due> m_due;
     std::deque<std::string> m_heard;
     bool m_started = false;

@@ -10,7 +10,7 @@
 namespace boresight::rotctl {
 namespace {
 
-// Finer steps would move a rotator with gears to and fro for nothing. How exact it is nobody tells.
+// Finer steps would move a rotator with gears to and fro without use. Its accuracy is not known.
 constexpr AxisCapabilities kAxis{.step = Angle::fromDegrees(0.1),
                                  .miss = ObedienceWatch::kMet + 0.5 * RotctldMount::kGrain,
                                  .fastest = {},
@@ -32,7 +32,7 @@ Result<> axisFits(const profile::Profile& profile, const RotatorState& state, Ax
     }
     const TravelRange& reach = axis == Axis::Azimuth ? state.azimuth : state.elevation;
     const TravelRange& travel = profile.axis(axis).geometry.travel;
-    constexpr Angle kRounding = Angle::fromDegrees(1e-4);  // of its text
+    constexpr Angle kRounding = Angle::fromDegrees(1e-4);  // rounding of the numbers in its text
     const TravelRange steps = stepsIn(travel, kAxis.step);
     if (travel.min >= reach.min - kRounding && travel.max <= reach.max + kRounding && steps.min <= steps.max) {
         return {};
@@ -55,7 +55,7 @@ QString RotctldMount::kindInWords() const
     return Text::tr("a rotctld");
 }
 
-// Without the limits, which some servers do not tell, those of the profile have to do.
+// Some servers do not report the limits. Then only those of the profile count.
 Result<> RotctldMount::fits() const
 {
     for (const Axis axis : kAxes) {
@@ -81,7 +81,7 @@ void RotctldMount::observe(SteadyTime now)
     m_talk.standsAt(standing());
 }
 
-// Noise at a limit of the rotator puts it a little outside, and rotctld would refuse both axes.
+// Noise at a limit of the rotator can put it a little outside, and rotctld would then refuse the command for both axes.
 std::optional<AxisPosition> RotctldMount::standing() const
 {
     const auto& azimuth = believed(Axis::Azimuth);
@@ -110,8 +110,8 @@ MountFindings RotctldMount::supervise(const MountSituation& known)
     return found;
 }
 
-// rotctld names both axes, and refuses both where one is outside its limits. An axis that is not ours is sent to where
-// it stands.
+// A command of rotctld has both axes, and rotctld refuses both if one is outside its limits. An axis that does not
+// belong to this mount is sent to where it is.
 bool RotctldMount::goTo(const RotatorTalk::Places& target)
 {
     return target.azimuth && target.elevation &&

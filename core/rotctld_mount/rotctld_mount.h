@@ -4,18 +4,18 @@
 #include "core/rotator_box/box_mount.h"
 #include "core/rotctld_mount/rotctld_talk.h"
 
-// The rotator of a rotctld behind the port of the mount: whatever Hamlib drives. It knows the limits of the rotator and
-// not how fast or how exact it is. Station thread only.
+// The rotator of a rotctld as a mount: any model of Hamlib. The limits of the rotator are known, but not its speed and
+// accuracy. Station thread only.
 namespace boresight::rotctl {
 
 class RotctldMount final : public BoxMount
 {
 public:
-    static constexpr Angle kGrain = Angle::fromDegrees(0.5);  // finer is noise
+    static constexpr Angle kGrain = Angle::fromDegrees(0.5);  // smaller changes are noise
     static constexpr std::chrono::milliseconds kSilence{1800};
-    static constexpr int kMostRefusals = 3;  // of one target
+    static constexpr int kMostRefusals = 3;  // refusals of one target
 
-    // They outlive this. `axes` are those that the rotator turns for this mount.
+    // The references outlive this. `axes`: the axes that the rotator turns for this mount.
     RotctldMount(const profile::InForce& profile, AlarmBoard& alarms, const AxisSet& axes);
 
     [[nodiscard]] RotctldTalk& talk() override { return m_talk; }
@@ -35,7 +35,7 @@ private:
     [[nodiscard]] AxisPosition permitted(const AxisPosition& place) const;
 
     RotctldTalk m_talk;
-    std::optional<RotatorState> m_checked;  // the limits that the fitness is about
+    std::optional<RotatorState> m_checked;  // the limits that m_fitness is based on
     Result<> m_fitness;
 };
 

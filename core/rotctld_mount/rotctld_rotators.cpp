@@ -13,7 +13,7 @@
 namespace boresight::rotctl {
 namespace {
 
-// What the checks of the profile have let through.
+// The line for a profile that has passed its checks.
 std::unique_ptr<BoxLine> lineOf(const profile::Profile& profile)
 {
     const BusName bus = parseBusName(profile.bus).value_or(BusName{});
@@ -35,7 +35,7 @@ MountKind rotctldRotators()
 
 RotatorOffer rotctldOffer()
 {
-    constexpr int kPort = 4533;  // of a rotctld without -t, and usually of Boresight itself
+    constexpr int kPort = 4533;  // port of a rotctld without -t, and usually of Boresight itself
     constexpr int kBeside = kPort + 1;
     return {
         .driver = profile::AxisDriver::Rotctld,

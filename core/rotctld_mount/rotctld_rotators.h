@@ -4,12 +4,12 @@
 #include "core/messages/rotator_offer.h"
 #include "core/mount/mount_kind.h"
 
-// What Hamlib drives, as the wiring lists it.
+// The rotators of Hamlib for the list of mount kinds.
 namespace boresight::rotctl {
 
-// A simulated one stays the same one when the mount is connected again.
+// The simulated rotator stays the same when the mount is connected again.
 [[nodiscard]] MountKind rotctldRotators();
-// As the guide offers them.
+// The entries in the setup guide.
 [[nodiscard]] RotatorOffer rotctldOffer();
 [[nodiscard]] RotatorOffer hamlibOffer();
 

@@ -42,7 +42,7 @@ Form RotctldTalk::form() const
 void RotctldTalk::nextProbe()
 {
     if (m_probeAnswered) {
-        return;  // it hangs
+        return;  // this server hangs, but its form is known
     }
     m_probe = m_probe == Probe::ExtendedState ? Probe::PlainState
               : m_probe == Probe::PlainState  ? Probe::PlainPosition
@@ -68,7 +68,7 @@ void RotctldTalk::takeLine(std::string_view line, SteadyTime now)
     }
     if (m_waiting.empty()) {
         if (isReport(line)) {
-            ++m_counts.unknown;  // some imitations end every answer so, or refuse each half of a command
+            ++m_counts.unknown;  // some imitations end every answer with RPRT, or refuse each half of a command
         } else {
             takeStrange(line);
         }
@@ -100,7 +100,7 @@ void RotctldTalk::takeLine(std::string_view line, SteadyTime now)
     }
 }
 
-// Nobody knows what the answer was.
+// Drops the oldest question: its answer is not known.
 void RotctldTalk::leaveOut(SteadyTime now)
 {
     const Pending pending = m_waiting.front();
@@ -118,7 +118,7 @@ bool RotctldTalk::stopWaits() const
     return std::ranges::any_of(m_waiting, &Pending::stops);
 }
 
-// Of somebody who has not answered yet it is proof enough: a rotctld says nothing before it was asked.
+// From a server that has not answered yet, a strange line is proof enough: a rotctld sends nothing without a question.
 void RotctldTalk::takeStrange(std::string_view line)
 {
     ++m_counts.unknown;
@@ -128,7 +128,7 @@ void RotctldTalk::takeStrange(std::string_view line)
         m_order = {};
         m_stop = {};
     } else if (form() == Form::Plain) {
-        m_wantsLine = true;  // nothing tells which answer belongs to which question
+        m_wantsLine = true;  // nothing shows which answer belongs to which question
     }
 }
 
@@ -141,7 +141,7 @@ void RotctldTalk::finish(const Pending& pending, const Reply& reply, SteadyTime 
                 m_proof = Proof::Box;
                 m_probeAnswered = true;
             } else {
-                nextProbe();  // it knows how to refuse, and not what was asked
+                nextProbe();  // it can refuse, but does not know this question
             }
             break;
         case Question::Position:
@@ -198,7 +198,7 @@ void RotctldTalk::stop()
 std::string RotctldTalk::say(Question question, std::string command, SteadyTime now, bool stops)
 {
     if (m_waiting.empty()) {
-        m_line.splitter.clear();  // half a line would spoil the answer
+        m_line.splitter.clear();  // half a line would damage the answer
         m_line.rest.clear();
     }
     m_waiting.push_back({.question = question, .sent = now, .reader = ReplyReader(question, form()), .stops = stops});
@@ -219,7 +219,7 @@ std::string RotctldTalk::probe(SteadyTime now)
     }
     if (now - m_waiting.front().sent >= kProbeTime && !m_wantsLine) {
         if (!m_line.rest.empty()) {
-            takeStrange(m_line.rest);  // of a binary protocol there may never come a line end
+            takeStrange(m_line.rest);  // a binary protocol may never send a line end
             return {};
         }
         nextProbe();
@@ -251,7 +251,7 @@ std::string RotctldTalk::send(SteadyTime now)
         m_wantsLine = m_wantsLine || now - m_waiting.front().sent >= kHangs;
         return {};
     }
-    // Hamlib needs 0.8 s for a target of a slow box. With a question between two targets its position stays known.
+    // Hamlib needs 0.8 s for a target of a slow box. A question between two targets keeps the position up to date.
     const bool mayGo = m_asked && (!m_order.sent || (now - *m_order.sent >= kBetweenGoes && *m_asked > *m_order.sent));
     if (m_order.next && !m_stop.wanted && mayGo) {
         m_order.sent = now;

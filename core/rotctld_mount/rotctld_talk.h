@@ -10,14 +10,15 @@
 #include <string>
 #include <string_view>
 
-// The conversation with a rotctld. It works at one command at a time, so the next one waits for the answer, however
-// long that takes: what is sent before would stand in its queue, and a stop behind it. It is asked where the rotator
-// stands four times a second at most, and sends it somewhere twice a second at most. A stop waits for nothing, and
-// nothing but questions passes it. A refused stop is repeated. A rotator that cannot stop is sent to where it stands.
+// The conversation with a rotctld. rotctld carries out one command at a time. So the next command waits for the answer,
+// however long that takes: a command sent earlier would wait in the queue of rotctld, and a stop would wait behind it.
+// The position is asked at most four times a second, and a target is sent at most twice a second. A stop is sent at
+// once. A refused stop is repeated, and until then only questions are sent. A rotator without a stop command is sent to
+// where it is.
 //
-// First it is asked for its limits. The answer tells a rotctld from any other server. Whoever does not know the
-// extended form is asked in the plain form, and then for the position only, each on a new connection: late answers
-// belong to the old one. The form that it has answered in stays. Pure: time and bytes are passed in.
+// First the limits are asked for. The answer shows whether the server is a rotctld. A server that does not know the
+// extended form is asked in the plain form, and then only for the position. Each attempt uses a new connection, because
+// late answers belong to the old one. The form of the first answer is kept. Pure: time and bytes are passed in.
 namespace boresight::rotctl {
 
 class RotctldTalk final : public RotatorTalk
@@ -25,36 +26,36 @@ class RotctldTalk final : public RotatorTalk
 public:
     static constexpr std::chrono::milliseconds kBetweenAsks{250};    // from one question to the next
     static constexpr std::chrono::milliseconds kBetweenGoes{500};    // from one target to the next
-    static constexpr std::chrono::milliseconds kBetweenStops{500};   // that were refused
-    static constexpr std::chrono::milliseconds kBetweenTries{1000};  // of questions before the first answer
-    static constexpr std::chrono::seconds kProbeTime{4};             // of an answer of somebody who is not known yet
-    static constexpr std::chrono::seconds kHangs{5};                 // of an answer: it is connected to anew
+    static constexpr std::chrono::milliseconds kBetweenStops{500};   // after a refused stop
+    static constexpr std::chrono::milliseconds kBetweenTries{1000};  // between questions before the first answer
+    static constexpr std::chrono::seconds kProbeTime{4};             // for an answer of a server that is not known yet
+    static constexpr std::chrono::seconds kHangs{5};                 // without an answer: a new connection is made
 
     void restart() override;
     void take(std::string_view bytes, SteadyTime now) override;
     [[nodiscard]] std::optional<Places> takePlaces() override;
 
-    // Replaces the target that was not sent yet. False: there is no such place.
+    // Replaces a target that was not sent yet. False if no rotator can have this position.
     [[nodiscard]] bool go(const AxisPosition& target);
     void stop() override;
-    // Where a rotator that cannot stop is sent to stop it. Empty: nobody knows where it stands.
+    // The target that stops a rotator without a stop command. Empty if its position is not known.
     void standsAt(const std::optional<AxisPosition>& place) { m_stop.place = place; }
     [[nodiscard]] std::string send(SteadyTime now) override;
 
     [[nodiscard]] Proof proof() const override { return m_proof; }
     [[nodiscard]] const Counts& counts() const override { return m_counts; }
     [[nodiscard]] const std::string& strange() const override { return m_strange; }
-    // Empty: not known, or this server does not tell.
+    // Empty if not known, or if this server does not report it.
     [[nodiscard]] const std::optional<RotatorState>& state() const { return m_state; }
     [[nodiscard]] bool wantsAnotherLine() const override { return m_wantsLine; }
-    // Of the last question for the position; 0: it was answered.
+    // The error of the last question for the position. 0 if it was answered.
     [[nodiscard]] int positionError() const { return m_positionError; }
-    // Targets in a row that were refused, and the last error.
+    // The number of targets refused in a row, and the last error.
     [[nodiscard]] int refusals() const { return m_order.refusals; }
     [[nodiscard]] int refusal() const { return m_order.error; }
 
 private:
-    // What is asked of somebody who is not known yet, in this order.
+    // The attempts with a server that is not known yet, in this order.
     enum class Probe
     {
         ExtendedState,
@@ -67,7 +68,7 @@ private:
         SteadyTime sent;
         ReplyReader reader;
         bool stops = false;
-        bool spoiled = false;  // a line of it was strange: the rest is passed over
+        bool spoiled = false;  // one line was strange, so the rest is ignored
     };
 
     [[nodiscard]] Form form() const;
@@ -83,16 +84,16 @@ private:
     [[nodiscard]] std::string say(Question question, std::string command, SteadyTime now, bool stops = false);
 
     Probe m_probe = Probe::ExtendedState;
-    bool m_probeAnswered = false;  // by a rotctld, on this connection or an earlier one
+    bool m_probeAnswered = false;  // by a rotctld, on this or an earlier connection
     Proof m_proof = Proof::Unknown;
     std::optional<RotatorState> m_state;
     std::deque<Pending> m_waiting;
     struct
     {
         LineSplitter splitter;
-        std::string rest;  // of a line without its end, its beginning
+        std::string rest;  // the beginning of a line without its end
     } m_line;
-    std::optional<Places> m_places;  // not taken yet
+    std::optional<Places> m_places;  // not yet read
     struct
     {
         std::optional<AxisPosition> next{};
@@ -105,7 +106,7 @@ private:
     {
         bool wanted = false;
         bool unavailable = false;
-        SteadyTime from{};  // not before
+        SteadyTime from{};  // earliest time of the next stop
         std::optional<AxisPosition> place{};
     } m_stop;
     std::optional<SteadyTime> m_asked;

@@ -17,7 +17,7 @@ void LineSplitter::add(std::string_view bytes, const std::function<void(std::str
             m_overlong = true;
             continue;
         }
-        // Taken out first: onLine may close the port and clear() this splitter.
+        // Moved out first, because onLine may close the port and clear() this splitter.
         const std::string line = std::exchange(m_line, {});
         if (std::exchange(m_overlong, false)) {
             ++m_overlongLines;

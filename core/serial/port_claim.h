@@ -5,12 +5,13 @@
 
 namespace boresight {
 
-// Keeps a serial port that was opened from the programs of all users, until it is closed. Busy: another one has it; the
-// text is its name, as "tview (process 1234)". Nothing else is a failure: some drivers know no locks.
+// Keeps other programs of all users from an open serial port, until it is closed. Error Busy: another program has the
+// port, and the text is its name, as "tview (process 1234)". No other problem is an error, because some drivers have no
+// locks.
 //
-// QSerialPort's lock file is seen only by programs that share its folder: not by a service with a /tmp of its own. So
-// the device itself is locked, in both ways that there are. The kernel's exclusive mark, which QSerialPort sets, is
-// taken from a pseudo-terminal: its other end stays open, and the mark would outlive a killed program.
+// Only programs that share the folder see the lock file of QSerialPort. A service with its own /tmp does not see it. So
+// the device itself is locked, too, in both possible ways. QSerialPort sets the exclusive mode of the kernel. For a
+// pseudo-terminal it is cleared again: the other end stays open, so the mode would outlast a killed program.
 [[nodiscard]] Result<> claimPort(int descriptor);
 
 }  // namespace boresight

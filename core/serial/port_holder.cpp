@@ -17,10 +17,11 @@ namespace {
 
 namespace files = std::filesystem;
 
-// Only the names of the links are read: looking at what is behind them could block on a dead network drive.
+// Reads only the names of the links. Access to their targets could block on a dead network drive.
 bool holds(const files::path& process, const files::path& target)
 {
-    std::error_code error;  // of a process that has ended or is another user's: it shows nothing
+    // Set for a process that has ended or belongs to another user. It counts as not holding the device.
+    std::error_code error;
     for (files::directory_iterator entry(process / "fd", error), end; !error && entry != end; entry.increment(error)) {
         std::error_code unreadable;
         if (files::read_symlink(entry->path(), unreadable) == target) {

@@ -7,8 +7,8 @@
 
 namespace boresight {
 
-// Another program that has this device open, as "tview (process 1234)"; its links are followed. Other users' programs
-// are seen by root only. Reads /proc: a few milliseconds.
+// The other program that has this device open, as "tview (process 1234)". Links to the device are resolved. Programs of
+// other users are visible only to root. Reads /proc, which takes a few milliseconds.
 [[nodiscard]] std::optional<QString> portHolder(const QString& device);
 
 }  // namespace boresight

@@ -9,17 +9,17 @@
 
 #include <optional>
 
-// Why a serial port cannot be opened, in words that name the remedy. QSerialPort calls nearly everything
-// "Permission error".
+// Why a serial port cannot be opened, with the remedy. QSerialPort reports nearly every problem as "Permission error".
 namespace boresight {
 
-// Looks before opening: is it there, is it a terminal device, may we?
+// Checks before opening: does the port exist, is it a terminal device, do we have the permission?
 [[nodiscard]] Result<> checkSerialPort(const QString& path);
 
-// The path behind all links, so that every alias of a port shares one lock; the path itself if there is none.
+// The path with all links resolved, so that every alias of a port shares one lock. The path itself if it does not
+// exist.
 [[nodiscard]] QString canonicalPort(const QString& path);
 
-// Which device stands behind a path. A device that was unplugged and plugged in again is another one.
+// Identifies the device behind a path. A device that was unplugged and plugged in again has another identity.
 struct PortIdentity
 {
     dev_t fileSystem = 0;
@@ -28,9 +28,9 @@ struct PortIdentity
 
     bool operator==(const PortIdentity&) const = default;
 };
-[[nodiscard]] std::optional<PortIdentity> portIdentity(const QString& path);  // empty: nothing is there
+[[nodiscard]] std::optional<PortIdentity> portIdentity(const QString& path);  // empty: no file is there
 
-// Of a program's making, as by `boresightctl simulate`, and not a port of this computer.
+// A port that a program has made (`boresightctl simulate`), not a port of this computer.
 [[nodiscard]] bool isPseudoTerminal(dev_t device);
 [[nodiscard]] bool isPseudoTerminal(int descriptor);
 

@@ -17,8 +17,8 @@ QString stableNameOf(const QString& port, const QString& namesFolder)
     return {};
 }
 
-// The stored device, wherever it is plugged in now; else a spare one that took its place. Any other device that got
-// the configured name must be left alone.
+// The stored device, in any socket. If it is missing: a spare device that has the configured path. Any other device
+// with the configured name must be left alone.
 QString StablePort::device() const
 {
     return m_name.isEmpty() || (!QFileInfo::exists(m_name) && hasSpare()) ? m_path : m_name;

@@ -6,20 +6,20 @@
 #include <functional>
 #include <utility>
 
-// The serial port of a device, found again after it was unplugged. A name that the kernel gave (/dev/ttyACM0) may
-// belong to another device then, so the name by maker and serial number that leads to the same port is stored when
-// the port is opened, and counts from then on. A symbolic link that the operator chose stays what counts.
+// The serial port of a device, found again after the device was unplugged. Another device may get the name that the
+// kernel gave (/dev/ttyACM0). So the name by maker and serial number for the same port is stored when the port is
+// opened, and used from then on. If the operator configured a symbolic link, that link is used.
 namespace boresight {
 
 inline const QString kStableNames = QStringLiteral("/dev/serial/by-id");  // where udev keeps them
 
-// The stable name that leads to this port; empty if there is none.
+// The stable name for this port. Empty if there is none.
 [[nodiscard]] QString stableNameOf(const QString& port, const QString& namesFolder = kStableNames);
 
 class StablePort
 {
 public:
-    // Whether a device of this stable name may take the place of the stored one. Without the test none may.
+    // True if a device with this stable name may replace the stored one. Without this function no device may.
     using SpareTest = std::function<bool(const QString& stableName)>;
 
     StablePort(QString path, QString namesFolder = kStableNames, SpareTest isSpare = {})
@@ -29,9 +29,9 @@ public:
     [[nodiscard]] const QString& path() const { return m_path; }  // as configured
     [[nodiscard]] const QString& name() const { return m_name; }  // stored; empty if there is none
 
-    // What to open now.
+    // The path to open now.
     [[nodiscard]] QString device() const;
-    // To be called when device() was opened.
+    // Call this after device() was opened.
     void storeName();
 
 private:

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kRadiansPerTurn = 2.0 * std::numbers::pi;
 
-// A load pushed by its own weight or the wind crosses the gap in about this time.
+// A load that is pushed by its own weight or by the wind crosses the gap in this time.
 constexpr double kBacklashCrossing = 0.05;  // s
 
 }  // namespace
@@ -37,8 +37,8 @@ void AxisPlant::place(double position)
     m_velocity = 0.0;
 }
 
-// Without a share everything is in front of the gap, as if it were felt all the time. A load that is pushed lies on a
-// flank, and goes with the gear both ways.
+// True if the motor feels the load. With loadShare 0 the motor feels the load all the time. A load that is pushed rests
+// on one flank, so the gear moves it in both directions.
 bool AxisPlant::carriesLoad(double direction, double loadTorque) const
 {
     const double half = 0.5 * m_settings.backlash;
@@ -72,7 +72,7 @@ void AxisPlant::move(double to)
     }
 }
 
-// A load that is pushed rests on one flank of the gear; otherwise it is taken along when the gap closes.
+// A load that is pushed rests on one flank of the gear. Otherwise the gear takes the load along when the gap closes.
 void AxisPlant::followLoad(double dt, double moved, double loadTorque)
 {
     const double half = 0.5 * m_settings.backlash;
@@ -83,7 +83,7 @@ void AxisPlant::followLoad(double dt, double moved, double loadTorque)
     }
     m_lag = std::clamp(m_lag, -half, half);
     if (!carried && carriesLoad(moved, loadTorque)) {
-        m_velocity *= 1.0 - m_settings.loadShare;  // the load is met, and shares what the motor brings along
+        m_velocity *= 1.0 - m_settings.loadShare;  // the motor meets the load and shares its momentum with it
     }
 }
 

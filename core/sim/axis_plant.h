@@ -4,22 +4,22 @@
 #include <limits>
 #include <optional>
 
-// The mechanics of one axis: what the drive turns. Inertia, static, Coulomb and viscous friction, the weight of an
-// unbalanced antenna, wind, backlash, end stops and blockage. Pure; turns of the gearbox output in the drive's sense,
-// seconds, Nm at the output. Friction is integrated as an impulse that may stop the axis but never reverse it, so an
-// axis at rest stays at rest at any step.
+// The mechanics of one axis that a drive turns: inertia, static, Coulomb and viscous friction, the weight of an
+// unbalanced antenna, wind, backlash, end stops and blockage. Pure. Units: turns of the gearbox output in the direction
+// of the drive, seconds, Nm at the output. Friction is integrated as an impulse that may stop the axis but never
+// reverse it. So an axis that stands still stays still with any step length.
 namespace boresight::sim {
 
 struct PlantSettings
 {
-    double inertia = 20.0;         // kg·m² at the output, rotor through the gearbox included
+    double inertia = 20.0;         // kg·m² at the output, with the rotor behind the gearbox
     double coulombFriction = 3.0;  // Nm while moving
     double staticFriction = 4.0;   // Nm to break away
     double viscousFriction = 5.0;  // Nm/(rad/s)
-    double gravityTorque = 0.0;    // Nm towards positive turns when the antenna is level
-    double levelAt = 0.0;          // turns where it is level
-    double backlash = 0.0;         // turns, whole gap between gearbox and load
-    double loadShare = 0.0;        // of inertia and friction that the motor does not feel inside the gap
+    double gravityTorque = 0.0;    // Nm towards positive turns while the antenna points at the horizon
+    double levelAt = 0.0;          // turns at which the antenna points at the horizon
+    double backlash = 0.0;         // turns: the whole gap between gearbox and load
+    double loadShare = 0.0;        // share of inertia and friction that the motor does not feel inside the gap
     double stopMin = -std::numeric_limits<double>::infinity();  // hard end stops
     double stopMax = std::numeric_limits<double>::infinity();
 };
@@ -38,16 +38,16 @@ public:
 
     void step(double dt, const PlantLoads& loads);
 
-    // Turned by hand, and standing still afterwards.
+    // Turns the axis by hand. It stands still afterwards.
     void place(double position);
-    // Something in the way: at a place of the travel, or wherever the axis stands now.
+    // Something is in the way: at a position of the travel (setJam), or where the axis is now (setStalled).
     void setJam(std::optional<double> position) { m_jam = position; }
     void setStalled(bool stalled) { m_stalled = stalled; }
     [[nodiscard]] PlantSettings& settings() { return m_settings; }
 
     [[nodiscard]] double position() const { return m_position; }  // of the gearbox output
     [[nodiscard]] double velocity() const { return m_velocity; }
-    // Of the antenna behind the backlash.
+    // The position of the antenna, behind the backlash.
     [[nodiscard]] double loadPosition() const { return m_position + m_lag; }
 
 private:
@@ -59,7 +59,7 @@ private:
     PlantSettings m_settings;
     double m_position = 0.0;
     double m_velocity = 0.0;
-    double m_lag = 0.0;  // load minus gearbox output, within half the backlash
+    double m_lag = 0.0;  // position of the load minus that of the gearbox output, within ± half the backlash
     std::optional<double> m_jam;
     bool m_stalled = false;
 };

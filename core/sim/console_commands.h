@@ -7,17 +7,17 @@
 #include <string>
 #include <string_view>
 
-// The commands of the diagnostic console that need no memory of their own: each answers with what the device writes
-// back. Pure; `rest` is what follows the command on its line.
+// The commands of the diagnostic console that keep no state. Each returns the answer of the device. Pure. `rest` is the
+// part of the line after the command.
 namespace boresight::sim::console {
 
 inline constexpr std::string_view kOk = "OK\r\n";
 
 [[nodiscard]] std::string refusal(std::string_view why);  // "ERR …"
-// Both cut one word off the front.
+// Both remove one word from the front of `text` and return it.
 [[nodiscard]] std::string_view takeWord(std::string_view& text);
 [[nodiscard]] std::optional<double> takeNumber(std::string_view& text);
-// Head of a binary block: its length as four bytes.
+// The head of a binary block: its length in four bytes.
 [[nodiscard]] std::string lengthBytes(std::size_t size);
 
 // `conf …`

@@ -33,7 +33,7 @@ ArchiveValue archived(const ConfigField& field)
     return ArchiveArray{.values = {*std::get<std::uint8_t*>(field)}, .width = 1};
 }
 
-// The fields of one group; consecutive numbered keys fold into one array.
+// The fields of one group. Keys with consecutive numbers become one array.
 std::vector<ArchiveField> archivedGroup(DriveConfig& config, std::string_view group)
 {
     std::vector<ArchiveField> fields;

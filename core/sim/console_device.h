@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-// What the console of a drive asks of the drive.
+// What the console of a drive needs from the drive.
 namespace boresight::sim {
 
 class ConsoleDevice
@@ -18,7 +18,7 @@ public:
     virtual ~ConsoleDevice() = default;
 
     virtual DriveConfig& config() = 0;
-    // After a key of that group was set, or all of them loaded.
+    // Called after a key of that group was set, or after all keys of the group were loaded.
     virtual void configChanged(std::string_view group) = 0;
     virtual void storeConfig() = 0;
     virtual void loadConfig() = 0;
@@ -32,7 +32,7 @@ public:
     virtual void recapture() = 0;
 
     [[nodiscard]] virtual std::vector<std::string> telemetryChannels() const = 0;
-    // Empty for a channel that does not exist.
+    // Empty if the channel does not exist.
     [[nodiscard]] virtual std::vector<ArchiveField> telemetry(std::string_view channel) = 0;
 
 protected:

@@ -8,7 +8,7 @@ namespace {
 
 using moteus::Mode;
 
-// "p1.5" is kp scale 1.5 and so on. False for a letter that does not exist or is not permitted here.
+// Applies one option: "p1.5" sets the kp scale to 1.5. False if the letter does not exist or is not permitted here.
 bool applyOption(ServoCommand& command, std::string_view option, std::string_view permitted)
 {
     const std::optional<double> number = option.substr(1) == "nan" ? kNone : parseFinite(option.substr(1));
@@ -43,7 +43,7 @@ bool applyOption(ServoCommand& command, std::string_view option, std::string_vie
         case 'b':
             command.ignorePositionBounds = *number != 0.0;
             break;
-        default:  // o, c: fixed voltage and current override the encoder; understood, without effect here
+        default:  // o, c: fixed voltage and current, which override the encoder. Accepted without effect
             break;
     }
     return true;
@@ -102,7 +102,7 @@ std::string setOutput(ConsoleDevice& device, std::string_view command, std::stri
 
 std::string motion(ConsoleDevice& device, std::string_view command, std::string_view rest)
 {
-    // The console's commands have no watchdog unless one is asked for.
+    // Commands of the console have no watchdog, unless the line sets one.
     ServoCommand simple{.watchdogTimeout = kNone};
     if (command == "stop") {
         simple.mode = Mode::Stopped;

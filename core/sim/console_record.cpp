@@ -82,7 +82,7 @@ void appendFieldHead(std::string& out, std::string_view name)
     appendVaruint(out, 0);  // aliases
 }
 
-// An object: flags, the fields, and a field without name and type as the end.
+// An object: its flags, its fields, and as the end a field without name and type.
 void appendObject(std::string& out, std::span<const ArchiveField> fields, std::size_t prefix)
 {
     appendByte(out, kObject);
@@ -101,7 +101,7 @@ void appendObject(std::string& out, std::span<const ArchiveField> fields, std::s
             }
             appendObject(out, fields.subspan(i, end - i), group.size());
         }
-        appendByte(out, 0);  // no default
+        appendByte(out, 0);  // the field has no default
         i = end;
     }
     appendFieldHead(out, "");

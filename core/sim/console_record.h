@@ -8,8 +8,8 @@
 #include <variant>
 #include <vector>
 
-// The self-describing records of the diagnostic console: one list of named values becomes a binary schema, binary data
-// in the same order, or lines of text. Pure. A dot in a name opens an inner object.
+// The self-describing records of the diagnostic console. A list of named values becomes a binary schema, binary data in
+// the same order, or lines of text. Pure. A dot in a name begins an inner object.
 namespace boresight::sim {
 
 struct ArchiveUnsigned
@@ -27,7 +27,7 @@ struct ArchiveSigned
 struct ArchiveEnum
 {
     std::uint32_t value = 0;
-    std::span<const std::string_view> names;  // of 0, 1, 2, …; may be empty
+    std::span<const std::string_view> names;  // names of the values 0, 1, 2, …; may be empty
 };
 
 struct ArchiveArray
@@ -46,7 +46,7 @@ struct ArchiveField
 
 [[nodiscard]] std::string binarySchema(std::span<const ArchiveField> fields);
 [[nodiscard]] std::string binaryData(std::span<const ArchiveField> fields);
-// "servo_stats.bus_V 24.012000" and so on, each with CR LF.
+// Lines like "servo_stats.bus_V 24.012000", each with CR LF at its end.
 [[nodiscard]] std::string textLines(std::string_view name, std::span<const ArchiveField> fields);
 
 }  // namespace boresight::sim

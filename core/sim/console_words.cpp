@@ -11,7 +11,7 @@ std::string refusal(std::string_view why)
     return "ERR " + std::string(why) + "\r\n";
 }
 
-// Cuts the first word off.
+// Removes the first word from `text` and returns it.
 std::string_view takeWord(std::string_view& text)
 {
     const std::size_t start = std::min(text.find_first_not_of(' '), text.size());

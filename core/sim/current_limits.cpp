@@ -11,8 +11,8 @@ namespace {
 constexpr double kTorqueTimesKv = 8.27;       // Nm/A · rpm/V, of a three-phase motor counted in peak phase current
 constexpr double kUncalibratedTorque = 0.1;   // Nm/A at the rotor
 constexpr double kUncalibratedCurrent = 5.0;  // A
-constexpr double kBridgeCurrent = 100.0;      // A the board can carry, whatever is commanded
-constexpr double kModulation = 0.5;           // phase voltage over bus voltage that the bridge can make
+constexpr double kBridgeCurrent = 100.0;      // A: the most that the board can carry, for any command
+constexpr double kModulation = 0.5;           // highest phase voltage as a share of the bus voltage
 constexpr double kPowerFactor = 1.5;          // three phases counted in peak values
 
 double rotorTorquePerAmpere(const MotorConfig& motor)
@@ -20,7 +20,7 @@ double rotorTorquePerAmpere(const MotorConfig& motor)
     return motor.kv > 0.0 ? kTorqueTimesKv / motor.kv : kUncalibratedTorque;
 }
 
-// 1 up to `start`, falling to 0 at `start + width`; without a finite start there is no limit.
+// 1 up to `start`, falling to 0 at `start + width`. Without a finite start there is no limit.
 double fade(double value, double start, double width)
 {
     if (!std::isfinite(start)) {
@@ -30,7 +30,7 @@ double fade(double value, double start, double width)
     return width > 0.0 ? std::clamp(1.0 - over / width, 0.0, 1.0) : (over > 0.0 ? 0.0 : 1.0);
 }
 
-// The board's own curve: 900 W up to 30 V, 400 W from 38 V.
+// The limit of the board: 900 W up to 30 V, 400 W from 38 V on.
 double maximumPower(const ServoConfig& servo, double busVoltage)
 {
     const double board = 900.0 - 500.0 * std::clamp((busVoltage - 30.0) / 8.0, 0.0, 1.0);
@@ -100,7 +100,8 @@ double motorPower(const DriveConfig& config, double qCurrent, double dCurrent, d
 
 double velocityLimitOfSupply(const DriveConfig& config, double busVoltage)
 {
-    // 0.41 of the bus voltage over the back electromotive force, which is 34.6/Kv at the rotor (fact sheet, planner).
+    // 0.41 times the bus voltage, divided by the back electromotive force, which is 34.6/Kv at the rotor (fact sheet,
+    // planner).
     return 0.41 * busVoltage / (34.6 / std::max(config.motor.kv, 1.0)) * config.motorPosition.rotorToOutputRatio;
 }
 

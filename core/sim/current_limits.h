@@ -3,11 +3,11 @@
 
 #include "core/sim/drive_config.h"
 
-// The electrical side of one drive: from a wanted torque to the current that the limits leave of it. Pure; A, V, Ω,
-// Nm at the gearbox output, turns/s of the output, °C. Codes 96…105 of the fault register name the limit that bites.
+// The electrical side of one drive: how much current remains of the wanted torque after all limits. Pure. Units: A, V,
+// Ω, Nm at the gearbox output, turns/s of the output, °C.
 namespace boresight::sim {
 
-// Fault-register values that say which limit is active now. They are no faults.
+// Values 96…105 of the fault register name the limit that is active now. They are no faults.
 enum class ActiveLimit
 {
     None = 0,
@@ -20,7 +20,7 @@ enum class ActiveLimit
     CommandedTorque = 102,
     PositionBounds = 103,
     FluxBraking = 104,
-    FieldWeakening = 105,  // told only when injected
+    FieldWeakening = 105,  // reported only when injected
 };
 
 struct ElectricalState
@@ -30,7 +30,7 @@ struct ElectricalState
     double busVoltage = 24.0;
     double fetTemperature = 30.0;
     double motorTemperature = 0.0;
-    bool boundsApply = false;  // modes 10 and 13 unless told to ignore them
+    bool boundsApply = false;  // in modes 10 and 13, unless the command ignores the bounds
 };
 
 struct LimitedCurrent
@@ -39,24 +39,24 @@ struct LimitedCurrent
     ActiveLimit limit = ActiveLimit::None;
 };
 
-// Nm at the output per A of q current: 8.27/Kv at the rotor, 0.1 for a motor without a calibrated Kv.
+// Nm at the output per A of q current: 8.27/Kv at the rotor, or 0.1 at the rotor for a motor without a calibrated Kv.
 [[nodiscard]] double torquePerAmpere(const DriveConfig& config);
 
 // Back electromotive force in V per turn/s of the output.
 [[nodiscard]] double voltagePerVelocity(const DriveConfig& config);
 
-// Nm/(rad/s) on the output with the phases shorted: the back electromotive force drives a current through the winding.
+// Nm/(rad/s) at the output with shorted phases: the back electromotive force drives a current through the winding.
 [[nodiscard]] double brakeDamping(const DriveConfig& config);
 
-// W: what the motor turns into motion (negative while braking) and into heat in its winding.
+// W: the power that the motor turns into motion (negative while braking) plus the heat in its winding.
 [[nodiscard]] double motorPower(const DriveConfig& config, double qCurrent, double dCurrent, double velocity);
 
-// The fastest control velocity the bus voltage can drive, turns/s of the output.
+// The fastest control velocity that the bus voltage allows, in turns/s of the output.
 [[nodiscard]] double velocityLimitOfSupply(const DriveConfig& config, double busVoltage);
 
 [[nodiscard]] LimitedCurrent limitedCurrent(double wanted, const DriveConfig& config, const ElectricalState& state);
 
-// d-axis current that burns what braking pumps into the supply.
+// The d-axis current that turns the power from braking into heat.
 [[nodiscard]] double fluxBrakeCurrent(const DriveConfig& config, double busVoltage);
 
 }  // namespace boresight::sim

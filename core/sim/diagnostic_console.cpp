@@ -11,7 +11,7 @@ namespace boresight::sim {
 namespace {
 
 constexpr std::size_t kLongestLine = 100;
-constexpr std::size_t kMostPending = 4096;  // nobody reads: nothing more is emitted
+constexpr std::size_t kMostPending = 4096;  // when the client does not read, nothing more is sent
 constexpr double kShortestPeriod = 0.01;    // s
 
 using console::kOk;
@@ -34,7 +34,7 @@ void DiagnosticConsole::receive(std::span<const std::uint8_t> text)
         }
     }
     if (m_input.size() > kLongestLine) {
-        m_input.resize(kLongestLine + 1);  // too long whatever follows; dropped at its end
+        m_input.resize(kLongestLine + 1);  // the line is too long already and is dropped at its end
     }
 }
 

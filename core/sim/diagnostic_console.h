@@ -9,8 +9,8 @@
 #include <string>
 #include <string_view>
 
-// The text console of a moteus behind its diagnostic tunnel: `conf`, `tel` and `d` commands, one per line, answered as
-// the device answers them. Pure; the device behind it is a ConsoleDevice. `conf` and `d` are in console_commands.h.
+// The text console of a moteus behind its diagnostic tunnel. Answers `conf`, `tel` and `d` commands, one per line, like
+// the device. Pure. The device behind the console is a ConsoleDevice. `conf` and `d` are in console_commands.h.
 namespace boresight::sim {
 
 class DiagnosticConsole
@@ -29,7 +29,7 @@ private:
     struct Channel
     {
         bool text = false;
-        double period = 0.0;  // s, 0: not emitted
+        double period = 0.0;  // s; 0: not sent
         double elapsed = 0.0;
     };
 
@@ -41,7 +41,7 @@ private:
     ConsoleDevice& m_device;
     std::string m_input;
     std::string m_output;
-    std::map<std::string, Channel, std::less<>> m_channels;  // only those that were set up
+    std::map<std::string, Channel, std::less<>> m_channels;  // only the channels that were set up
 };
 
 }  // namespace boresight::sim

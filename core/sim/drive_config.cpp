@@ -137,7 +137,7 @@ Result<> setConfigText(DriveConfig& config, std::string_view key, std::string_vi
     }
     std::visit(FieldWriter{parsedLikeTheDevice(text)}, *field);
     if (config.id < 1 || config.id > 126) {
-        config.id = 1;  // as the firmware does with an address it cannot use
+        config.id = 1;  // the firmware does the same with an address that it cannot use
     }
     config.motorPosition.outputSign = config.motorPosition.outputSign < 0 ? -1 : 1;
     return {};
@@ -155,8 +155,8 @@ DriveConfig commissionedDrive(Axis axis)
     config.positionMax = std::max(low, high);
     config.motorPosition.rotorToOutputRatio = 1.0 / mount.gearRatio;
     config.servo.gains = mount.gains;
-    // As found by measuring, a tenth too little. Without it the axis runs on behind a braking ramp while the gains find
-    // the torque, then returns: 0.1 s longer from full speed.
+    // A tenth below the true inertia, as a measurement would give it. Without this value, the axis runs on after a
+    // braking ramp until the gains have found the torque, and then returns: 0.1 s longer from full speed.
     config.servo.inertiaFeedforward = 0.9 * mount.plant.inertia;
     config.servo.timeoutMode = 10;
     config.servo.faultPositionError = Angle(10.0_deg).turns();
@@ -164,8 +164,8 @@ DriveConfig commissionedDrive(Axis axis)
     config.servo.maxCurrent = 30.0;
     config.servo.maxVelocity = 0.06;
     config.servo.maxVelocityDerate = 0.01;
-    // The drive brakes by the default limits after its host died: 14.4°/s, full stop in 80 ms. With a watchdog of 0.1 s
-    // the axis stands still 0.2 s after the last command.
+    // With these default limits the drive brakes after its host died: 14.4°/s, full stop in 80 ms. With a watchdog of
+    // 0.1 s the axis stands still 0.2 s after the last command.
     config.servo.defaultVelocityLimit = 0.04;
     config.servo.defaultAccelLimit = axis == Axis::Azimuth ? 0.35 : 0.28;
     return config;

@@ -12,8 +12,9 @@
 #include <string_view>
 #include <variant>
 
-// The configuration tree of one simulated moteus: the keys of its `conf` commands that have an effect here, with the
-// factory's values. Units are the device's own: turns of the output, Nm, A, V, °C, s; NaN means "none", as there.
+// The configuration tree of one simulated moteus: the keys of its `conf` commands that have an effect in the simulator,
+// with the defaults of the factory. Units are those of the device: turns of the output, Nm, A, V, °C, s. As in the
+// device, NaN means "none".
 namespace boresight::sim {
 
 inline constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
@@ -23,14 +24,14 @@ struct ServoGains
     double kp = 4.0;  // Nm/turn of the output
     double ki = 1.0;
     double kd = 0.05;
-    double iratelimit = -1.0;  // Nm/s, negative: none
-    double ilimit = 0.0;       // Nm: the factory leaves the integrator off
+    double iratelimit = -1.0;  // Nm/s; negative: no limit
+    double ilimit = 0.0;       // Nm; the factory default switches the integrator off
 };
 
 struct ServoConfig
 {
     double maxVoltage = 46.0;
-    double maxPower = kNone;  // none: the board's own curve
+    double maxPower = kNone;  // none: only the limit of the board
     double temperatureMargin = 25.0;
     double faultTemperature = 75.0;
     bool enableMotorTemperature = false;
@@ -40,7 +41,7 @@ struct ServoConfig
     double faultVelocityError = kNone;
     double positionDerate = 0.02;
     ServoGains gains;
-    double inertiaFeedforward = 0.0;  // kg·m² at the output: torque per acceleration of the drive's own planner
+    double inertiaFeedforward = 0.0;  // kg·m² at the output: torque per acceleration of the planner of the drive
     double defaultVelocityLimit = kNone;
     double defaultAccelLimit = 50.0;
     double maxPositionSlip = kNone;
@@ -60,7 +61,7 @@ struct MotorConfig
     int poles = 14;
     bool phaseInvert = false;
     double resistance = 0.1;  // Ω, phase
-    double kv = 300.0;        // rpm/V, 0: not calibrated
+    double kv = 300.0;        // rpm/V; 0: not calibrated
 };
 
 struct MotorPositionConfig
@@ -69,8 +70,8 @@ struct MotorPositionConfig
     int outputSource = 0;
     double outputOffset = 0.0;
     int outputSign = 1;
-    double pllFilter = 400.0;  // Hz, of the measured velocity
-    int referenceSource = -1;  // 1: an absolute encoder on the output, known after power-up
+    double pllFilter = 400.0;  // Hz: filter of the measured velocity
+    int referenceSource = -1;  // 1: an absolute encoder on the output, so the position is known after power-up
 };
 
 struct DriveConfig
@@ -85,20 +86,20 @@ struct DriveConfig
     MotorPositionConfig motorPosition;
 };
 
-// A pointer into a DriveConfig; bytes are part of an array.
+// A pointer into a DriveConfig. A byte is one element of an array.
 using ConfigField = std::variant<double*, int*, bool*, std::uint8_t*>;
 using ConfigVisitor = std::function<void(std::string_view key, ConfigField field)>;
 
-// Every key once, grouped, in the order of `conf enumerate`.
+// Visits every key once, by groups, in the order of `conf enumerate`.
 void visitFields(DriveConfig& config, const ConfigVisitor& visit);
 
-// The device's own rules: text that is no number counts as 0.
+// As in the device, a text that is no number counts as 0.
 [[nodiscard]] Result<std::string> configText(DriveConfig& config, std::string_view key);
 Result<> setConfigText(DriveConfig& config, std::string_view key, std::string_view text);
 
-// One axis of the reference mount after commissioning: id, gear ratio, travel with a margin of 3° as position bounds,
-// hold (mode 10) on time-out, fault 49 at 10° behind the order, default limits, and gains for the inertia and friction
-// of `ReferenceMount`.
+// One axis of the reference mount after commissioning: id, gear ratio, the travel plus a margin of 3° as position
+// bounds, hold (mode 10) after a time-out, fault 49 at 10° of following error, default limits, and gains for the
+// inertia and friction of ReferenceAxis.
 [[nodiscard]] DriveConfig commissionedDrive(Axis axis);
 
 }  // namespace boresight::sim

@@ -8,11 +8,11 @@
 #include <string_view>
 #include <vector>
 
-// The telemetry channels that the console of a simulated drive offers, and what they report. Pure.
+// The telemetry channels of the console of a simulated drive, and their values. Pure.
 namespace boresight::sim {
 
 [[nodiscard]] std::vector<std::string> telemetryChannels();
-// Empty for a channel that does not exist.
+// Empty if the channel does not exist.
 [[nodiscard]] std::vector<ArchiveField> telemetry(const DriveState& drive, std::string_view channel);
 
 }  // namespace boresight::sim

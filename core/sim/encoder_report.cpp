@@ -9,8 +9,8 @@ namespace boresight::sim {
 namespace {
 
 constexpr double kCountsPerTurn = 16384.0;                      // of the encoder on the board
-constexpr double kStep = 16777216.0;                            // positions move in steps of 2^-24 turns,
-constexpr std::int64_t kCountsPerStep = std::int64_t{1} << 24;  // counted in 2^-48
+constexpr double kStep = 16777216.0;                            // positions have steps of 2^-24 turns
+constexpr std::int64_t kCountsPerStep = std::int64_t{1} << 24;  // one step in counts of 2^-48 turns
 
 std::int64_t counts(double turns)
 {

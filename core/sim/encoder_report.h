@@ -6,8 +6,8 @@
 
 #include <vector>
 
-// What the telemetry channel "motor_position" of a drive reports of its encoders: firmware of 2026, three encoder
-// slots, of which the first is used. Pure.
+// The telemetry channel "motor_position", which reports the encoders of a drive, as firmware of 2026 does: three
+// encoder slots, of which the first is used. Pure.
 namespace boresight::sim {
 
 [[nodiscard]] std::vector<ArchiveField> encoderReport(const RotorEncoder& encoder);

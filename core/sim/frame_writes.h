@@ -9,25 +9,25 @@
 #include <optional>
 #include <vector>
 
-// What one frame writes to the registers of a simulated drive, until its end. What an accepted frame left in command
-// registers is there for the next one. Pure.
+// The writes of one frame to the registers of a simulated drive, until the end of the frame. An accepted frame leaves
+// its values in the command registers for the next frame. Pure.
 namespace boresight::sim {
 
 class FrameWrites
 {
 public:
     void begin();
-    // 0, or the error code for the reply.
+    // 0 on success, or the error code for the reply.
     [[nodiscard]] std::uint32_t write(moteus::Register reg, double value);
     void accept() { m_accepted = m_kept; }
-    // Nothing was ever accepted, from the next frame on.
+    // From the next frame on, as if no frame was accepted yet.
     void forget() { m_accepted = {}; }
 
     [[nodiscard]] const ServoCommand& command() const { return m_kept.command; }
     [[nodiscard]] bool hasMode() const { return m_hasMode; }
-    // Registers that do something at once, in the order of writing.
+    // The registers that act at once, in the order of writing.
     [[nodiscard]] const std::vector<moteus::RegisterValue>& actions() const { return m_actions; }
-    // Of a register that can be written and read and does nothing here.
+    // The value of a register that can be written and read but has no effect in the simulator.
     [[nodiscard]] std::optional<double> unused(moteus::Register reg) const;
 
 private:

@@ -14,7 +14,7 @@ constexpr double kThermalCapacity = 30.0;   // J/K
 
 PowerSupply::PowerSupply(const SupplySettings& settings) : m_settings(settings), m_voltage(settings.voltage) {}
 
-// Implicit in the source current, so that capacitors much faster than the step stay stable.
+// The source current is solved implicitly, which is stable even if the capacitors react much faster than one step.
 void PowerSupply::step(double dt, double loadPower)
 {
     if (!m_on) {

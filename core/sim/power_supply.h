@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What feeds the drives, and how warm they get. Pure; V, Ω, F, W, °C, s. The supply sags by its source resistance;
-// power that braking feeds back charges the capacitors of the boards, because an ordinary supply does not take it.
+// The supply of the drives, and how warm the boards get. Pure. Units: V, Ω, F, W, °C, s. The voltage sags by the source
+// resistance. Power from braking charges the capacitors of the boards, because an ordinary supply does not accept it.
 namespace boresight::sim {
 
 struct SupplySettings
 {
     double voltage = 24.0;
     double sourceResistance = 0.1;
-    double capacitance = 2.0e-3;  // of both boards
-    bool absorbs = false;         // a battery takes energy back
+    double capacitance = 2.0e-3;  // both boards together
+    bool absorbs = false;         // true for a battery, which accepts energy
 };
 
 class PowerSupply
@@ -30,7 +30,8 @@ private:
     double m_voltage = 0.0;
 };
 
-// First order towards ambient plus loss · thermal resistance: about 30 °C when idle, a time constant of 3 minutes.
+// Moves in first order towards ambient temperature plus loss times thermal resistance: 29 °C when idle, time constant 3
+// minutes.
 class BoardTemperature
 {
 public:

@@ -7,8 +7,9 @@
 namespace boresight::sim {
 namespace {
 
-// Gains for a control bandwidth of 40 rad/s (6 Hz) with critical damping: kp = J·w², kd = 2·J·w per turn of the
-// output (J times 2 pi), ki = kp·w/5. Stiff enough that 5 Nm of friction cost 0.01° before the integrator has it.
+// Gains for a control bandwidth of 40 rad/s (6 Hz) with critical damping. Per turn of the output (J times 2 pi): kp =
+// J·w², kd = 2·J·w, ki = kp·w/5. The control is so stiff that 5 Nm of friction make an error of 0.01° before the
+// integrator corrects it.
 ServoGains gainsFor(double inertia)
 {
     constexpr double kBandwidth = 40.0;
@@ -46,7 +47,8 @@ const ReferenceAxis& referenceAxis(Axis axis)
                                                    .staticFriction = 4.0,
                                                    .viscousFriction = 5.0,
                                                    .backlash = kBacklash});
-    // The counterweight leaves 5 Nm: less than the friction, so that the antenna stays where it is without power.
+    // The counterweight leaves an unbalance of 5 Nm. This is less than the friction, so the antenna stays where it is
+    // without power.
     static const ReferenceAxis elevation = makeAxis(-1.0, 90.0_deg, {.min = 0.0_deg, .max = 90.0_deg},
                                                     {.inertia = 12.0,
                                                      .coulombFriction = 5.5,

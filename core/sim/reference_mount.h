@@ -5,9 +5,9 @@
 #include "core/sim/drive_config.h"
 #include "core/units/sky.h"
 
-// The mount that the simulated pair drives unless set otherwise: a dish of about 2 m on an azimuth-elevation
-// positioner, each axis through a 100:1 gearbox. Azimuth 0…360° is 0…1 turn; the elevation drive is mounted inverted:
-// 0° is -0.25 turn, 90° is -0.5 turn.
+// The mount that the simulated pair drives by default: a dish of 2 m on an azimuth-elevation positioner, with a 100:1
+// gearbox for each axis. Azimuth 0…360° is 0…1 turn. The elevation drive is mounted inverted: 0° is -0.25 turn, 90° is
+// -0.5 turn.
 namespace boresight::sim {
 
 struct ReferenceAxis

@@ -7,17 +7,17 @@
 #include <cstdint>
 #include <optional>
 
-// Changes single values of a reply that is already on the wire. The other bytes stay as they are. Pure, any thread.
+// Changes single values in an encoded reply. The other bytes stay as they are. Pure, any thread.
 namespace boresight::sim {
 
-// In units of the register. Empty: the reply does not contain it.
+// The value of the register in its own unit. Empty if the reply does not contain the register.
 [[nodiscard]] std::optional<double> valueIn(const CanFrame& reply, moteus::Register reg);
-// NaN is "unset". An infinity exists only as a float; an integer on the wire becomes "unset". A register that the reply
-// does not contain changes nothing.
+// NaN means "not set". Only a float can carry an infinity, so in an integer it becomes "not set". If the reply does not
+// contain the register, nothing changes.
 void setValue(CanFrame& reply, moteus::Register reg, double value);
-// The reply ends before the block with the register.
+// Ends the reply before the block that contains the register.
 void cutBefore(CanFrame& reply, moteus::Register reg);
-// The drive that the reply seems to come from.
+// Sets the id that the reply seems to come from.
 void setSource(CanFrame& reply, std::uint8_t id);
 
 }  // namespace boresight::sim

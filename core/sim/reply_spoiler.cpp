@@ -21,7 +21,7 @@ constexpr std::array kEdits{FaultKind::StaleReply,       FaultKind::FalsePositio
                             FaultKind::TemperatureNaN,   FaultKind::ForeignId,       FaultKind::ExchangedReplies,
                             FaultKind::DoubledReply};
 
-// From a hundredth of a degree, which no antenna notices, to a whole turn.
+// In degrees: from an error that no antenna notices to a whole turn.
 constexpr double kSmallestRandomError = 0.01;
 constexpr double kLargestRandomError = 360.0;
 constexpr double kLongestRandomAge = 1.0;  // s
@@ -121,7 +121,7 @@ void ReplySpoiler::remember(const CanFrame& reply, Seconds now)
     m_said.push_back({.at = now, .frame = reply});
 }
 
-// The reply to the same question that was the last one then: of the same length, and beginning alike.
+// The last reply at that time to the same query: of the same length, and with the same first byte.
 std::optional<CanFrame> ReplySpoiler::said(const CanFrame& like, Seconds at) const
 {
     const auto found = std::find_if(m_said.rbegin(), m_said.rend(), [&](const Said& one) {

@@ -12,9 +12,9 @@
 #include <utility>
 #include <vector>
 
-// What becomes of the replies of one drive on their way, by the faults of the schedule that concern their content,
-// their sender or their number. Keeps the replies of the last kLongestStale. Pure; random by its seed alone. Seconds
-// are those of the pair.
+// Applies to the replies of one drive the faults of the schedule that concern content, sender or number of replies.
+// Keeps the replies of the last kLongestStale. Pure. Random numbers depend on the seed only. Times are those of the
+// pair.
 namespace boresight::sim {
 
 inline constexpr Seconds kLongestStale{10.0};
@@ -24,7 +24,7 @@ class ReplySpoiler
 public:
     ReplySpoiler(Axis axis, std::uint32_t seed) : m_axis(axis), m_random(seed) {}
 
-    // The frames that arrive in place of `reply`. `otherId`: of the other drive.
+    // The frames that arrive in place of `reply`. `otherId`: the id of the other drive.
     [[nodiscard]] std::vector<CanFrame> spoil(const CanFrame& reply, const FaultSchedule& faults, Seconds now,
                                               int otherId);
 

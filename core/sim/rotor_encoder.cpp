@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kRotorEncoderCountsPerTurn = 16384.0;  // 14 bits
 constexpr double kPositionNoise = 1.0;                  // counts
-constexpr double kVelocityNoise = 0.01;                 // rotor turns/s after the filter
+constexpr double kVelocityNoise = 0.01;                 // rotor turns/s, after the filter
 
 double fraction(double turns)
 {
@@ -64,7 +64,7 @@ double RotorEncoder::setExact(double position)
     return this->position() - before;
 }
 
-// The configured offset makes up for what is left after choosing the whole turn: permanent once it is written.
+// setNearest() chooses the whole turn, and the configured offset corrects the rest. The offset stays once it is stored.
 double RotorEncoder::setConfiguredOffset(DriveConfig& config, double position)
 {
     const double before = this->position();

@@ -7,9 +7,9 @@
 #include <cstdint>
 #include <random>
 
-// The encoder of a drive and the frame its position counts in. The AS5047P on the board knows one rotor turn of 16384
-// counts; the whole turns since power-up are counted by the drive and lost with the power. Pure; turns of the rotor or
-// the output as named.
+// The encoder of a drive, and the zero that its position counts from. The AS5047P on the board measures the angle
+// within one turn of the rotor (16384 counts). The drive counts the whole turns since power-up and loses them with the
+// power. Pure. Turns of the rotor or of the output, as named.
 namespace boresight::sim {
 
 struct EncoderNoise
@@ -23,22 +23,23 @@ class RotorEncoder
 public:
     RotorEncoder(const DriveConfig& config, const EncoderNoise& noise) : m_config(config), m_noise(noise) {}
 
-    // What the sensors see now: rotor turns since for ever, and the turn of the output.
+    // One reading of the sensors: turns of the rotor (never wrapped) and turns of the output.
     void sample(double rotorTurns, double rotorVelocity, double outputTurns);
 
-    // The output is somewhere within half a rotor turn of zero, unless an absolute encoder sits on the output.
+    // After power-up the output position is within half a turn of the rotor from zero, unless the output has an
+    // absolute encoder.
     void latchAtPowerUp();
-    // Other settings of the encoders: as at power-up, and the drive counts from zero again.
+    // The settings of the encoders changed. As at power-up, the drive counts from zero again.
     void beginAnew();
     void requireReindex();
-    // Both return by how much the output position jumped.
+    // All three return by how much the output position jumped.
     double setNearest(double position);
     double setExact(double position);
     double setConfiguredOffset(DriveConfig& config, double position);
 
     [[nodiscard]] double position() const;  // of the output
     [[nodiscard]] double velocity() const { return m_velocity; }
-    [[nodiscard]] double relative() const;  // of the output, counted since the beginning; nobody can set it
+    [[nodiscard]] double relative() const;  // of the output, counted since power-up or beginAnew(); it cannot be set
     [[nodiscard]] int beginnings() const { return m_beginnings; }
     [[nodiscard]] double fractionOfTurn() const;        // of the rotor, 0…1
     [[nodiscard]] double outputFractionOfTurn() const;  // of the second encoder, if there is one
@@ -52,11 +53,11 @@ private:
     const DriveConfig& m_config;
     EncoderNoise m_noise;
     std::minstd_rand m_random{m_noise.seed};
-    double m_raw = 0.0;         // turns of the rotor as measured, never wrapped
-    double m_output = 0.0;      // turns of the output as the second encoder sees it
+    double m_raw = 0.0;         // measured turns of the rotor, never wrapped
+    double m_output = 0.0;      // turns of the output, measured by the second encoder
     double m_velocity = 0.0;    // of the output
     double m_turnOffset = 0.0;  // counted = raw + offset
-    double m_first = 0.0;       // raw, at the beginning
+    double m_first = 0.0;       // m_raw at power-up or beginAnew()
     int m_beginnings = 1;
     moteus::HomeState m_home = moteus::HomeState::Relative;
 };

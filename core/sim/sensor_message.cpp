@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the firmware of the sensor prints: the sentence of its serial port, the JSON of its three topics.
+// The messages of the firmware of the sensor: the sentence on its serial port, and the JSON of its three MQTT topics.
 #include "core/base/numbers.h"
 #include "core/orientation/sentence.h"
 #include "core/sim/simulated_sensor.h"
@@ -15,7 +15,7 @@ std::int64_t milliseconds(UtcTime time)
     return std::chrono::duration_cast<std::chrono::milliseconds>(time.time_since_epoch()).count();
 }
 
-// With its runs of spaces.
+// The firmware prints these runs of spaces.
 QString head(const SensorMessage& message)
 {
     const QDateTime time = QDateTime::fromMSecsSinceEpoch(milliseconds(message.time), Qt::UTC);

@@ -10,12 +10,12 @@ namespace {
 
 using moteus::Mode;
 
-// The gate driver needs 4 to 5 ms to come up, the current-sense calibration 256 control periods of 1/30000 s.
+// The gate driver needs 4 to 5 ms to start. Calibrating the current sensors takes 256 control periods of 1/30000 s.
 constexpr double kEnablingTime = 5.0e-3;
 constexpr double kCalibratingTime = 256.0 / 30000.0;
-constexpr double kTimeTolerance = 1.0e-9;  // sums of steps
+constexpr double kTimeTolerance = 1.0e-9;  // rounding errors in sums of steps
 
-constexpr double kLargestPosition = 32768.0;  // turns the device can represent
+constexpr double kLargestPosition = 32768.0;  // turns: the largest position of the device
 
 enum FaultCode : int
 {
@@ -58,7 +58,7 @@ bool Servo::isActive() const
     return m_mode != Mode::Stopped && m_mode != Mode::Fault;
 }
 
-// The device judges position and velocity error wherever its position control runs, so after a time-out too.
+// The device checks position and velocity error wherever it controls the position, so also after a time-out.
 bool Servo::followsSetpoint() const
 {
     const bool holdsAfterTimeout =
@@ -104,7 +104,7 @@ void Servo::enter(Mode mode)
     m_timeInMode = 0.0;
 }
 
-// Stop always works and clears the fault; from fault and time-out it is the only way out.
+// Stop always works and clears a fault. It is the only way out of fault and time-out.
 void Servo::takeCommand(const ServoInputs& inputs)
 {
     const ServoCommand command = *m_arrived;
@@ -144,7 +144,7 @@ void Servo::advanceEnabling(const ServoInputs& inputs)
     }
 }
 
-// The commanded mode takes over, or a further command in the mode that is in force.
+// Puts the commanded mode in force, or a further command of the mode that is in force.
 void Servo::engage(const ServoInputs& inputs)
 {
     const Mode before = m_mode;

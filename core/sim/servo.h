@@ -7,8 +7,9 @@
 
 #include <optional>
 
-// The servo of one moteus: which mode is in force, by commands, enabling sequence, watchdog and faults. What a mode
-// does to the motor is in ServoControl. Pure, stepped by its owner; units as there.
+// The servo of one moteus: decides which mode is in force, from commands, the enabling sequence, the watchdog and
+// faults. ServoControl contains what a mode does to the motor. Pure, stepped by its owner. Units are those of
+// ServoControl.
 namespace boresight::sim {
 
 class Servo
@@ -16,20 +17,20 @@ class Servo
 public:
     explicit Servo(const DriveConfig& config) : m_config(config), m_control(config) {}
 
-    // Arrived `age` seconds before the next step begins; negative: within it.
+    // `age`: how many seconds before the next step the command arrived. Negative: it arrives within that step.
     void command(const ServoCommand& command, double age = 0.0);
     void raiseFault(int code);
     const ServoOutput& step(double dt, const ServoInputs& inputs);
 
-    // The frame of the output position moved; set-points go along.
+    // The zero of the output position moved by `offset`. Set-points move along.
     void shiftFrame(double offset) { m_control.shift(offset); }
     // Set-points restart from the measured state.
     void recapture(const ServoInputs& inputs) { m_control.capture(inputs); }
 
     [[nodiscard]] moteus::Mode mode() const { return m_mode; }
-    // A fault in mode 1, else the limit that is active now.
+    // In mode 1 the fault, else the limit that is active now. 0: none.
     [[nodiscard]] int faultCode() const { return m_fault != 0 ? m_fault : static_cast<int>(m_control.limit()); }
-    [[nodiscard]] bool isActive() const;  // driver enabled or being enabled
+    [[nodiscard]] bool isActive() const;  // the driver is enabled or being enabled
     [[nodiscard]] bool controlsPosition() const { return sim::controlsPosition(m_mode); }
     [[nodiscard]] const ServoOutput& output() const { return m_control.output(); }
     [[nodiscard]] const PidTerms& terms() const { return m_control.terms(); }
@@ -51,8 +52,8 @@ private:
     ServoControl m_control;
     moteus::Mode m_mode = moteus::Mode::Stopped;
     int m_fault = 0;
-    ServoCommand m_command;                 // in force, or waiting for the end of enabling
-    std::optional<ServoCommand> m_arrived;  // taken at the next step
+    ServoCommand m_command;                 // in force, or waiting until the driver is enabled
+    std::optional<ServoCommand> m_arrived;  // used at the next step
     double m_arrivedAge = 0.0;
     double m_commandAge = 0.0;
     double m_timeInMode = 0.0;

@@ -14,10 +14,10 @@ using moteus::Mode;
 
 constexpr double kServoPowerFactor = 1.5;  // three phases counted in peak values
 constexpr double kBoardResistance = 0.01;  // Ω: transistors and shunts of one phase
-constexpr double kIdlePower = 1.5;         // W a board takes doing nothing
+constexpr double kIdlePower = 1.5;         // W: consumption of an idle board
 
-// The device counts position in 2^-16 turns and control velocity in 2^-32 turns per period of 1/30000 s; commands are
-// cut off towards zero.
+// The device counts position in 2^-16 turns, and control velocity in 2^-32 turns per period of 1/30000 s. It truncates
+// commands towards zero.
 constexpr double kPositionSteps = 65536.0;
 constexpr double kVelocitySteps = 65536.0 * 65536.0 / 30000.0;
 
@@ -116,7 +116,7 @@ void ServoControl::step(double dt, Mode mode, const ServoInputs& inputs, const S
         case Mode::Brake:
             brake();
             break;
-        default:  // no torque: stopped, fault, enabling, and the open-loop modes, which no antenna uses
+        default:  // no torque: stopped, fault, enabling, and the open-loop modes, which Boresight does not use
             m_terms = {};
             break;
     }

@@ -6,24 +6,24 @@
 #include "core/sim/drive_config.h"
 #include "core/sim/trajectory_planner.h"
 
-// The control loop of one moteus: from the command in force to torque, within all limits. Which mode is in force is
-// the business of Servo. Pure, stepped by it; turns of the output, Nm at the output, V, °C, s. A command holds what
-// the command registers hold, so NaN means what it means there.
+// The control loop of one moteus: from the command in force to a torque within all limits. Servo decides which mode is
+// in force. Pure, stepped by Servo. Units: turns of the output, Nm at the output, V, °C, s. A command has the values of
+// the command registers, and NaN has the meaning that it has there.
 namespace boresight::sim {
 
 struct ServoCommand
 {
     moteus::Mode mode = moteus::Mode::Stopped;
-    double position = 0.0;  // NaN: keep the control position and reach only the velocity
+    double position = 0.0;  // NaN: keep the control position and only reach the velocity
     double velocity = 0.0;
     double feedforwardTorque = 0.0;
     double kpScale = 1.0;
     double kdScale = 1.0;
     double maximumTorque = 100.0;  // NaN: only the current limit
     double stopPosition = kNone;
-    double watchdogTimeout = 0.0;      // 0: configured, NaN: never, negative: at once
-    double velocityLimit = kNone;      // NaN: configured, negative: none
-    double accelerationLimit = kNone;  // NaN: configured, negative: none
+    double watchdogTimeout = 0.0;      // s. 0: as configured, NaN: never, negative: at once
+    double velocityLimit = kNone;      // NaN: as configured, negative: none
+    double accelerationLimit = kNone;  // NaN: as configured, negative: none
     double integralLimitScale = 1.0;
     bool ignorePositionBounds = false;
     double stayWithinLower = 0.0;
@@ -34,7 +34,7 @@ struct ServoCommand
     double dVoltage = 0.0;
 };
 
-// What the board measures, and conditions that are not as they should be.
+// What the board measures, and its error conditions.
 struct ServoInputs
 {
     double position = 0.0;
@@ -46,7 +46,8 @@ struct ServoInputs
     bool commutationValid = true;
     bool encoderError = false;
     bool gateDriverFault = false;
-    // Code of an injected cause: a fault returns whenever the driver is enabled, a limit (96…105) is told while it is.
+    // Code of an injected cause. A fault returns whenever the driver is enabled. A limit (96…105) is reported while it
+    // is enabled.
     int persistentFault = 0;
 };
 
@@ -56,7 +57,7 @@ struct PidTerms
     double integral = 0.0;
     double derivative = 0.0;
     double feedforward = 0.0;
-    double total = 0.0;  // wanted, before the current limits
+    double total = 0.0;  // before the current limits
 };
 
 struct ServoOutput
@@ -65,11 +66,11 @@ struct ServoOutput
     bool braking = false;  // phases shorted
     double qCurrent = 0.0;
     double dCurrent = 0.0;
-    double power = 0.0;  // electrical, negative while braking
-    double loss = 0.0;   // heat on the board, its own consumption included
+    double power = 0.0;  // electrical; negative while braking
+    double loss = 0.0;   // heat on the board, with its own consumption
 };
 
-// Control set-points exist in this mode.
+// True if the mode has control set-points.
 [[nodiscard]] bool controlsPosition(moteus::Mode mode);
 
 class ServoControl
@@ -77,20 +78,20 @@ class ServoControl
 public:
     explicit ServoControl(const DriveConfig& config) : m_config(config) {}
 
-    // One step in `mode`. The command is used where the mode has one.
+    // One step in `mode`. Modes without a command ignore `command`.
     void step(double dt, moteus::Mode mode, const ServoInputs& inputs, const ServoCommand& command);
 
     // Set-points restart from the measured state.
     void capture(const ServoInputs& inputs);
-    // The frame of the output position moved; set-points go along.
+    // The zero of the output position moved by `offset`. Set-points move along.
     void shift(double offset) { m_planner.shift(offset); }
-    // `age`: as of TrajectoryPlanner::setTarget.
+    // `age`: as in TrajectoryPlanner::setTarget.
     void setTarget(const ServoCommand& command, double age);
-    // To velocity zero, wherever that is.
+    // To velocity zero, at any position.
     void stop() { m_planner.setTarget({}, 0.0); }
     void forgetTerms() { m_terms = {}; }
 
-    // What a command and the configuration leave of velocity, acceleration and position.
+    // The limits of velocity, acceleration and position from the command and the configuration.
     [[nodiscard]] TrajectoryLimits limits(const ServoCommand& command, double busVoltage) const;
     [[nodiscard]] PositionBounds bounds(const ServoCommand& command) const;
 
@@ -99,7 +100,7 @@ public:
     [[nodiscard]] const ControlState& state() const { return m_planner.state(); }
     [[nodiscard]] ActiveLimit limit() const { return m_limit; }
     [[nodiscard]] bool trajectoryComplete() const { return m_trajectoryComplete; }
-    [[nodiscard]] double torque() const { return m_torque; }  // wanted; NaN: none is controlled
+    [[nodiscard]] double torque() const { return m_torque; }  // wanted; NaN: the mode controls no torque
 
 private:
     void controlPosition(double dt, const ServoInputs& inputs, const ServoCommand& command);

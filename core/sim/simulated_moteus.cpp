@@ -94,7 +94,7 @@ std::optional<CanFrame> SimulatedMoteus::exchange(const CanFrame& request, doubl
     return m_server.serve(request, address, *this);
 }
 
-// A frame counts as a whole: after a UUID mask that does not match nothing of it happened.
+// A frame counts as a whole. If the frame ends with a UUID mask that does not match, none of its writes has an effect.
 void SimulatedMoteus::completeFrame(FrameEnd end)
 {
     if (end == FrameEnd::Discarded) {
@@ -166,7 +166,8 @@ void SimulatedMoteus::dropText(std::uint32_t, std::size_t count)
     m_console.drop(count);
 }
 
-// How the encoder counts may not change under a running servo; a new frame begins as at power-up.
+// The encoder settings must not change while the servo runs: it goes into fault. The encoder starts again as at
+// power-up.
 void SimulatedMoteus::configChanged(std::string_view group)
 {
     if (group != "motor_position") {
@@ -205,7 +206,7 @@ void SimulatedMoteus::requireReindex()
     m_servo->shiftFrame(m_encoder->position() - before);
 }
 
-// The drive counts and pushes in the sense of its output sign.
+// The drive counts and pushes in the direction of its output sign.
 double SimulatedMoteus::motorCurrent() const
 {
     return m_powered ? m_servo->output().qCurrent * m_config.motorPosition.outputSign : 0.0;

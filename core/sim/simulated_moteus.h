@@ -12,22 +12,22 @@
 
 #include <optional>
 
-// One simulated moteus r4.11 with its motor, gearbox and axis: power-up, physics, frames, configuration memory. What
-// its registers show is in state_registers.h, what is written to them in FrameWrites. Pure, stepped by its owner,
-// answers frames at once; the reply shows the state before the command.
+// One simulated moteus r4.11 with its motor, gearbox and axis: power-up, physics, frames, configuration memory.
+// state_registers.h contains the registers that show its state, FrameWrites the registers that are written. Pure,
+// stepped by its owner. Answers a frame at once, and the reply shows the state before the command.
 //
-// More than 15 members: the parts of one board and its memory, which a power-up begins together.
+// More than 15 members: the parts of one board and its memory, which start together at power-up.
 namespace boresight::sim {
 
 struct MoteusSettings
 {
-    DriveConfig config{};  // as written in its memory
-    MotorConfig motor{};   // as built, whatever the configuration says of it
+    DriveConfig config{};  // as stored in the memory of the board
+    MotorConfig motor{};   // as built, which the configuration may contradict
     PlantSettings plant{};
     double position = 0.0;     // of the axis, turns of the gearbox output
     double gearRatio = 100.0;  // turns of the rotor per turn of the output
-    bool referenced = false;   // somebody has set its output position since power-up
-    double uptime = 60.0;      // seconds it has been on at the beginning
+    bool referenced = false;   // the output position was set since power-up
+    double uptime = 60.0;      // seconds since power-up, at the start of the simulation
     EncoderNoise noise{};
 };
 
@@ -38,7 +38,7 @@ public:
     SimulatedMoteus(const SimulatedMoteus&) = delete;
     SimulatedMoteus& operator=(const SimulatedMoteus&) = delete;
 
-    // Conditions for the next step, set by whoever injects faults.
+    // Conditions for the next step. SimulatedPair sets them.
     struct Surroundings
     {
         double busVoltage = 24.0;
@@ -47,14 +47,15 @@ public:
     };
     void step(double dt, const Surroundings& surroundings);
 
-    // `age`: seconds between the arrival of the frame and the beginning of the next step. `answerAs`: another id.
+    // `age`: seconds between the arrival of the frame and the beginning of the next step. `answerAs`: answer with this
+    // id.
     [[nodiscard]] std::optional<CanFrame> exchange(const CanFrame& request, double age,
                                                    std::optional<int> answerAs = std::nullopt);
 
     void setPowered(bool powered);
-    // Turned by hand without power, which the drive does not see.
+    // Turns the axis by hand without power, so the drive does not see the movement.
     void place(double position);
-    // The encoder sees the axis so many turns farther from now on.
+    // From here on the encoder reads `turns` more.
     void slipEncoder(double turns) { m_slip += turns; }
     void raiseFault(int code) { m_servo->raiseFault(code); }
     void setRegisterMapVersion(int version) { m_registerMapVersion = version; }
@@ -68,7 +69,7 @@ public:
     [[nodiscard]] double outputTorque() const;      // Nm at the gearbox output
     [[nodiscard]] double supplyPower() const;       // W drawn from the supply, negative while braking
 
-    // What the frame server asks.
+    // The interface for the frame server.
     [[nodiscard]] double readRegister(moteus::Register reg) override;
     [[nodiscard]] std::uint32_t writeRegister(moteus::Register reg, double value) override
     {
@@ -81,7 +82,7 @@ public:
     void dropText(std::uint32_t channel, std::size_t count) override;
 
 private:
-    // What the console asks.
+    // The interface for the console.
     DriveConfig& config() override { return m_config; }
     void configChanged(std::string_view group) override;
     void storeConfig() override { m_stored = m_config; }
@@ -102,12 +103,12 @@ private:
     [[nodiscard]] DriveState state() const;
 
     MoteusSettings m_settings;
-    DriveConfig m_machine;  // motor and gear as they are
-    DriveConfig m_stored;   // survives without power
+    DriveConfig m_machine;  // true motor and gear
+    DriveConfig m_stored;   // survives a loss of power
     DriveConfig m_config;
     AxisPlant m_plant;
     BoardTemperature m_board;
-    std::optional<RotorEncoder> m_encoder;  // renewed at power-up, like the servo
+    std::optional<RotorEncoder> m_encoder;  // made again at power-up, like the servo
     std::optional<Servo> m_servo;
     ServoInputs m_inputs;
     DiagnosticConsole m_console{*this};

@@ -9,8 +9,8 @@
 namespace boresight::sim {
 namespace {
 
-constexpr double kSimulatedPairStep = 0.5e-3;  // s: at 12°/s a report is at most 0.006° old
-// After a jump of the clock (a suspended computer) only this much is made up for.
+constexpr double kSimulatedPairStep = 0.5e-3;  // s. At 12°/s a report is at most 0.006° old
+// After a jump of the clock (a suspended computer) no more than this time is simulated.
 constexpr Seconds kLongestCatchUp{3600.0};
 
 std::array<std::uint8_t, 16> uuidOf(Axis axis)
@@ -132,7 +132,7 @@ void SimulatedPair::applyFaults(Side& side)
     side.injectedSlip = slip;
 }
 
-// Power goes for both; while it is away somebody may turn an axis by hand.
+// The power fails for both drives. During the failure somebody may turn an axis by hand.
 void SimulatedPair::applyPower()
 {
     const bool off = m_faults.isActive(FaultKind::PowerLoss, Axis::Azimuth, m_stepped) ||
@@ -188,7 +188,8 @@ std::vector<SimulatedPair::Answer> SimulatedPair::ask(const CanFrame& frame)
         }
     }
     if (answers.size() == 2 && answers[0].frame.id == answers[1].frame.id) {
-        // Two with one id answer together: different bits destroy each other, the same bits are one frame.
+        // Two boards with one id answer together. If their frames differ, they destroy each other. Equal frames are one
+        // frame.
         if (answers[0].frame == answers[1].frame) {
             answers.pop_back();
         } else if (m_collisions >= 1.0 || std::uniform_real_distribution<double>(0.0, 1.0)(m_random) < m_collisions) {

@@ -13,9 +13,9 @@
 #include <random>
 #include <vector>
 
-// The simulated mount: two moteus with their axes on one supply and one bus. Pure, without a clock of its own: its time
-// is in seconds since it was made, and only goes on when somebody says so. Steps of fixed length, so that the same
-// calls give the same run whoever asks in between.
+// The simulated mount: two moteus with their axes on one supply and one bus. Pure, without a clock of its own. Its time
+// is in seconds since it was made, and only advanceTo() and exchange() move it on. All steps have the same length, so
+// the same calls always give the same run.
 namespace boresight::sim {
 
 struct PairSettings
@@ -23,43 +23,43 @@ struct PairSettings
     MoteusSettings azimuth;
     MoteusSettings elevation;
     SupplySettings supply{};
-    std::uint32_t seed = 1;  // of lost and edited frames
-    // How often two different answers under one id destroy each other. Else one board begins a bit later, waits, and
-    // both arrive.
+    std::uint32_t seed = 1;  // for lost and edited frames
+    // How often (0…1) two different answers with one id destroy each other. Otherwise one board begins later and waits,
+    // and both answers arrive.
     double collisions = 1.0;
 };
 
-// The reference mount (reference_mount.h), referenced and protected, standing at `start`.
+// The reference mount (reference_mount.h) with referenced and protected drives. The axes are at `start`.
 [[nodiscard]] PairSettings commissionedPair(const AxisPosition& start = {.azimuth = 0.0_deg, .elevation = 10.0_deg});
-// The same mechanics with boards fresh from the box: both with id 1, ratio 1, bounds ±0.01, nothing referenced.
+// The same mechanics with new boards: both have id 1, ratio 1, bounds ±0.01 turns, and are not referenced.
 [[nodiscard]] PairSettings factoryPair(const AxisPosition& start = {.azimuth = 0.0_deg, .elevation = 10.0_deg});
 
-// How it really is, whatever the drives report.
+// The true state of an axis, which the reports of the drive may contradict.
 struct AxisTruth
 {
     Angle angle;  // of the antenna, behind the backlash
     AngularRate rate;
-    double torque = 0.0;   // Nm the drive puts on the axis, towards larger angles
+    double torque = 0.0;   // Nm of the drive on the axis, towards larger angles
     double current = 0.0;  // A
     moteus::Mode mode = moteus::Mode::Stopped;
     int faultCode = 0;
     bool powered = true;
 };
 
-// What comes back on the bus for one frame.
+// One reply on the bus to a frame.
 struct PairReply
 {
     CanFrame frame;
-    Seconds due{0.0};      // when it is to arrive
-    bool damaged = false;  // an adapter is to garble it
+    Seconds due{0.0};      // when the reply arrives
+    bool damaged = false;  // the adapter must garble the reply
 };
 
-// Replies since the pair was made, by the drives' own count.
+// Replies since the pair was made, counted by the drives.
 struct ReplyCounts
 {
     std::uint64_t said = 0;
-    std::uint64_t lost = 0;      // of these, by injected faults
-    std::uint64_t collided = 0;  // of these, destroyed by an answer under the same id
+    std::uint64_t lost = 0;      // of the sent replies: lost by injected faults
+    std::uint64_t collided = 0;  // of the sent replies: destroyed by another answer with the same id
 };
 
 class SimulatedPair
@@ -70,10 +70,11 @@ public:
     void advanceTo(Seconds now);
     [[nodiscard]] Seconds now() const { return m_now; }
 
-    // One frame on the bus at `now`, to which the time goes on. Replies in the order of arbitration.
+    // Puts one frame on the bus at `now`, after advancing to that time. Returns the replies in the order of
+    // arbitration.
     [[nodiscard]] std::vector<PairReply> exchange(const CanFrame& frame, Seconds now);
 
-    // A drive that is not fitted receives and sends nothing. At first both are.
+    // A drive that is not fitted neither receives nor sends. At first both are fitted.
     void setFitted(Axis axis, bool fitted) { m_sides[side(axis)].fitted = fitted; }
 
     [[nodiscard]] AxisTruth truth(Axis axis) const;
@@ -119,8 +120,8 @@ private:
     ReplyCounts m_replyCounts;
     std::minstd_rand m_random;
     Seconds m_now{0.0};
-    Seconds m_stepped{0.0};        // end of the last step, at most one step behind
-    bool m_faultsApplied = false;  // something has to be undone
+    Seconds m_stepped{0.0};        // at most one step before m_now
+    bool m_faultsApplied = false;  // faults must be undone when the schedule is empty
 };
 
 }  // namespace boresight::sim

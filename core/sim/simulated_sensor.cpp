@@ -6,7 +6,7 @@
 namespace boresight::sim {
 namespace {
 
-// printf writes two decimals.
+// The firmware prints two decimals.
 double rounded(double degrees)
 {
     return std::round(degrees * 100.0) / 100.0;
@@ -38,7 +38,7 @@ void SimulatedSensor::restart()
     m_due.clear();
 }
 
-// What the firmware makes of one quaternion.
+// The heading that the firmware computes from one quaternion.
 Angle SimulatedSensor::headingAt(const SkyPointing& beam) const
 {
     const double psi = beam.azimuth.radians();
@@ -92,7 +92,7 @@ SensorMessage SimulatedSensor::message(const SkyPointing& beam)
     return *m_last;
 }
 
-// Passages through the zero of the heading that is sent; before the first one it was 0.
+// Counts when the sent heading passes zero. Before the first message the heading was 0.
 std::int64_t SimulatedSensor::counted(double heading)
 {
     if (heading - m_before < -180.0) {

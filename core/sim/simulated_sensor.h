@@ -13,50 +13,52 @@
 #include <random>
 #include <string>
 
-// The orientation sensor on the antenna of the simulated mount, with the habits and faults of the real one: its
-// firmware's own declination, the average of five readings, the count of turns that a restart forgets, what iron does
-// to a compass. Pure: each 0.2 s it is given where the axes truly are, and about once a second it sends a message.
+// The orientation sensor on the antenna of the simulated mount, with the properties and faults of the real one: the
+// declination in its firmware, the average of five readings, the count of turns that a restart clears, and the effect
+// of iron on a compass. Pure. Every 0.2 s the true axis position is passed in, and about once a second the sensor sends
+// a message.
 namespace boresight::sim {
 
 struct SensorTruth
 {
-    pointing::PointingTerms mount;  // how the beam truly lies to the axes; nobody but the sky and the sensor knows
-    Angle mountingOffset;           // true azimuth of the beam where the sensor looks to true north
-    Angle elevationOffset;          // elevation of the beam where the sensor says 0°
-    bool faceDown = false;          // then it counts against the compass
-    bool elevationDown = false;     // its elevation falls when the beam rises
-    Angle declination = Angle::fromDegrees(5.07);  // of the site
-    Angle inFirmware = Angle::fromDegrees(5.07);   // what the firmware adds
-    // Deviation of the compass over the true heading of the beam: a1 sin + b1 cos + a2 sin 2 + b2 cos 2.
+    pointing::PointingTerms mount;                 // how the beam truly lies to the axes
+    Angle mountingOffset;                          // true azimuth of the beam while the sensor looks to true north
+    Angle elevationOffset;                         // elevation of the beam while the sensor reports 0°
+    bool faceDown = false;                         // the heading then decreases when the beam turns clockwise
+    bool elevationDown = false;                    // its elevation decreases when the beam rises
+    Angle declination = Angle::fromDegrees(5.07);  // at the site
+    Angle inFirmware = Angle::fromDegrees(5.07);   // the declination that the firmware adds
+    // Deviation of the compass by the true heading of the beam: a1 sin + b1 cos + a2 sin 2 + b2 cos 2.
     Angle a1;
     Angle b1;
     Angle a2;
     Angle b2;
-    Angle perAmpere;                        // of both motors: their field turns the needle
-    Angle noise = Angle::fromDegrees(0.1);  // 1 sigma of a message, both angles
-    int readings = 5;                       // that are averaged
-    Seconds delay{0.2};                     // of the message, after the last of them
+    Angle perAmpere;                        // deviation per ampere of both motors, whose field moves the needle
+    Angle noise = Angle::fromDegrees(0.1);  // 1 sigma of a message, for both angles
+    int readings = 5;                       // number of readings in the average
+    Seconds delay{0.2};                     // of the message, after the last reading
     orientation::Calibration calibration{.system = 3, .gyro = 3, .accelerometer = 3, .magnetometer = 3};
     int temperature = 27;
 };
 
-// What is to be found out about the built-in mount: north is 37.4° off, its axis leans by 0.6°, the beam is 0.3° beside
-// the elevation axis' right angle, and iron leads the compass by up to 8° once and 3° twice a turn.
+// The values of the built-in mount that a calibration must find: north is off by 37.4°, the azimuth axis leans by 0.6°,
+// the beam is 0.3° off the right angle to the elevation axis, and iron deflects the compass by up to 8° once and 3°
+// twice per turn.
 [[nodiscard]] SensorTruth truthToBeFound();
 
 enum class SensorFault
 {
     None,
-    Silent,  // no power, no WiFi
+    Silent,  // without power or WiFi
     Dead,    // the chip does not answer its board: zeros
-    Frozen   // one value again and again
+    Frozen   // sends one value again and again
 };
 
-// As the firmware rounds and prints it.
+// Rounded as the firmware prints the values.
 struct SensorMessage
 {
     UtcTime time;
-    double azimuth = 0.0;  // °, extended
+    double azimuth = 0.0;  // °, may exceed 0…360°
     double elevation = 0.0;
     std::int64_t revolutions = 0;
     int temperature = 0;
@@ -73,13 +75,13 @@ public:
 
     explicit SimulatedSensor(const SensorTruth& truth = {}, std::uint32_t seed = 1) : m_truth(truth), m_random(seed) {}
 
-    // May be changed at any time; also while it runs.
+    // May be changed at any time.
     [[nodiscard]] SensorTruth& truth() { return m_truth; }
     void setFault(SensorFault fault) { m_fault = fault; }
-    // Its power went off and on: the count of turns begins again, and so does its calibration, unless that is kept.
+    // Power off and on: the count of turns and the average start again.
     void restart();
 
-    // One reading; a message when one is due. `amperes` of both motors together, without sign.
+    // Makes one reading. Returns a message when one is due. `amperes`: both motors together, without sign.
     [[nodiscard]] std::optional<SensorMessage> read(SteadyTime now, UtcTime utc, const AxisPosition& axes,
                                                     double amperes = 0.0);
 
@@ -99,11 +101,11 @@ private:
     std::mt19937 m_random;
     std::normal_distribution<double> m_normal;
     SensorFault m_fault = SensorFault::None;
-    UtcTime m_began{};      // of the readings that are averaged
-    Angle m_first;          // heading of the first of them
-    Angle m_sum;            // of their differences to the first
-    int m_readings = 0;     // so far
-    double m_before = 0.0;  // the heading sent last
+    UtcTime m_began{};      // start of the readings in the average
+    Angle m_first;          // heading of the first reading
+    Angle m_sum;            // sum of the differences to the first reading
+    int m_readings = 0;     // number so far
+    double m_before = 0.0;  // the last heading that was sent
     std::int64_t m_revolutions = 0;
     std::optional<SensorMessage> m_last;
     std::deque<Due> m_due;

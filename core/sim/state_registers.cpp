@@ -10,8 +10,8 @@ namespace {
 using moteus::Register;
 
 constexpr double kPositionCount = 1.0 / 65536.0;
-constexpr double kVoltageStep = 0.018;                       // V, of the converter on the board
-constexpr std::int64_t kCounterStart = 0x80000000 - 300000;  // overflows after five minutes, on purpose
+constexpr double kVoltageStep = 0.018;                       // V: step of the converter on the board
+constexpr std::int64_t kCounterStart = 0x80000000 - 300000;  // overflows after 5 min, for tests
 
 std::uint32_t index(Register reg, Register first)
 {

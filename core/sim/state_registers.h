@@ -11,13 +11,13 @@
 #include <cstdint>
 #include <optional>
 
-// The registers of a simulated drive that show how it is: measured values, control loop, identity, encoders, clock.
-// Those that command it are in command_registers.h. Pure.
+// The registers that show the state of a simulated drive: measured values, control loop, identity, encoders, clock. The
+// registers that command it are in command_registers.h. Pure.
 namespace boresight::sim {
 
 inline constexpr int kFirmwareVersion = 0x010100;
 
-// The parts of a drive, for as long as it is looked at.
+// The parts of a drive. Valid only during one read.
 struct DriveState
 {
     const DriveConfig& config;
@@ -30,9 +30,10 @@ struct DriveState
     int registerMapVersion = moteus::kRegisterMapVersion;
 };
 
-// Registers that nobody can write. Empty for another one.
+// Registers that cannot be written. Empty for any other register.
 [[nodiscard]] std::optional<double> readState(const DriveState& drive, moteus::Register reg);
-// Encoders and the clock; what this board does not have (other encoders, analog pins, driver faults) reads 0.
+// Encoders and the clock. Registers of parts that this board does not have (other encoders, analog pins, driver faults)
+// read 0.
 [[nodiscard]] double readSensor(const DriveState& drive, moteus::Register reg);
 
 [[nodiscard]] std::array<std::uint32_t, 3> serialNumber(const DriveConfig& config);

@@ -11,16 +11,17 @@ constexpr double kPeriodsPerSecond = 30000.0;
 constexpr double kControlPeriod = 1.0 / kPeriodsPerSecond;
 constexpr double kRoundingOfSums = 1.0e-6;  // periods
 
-// The device sees the way to a target in counts, rounded down, and moves in steps of 2^-32 turns, cut off towards zero.
+// The device rounds the distance to a target down to counts. It moves in steps of 2^-32 turns, truncated towards zero.
 constexpr double kCountsOfPlanner = 65536.0;
 constexpr double kStepsOfPlanner = 65536.0 * 65536.0;
 
-// Arrived: no farther than this many periods of travel.
+// The target is reached within this many periods of travel.
 constexpr double kPeriodsToArrive = 10.0;
-// Braking is fitted to the way that is left where that needs at least this share of the acceleration limit.
+// If stopping at the target needs at least this share of the acceleration limit, the device brakes with just that
+// acceleration.
 constexpr double kFittedShare = 0.9;
-// Nearer than a·T² times this an axis on its way does not accelerate any more. It has arrived there when it brakes and
-// is slower than this share of the speed from which the limit would stop it at the target.
+// Within a·T² times kNearFactor a moving axis does not accelerate any more. Within this distance it has arrived when it
+// brakes and is slower than kSlowShare times the speed from which the limit would stop it at the target.
 constexpr double kNearFactor = 400.0;
 constexpr double kSlowShare = 0.6;
 
@@ -29,7 +30,7 @@ double travelOfPeriod(double velocity)
     return std::trunc(velocity * kControlPeriod * kStepsOfPlanner) / kStepsOfPlanner;
 }
 
-// Towards a fixed target `way` ahead at `speed`: what to brake with; empty: there is room to accelerate.
+// The braking for a fixed target that is `way` ahead, at `speed`. Empty if there is room to accelerate.
 std::optional<double> brakingFor(double way, double speed, double limit)
 {
     const double fitted = speed * speed / (2.0 * way);
@@ -42,7 +43,7 @@ std::optional<double> brakingFor(double way, double speed, double limit)
     return near && speed > 0.0 ? std::optional(fitted) : std::nullopt;
 }
 
-// What the device applies in one period at `velocity`, to a target `distance` ahead that moves at `end`.
+// The acceleration of one period at `velocity`, for a target that is `distance` ahead and moves at `end`.
 double plannedAcceleration(double velocity, double end, double distance, const TrajectoryLimits& limits)
 {
     const double limit = limits.acceleration;
@@ -127,7 +128,7 @@ void TrajectoryPlanner::runPeriod(const TrajectoryLimits& limits)
         m_state.position = *m_target.position;
         reached();
     }
-    // A step of the velocity counts for the whole period.
+    // If the velocity changes in one step, the new velocity counts for the whole period.
     m_state.position += travelOfPeriod(ramp ? 0.5 * (before + m_state.velocity) : m_state.velocity);
     if (m_target.position) {
         *m_target.position += travelOfPeriod(m_target.velocity);
@@ -139,7 +140,7 @@ double TrajectoryPlanner::distance() const
     return std::floor((*m_target.position - m_state.position) * kCountsOfPlanner) / kCountsOfPlanner;
 }
 
-// The device drops the target and goes on at its velocity.
+// The device drops the target position and goes on at the velocity of the target.
 void TrajectoryPlanner::reached()
 {
     m_target.position.reset();
@@ -168,7 +169,7 @@ void TrajectoryPlanner::approachTarget(const TrajectoryLimits& limits, double di
     const double before = m_state.velocity;
     const double applied = plannedAcceleration(before, m_target.velocity, distance, limits);
     m_state.velocity += applied * kControlPeriod;
-    // The device runs one period exactly at the limit that it would pass.
+    // In the period that would pass the velocity limit, the device runs exactly at the limit.
     if ((std::abs(before) - limits.velocity) * (std::abs(m_state.velocity) - limits.velocity) < 0.0) {
         m_state.velocity = std::copysign(limits.velocity, before);
     }

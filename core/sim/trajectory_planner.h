@@ -4,19 +4,19 @@
 #include <limits>
 #include <optional>
 
-// The trajectory generator inside a moteus: from the present control position and velocity to a target that may
-// itself move, with bounded velocity and acceleration (bang-bang, no jerk limit). It works in the device's own control
-// periods, because what it does near a target depends on them: it sees the distance in whole counts of 2^-16 turns, and
-// drops the target once that is under ten periods of travel. Pure; turns of the output, seconds.
+// The trajectory planner inside a moteus: moves the control position and velocity to a target that may itself move,
+// with limited velocity and acceleration (bang-bang, no jerk limit). It works in the control periods of the device,
+// because they decide how it behaves near a target: it rounds the distance to whole counts of 2^-16 turns, and drops
+// the target when it is less than ten periods of travel away. Pure. Turns of the output, seconds.
 namespace boresight::sim {
 
 struct TrajectoryLimits
 {
-    double velocity = std::numeric_limits<double>::infinity();      // turns/s, infinite: none
-    double acceleration = std::numeric_limits<double>::infinity();  // turns/s²
+    double velocity = std::numeric_limits<double>::infinity();      // turns/s; infinite: no limit
+    double acceleration = std::numeric_limits<double>::infinity();  // turns/s²; infinite: no limit
 };
 
-// The line position + velocity·t from the moment of the command; without a position only the velocity is reached.
+// The line position + velocity·t from the time of the command on. Without a position only the velocity is reached.
 struct TrajectoryTarget
 {
     std::optional<double> position;
@@ -34,24 +34,24 @@ struct ControlState
     double position = 0.0;
     double velocity = 0.0;
     double acceleration = 0.0;
-    bool complete = false;  // the end velocity is reached, and the target if there is one
+    bool complete = false;  // the end velocity and the target position (if any) are reached
 };
 
 class TrajectoryPlanner
 {
 public:
-    // Starts from a measured state; the completion flag is kept until a target is in force.
+    // Starts from a measured state. The completion flag is kept until a target is in force.
     void capture(double position, double velocity);
 
-    // A new line began `age` seconds before the next step begins; negative: it begins within that step.
+    // A new line began `age` seconds before the next step. Negative: it begins within that step.
     void setTarget(const TrajectoryTarget& target, double age);
 
-    // As many control periods as have begun by the end of `dt`.
+    // Runs all control periods that begin before the end of `dt`.
     void step(double dt, const TrajectoryLimits& limits, const PositionBounds& bounds);
 
-    // The frame of reference moved by `offset`: control position and target move along.
+    // The zero of the position moved by `offset`. Control position and target move along.
     void shift(double offset);
-    // The set-point is dragged to a position (limited slip, output position set); velocity as it was.
+    // Moves the set-point to a position (limited slip, output position set). The velocity stays.
     void moveTo(double position) { m_state.position = position; }
 
     [[nodiscard]] const ControlState& state() const { return m_state; }
@@ -68,7 +68,7 @@ private:
 
     ControlState m_state;
     TrajectoryTarget m_target;
-    double m_owed = 0.0;  // control periods that are due
+    double m_owed = 0.0;  // control periods that are due but did not run yet
 };
 
 }  // namespace boresight::sim

@@ -24,14 +24,14 @@ CanServer::CanServer(CanLink& link, SimulatedPair& pair, const Clock& clock, QOb
 void CanServer::answer(const CanFrame& frame)
 {
     for (const PairReply& reply : m_pair.exchange(frame, now())) {
-        if (!reply.damaged) {  // a damaged frame ends in the controllers' error counters
+        if (!reply.damaged) {  // a damaged frame only shows in the error counters of the controllers
             m_replies.add(reply.due, reply.frame);
         }
     }
     sendDue();
 }
 
-// A refusal is the link's to report: a drive does not know whether anybody heard it either.
+// A refusal is not handled here. The link reports it, and a real drive does not know either whether its frame arrived.
 void CanServer::sendDue()
 {
     std::vector<CanFrame> frames;

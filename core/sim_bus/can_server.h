@@ -9,8 +9,8 @@
 #include <QObject>
 #include <QTimer>
 
-// The simulated pair on somebody else's bus, for instance a SocketCAN interface: answers what arrives on a CanLink.
-// Lives on the link's thread. The pair follows the clock in real time while the server lives.
+// The simulated pair on an existing bus, for instance on a SocketCAN interface. Answers the frames that arrive on a
+// CanLink. Lives on the thread of the link. The time of the pair follows the clock while the server lives.
 namespace boresight::sim {
 
 class CanServer final : public QObject
@@ -18,7 +18,7 @@ class CanServer final : public QObject
     Q_OBJECT
 
 public:
-    // All three outlive the server; opening the link is its owner's business.
+    // All three outlive the server. The owner of the link opens it.
     CanServer(CanLink& link, SimulatedPair& pair, const Clock& clock, QObject* parent = nullptr);
 
 private:
@@ -30,10 +30,10 @@ private:
     SimulatedPair& m_pair;
     const Clock& m_clock;
     SteadyTime m_epoch;
-    Seconds m_begin;  // the pair's time at the epoch
+    Seconds m_begin;  // the time of the pair at m_epoch
     DueQueue<CanFrame> m_replies;
     QTimer m_due;
-    QTimer m_present;  // keeps the pair up with the clock
+    QTimer m_present;  // moves the pair on with the clock
 };
 
 }  // namespace boresight::sim

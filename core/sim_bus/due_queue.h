@@ -6,7 +6,7 @@
 #include <map>
 #include <optional>
 
-// Things that are to happen at a time, in the order of their times; those of the same time in the order of adding.
+// Items with a due time, in the order of their times. Items of the same time come in the order of adding.
 namespace boresight::sim {
 
 template <class T>

@@ -19,7 +19,7 @@ constexpr std::size_t kMostClassicData = 8;
 
 using Refused = tl::unexpected<std::string>;
 
-// Fields are separated by exactly one space; two in a row enclose an empty field.
+// Fields are separated by exactly one space. Two spaces enclose an empty field.
 std::vector<std::string_view> fieldsOf(std::string_view line)
 {
     std::vector<std::string_view> fields;
@@ -42,7 +42,7 @@ std::optional<std::uint32_t> identifier(std::string_view text)
     return value && *value <= kLargestId ? std::optional(static_cast<std::uint32_t>(*value)) : std::nullopt;
 }
 
-// Letters in one word or several: upper case forces on, lower case off. False for a letter without a meaning.
+// Flags as letters in one or more words: upper case switches a flag on, lower case off. False for an unknown letter.
 bool applyFlags(CanFrame& frame, std::string_view letters)
 {
     for (const char letter : letters) {
@@ -50,7 +50,7 @@ bool applyFlags(CanFrame& frame, std::string_view letters)
             frame.bitRateSwitch = letter == 'B';
         } else if (letter == 'F' || letter == 'f') {
             frame.flexibleData = letter == 'F';
-        } else if (letter != 'R' && letter != 'r') {  // a remote frame carries nothing to a moteus
+        } else if (letter != 'R' && letter != 'r') {  // remote frames mean nothing to a moteus
             return false;
         }
     }

@@ -78,7 +78,8 @@ void FdcanusbServer::execute(std::string_view text, Style style, Seconds now)
     }
 }
 
-// Bus-off stays until the host switches off and on again: the adapter's autorecover is off from the factory.
+// Bus-off lasts until the host switches the bus off and on again: by factory default, autorecover of the adapter is
+// off.
 void FdcanusbServer::followBus(Seconds now)
 {
     if (isInjected(FaultKind::BusOff, now)) {
@@ -161,7 +162,7 @@ void FdcanusbServer::answer(std::string_view line, Style style)
     m_output += "\r\n";
 }
 
-// A damaged line has one character in its middle replaced after the checksum was made.
+// In a damaged line one character in the middle is replaced, after the checksum was computed.
 void FdcanusbServer::answer(const PairReply& reply, Style style)
 {
     const std::size_t start = m_output.size();

@@ -10,9 +10,9 @@
 #include <string>
 #include <string_view>
 
-// An fdcanusb adapter with the simulated pair on its bus: bytes of a client in, bytes for the client out. Pure; time
-// is that of the pair. Every line is answered in the style of the request that caused it, with or without checksum, so
-// that clients of both kinds can come one after the other.
+// An fdcanusb adapter with the simulated pair on its bus: bytes from a client go in, bytes for the client come out.
+// Pure. Times are those of the pair. Each answer has a checksum if its request had one, so clients of both kinds can
+// come one after the other.
 namespace boresight::sim {
 
 class FdcanusbServer
@@ -22,11 +22,11 @@ public:
 
     [[nodiscard]] std::string receive(std::string_view bytes, Seconds now);
 
-    // Replies that were held back.
+    // Returns the delayed replies that are due now.
     [[nodiscard]] std::string takeDue(Seconds now);
     [[nodiscard]] std::optional<Seconds> nextDue() const { return m_late.nextDue(); }
 
-    // The client is gone: its half line and what it waited for.
+    // The client has closed. Drops its incomplete line and the replies that it waited for.
     void clientGone();
 
 private:

@@ -19,7 +19,7 @@
 namespace boresight::sim {
 namespace {
 
-// Raw, so that nothing is echoed or translated; the settings stay with the pair of terminals.
+// Raw: no echo and no translation. The settings apply to both ends.
 bool makeRaw(const char* path)
 {
     const FileDescriptor slave(::open(path, O_RDWR | O_NOCTTY | O_CLOEXEC));
@@ -34,7 +34,7 @@ bool makeRaw(const char* path)
 Result<> makeLink(const QString& device, const QString& link)
 {
     if (QFileInfo(link).isSymLink()) {
-        QFile::remove(link);  // left behind by an earlier run
+        QFile::remove(link);  // left from an earlier run
     }
     if (QFile::link(device, link)) {
         return {};

@@ -6,8 +6,8 @@
 
 #include <QString>
 
-// A raw pseudo-terminal and a symbolic link of the user's choice to it, which goes with this: the device file of what
-// is simulated. Any thread.
+// A raw pseudo-terminal with a symbolic link to it at a path that the user chooses: the device file of a simulated
+// device. The link is removed with this object. Any thread.
 namespace boresight::sim {
 
 class PseudoTerminal
@@ -19,10 +19,10 @@ public:
     PseudoTerminal& operator=(PseudoTerminal&&) = delete;
     ~PseudoTerminal();
 
-    [[nodiscard]] int number() const { return m_master.number(); }  // of our end; never blocks
+    [[nodiscard]] int number() const { return m_master.number(); }  // of our end, which never blocks
     [[nodiscard]] const QString& link() const { return m_link; }
     [[nodiscard]] const QString& device() const { return m_device; }  // "/dev/pts/7"
-    // Whether somebody has opened the other end.
+    // True if the other end is open.
     [[nodiscard]] bool hasClient() const;
 
 private:

@@ -15,7 +15,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr qsizetype kMostUnsent = 65536;  // a client that does not read loses lines
+constexpr qsizetype kMostUnsent = 65536;  // if the client does not read, further lines are lost
 
 }  // namespace
 
@@ -56,7 +56,8 @@ void PtyServer::read()
         write(m_server.receive({buffer.data(), static_cast<std::size_t>(size)}, now()));
         answerDue();
     } else if (size < 0 && errno != EAGAIN && errno != EINTR) {
-        // EIO: the client has closed. The terminal would be "readable" for ever: look again from time to time.
+        // EIO: the client has closed. The terminal would now be "readable" all the time, so a timer looks for the next
+        // client.
         m_server.clientGone();
         m_unsent.clear();
         m_writable.setEnabled(false);

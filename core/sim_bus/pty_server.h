@@ -14,9 +14,9 @@
 
 #include <memory>
 
-// The simulated pair as a device file: an fdcanusb adapter on a pseudo-terminal, reached by a symbolic link of the
-// user's choice. Lives on the thread of its event loop; never blocks. A client may close and come back; the link goes
-// with the server. The pair follows the clock in real time while the server lives.
+// The simulated pair as a device file: an fdcanusb adapter on a pseudo-terminal, with a symbolic link at a path that
+// the user chooses. Lives on the thread of its event loop. Never blocks. A client may close the file and open it again.
+// The link is removed with the server. The time of the pair follows the clock while the server lives.
 namespace boresight::sim {
 
 class PtyServer final : public QObject
@@ -30,7 +30,7 @@ public:
 
     [[nodiscard]] QString link() const { return m_terminal.link(); }
     [[nodiscard]] QString terminal() const { return m_terminal.device(); }
-    // False from the moment a client was seen to close until the next one is seen.
+    // False after a client has closed, until the next client is found.
     [[nodiscard]] bool hasClient() const { return !m_absent.isActive(); }
 
 private:
@@ -47,13 +47,13 @@ private:
     SimulatedPair& m_pair;
     const Clock& m_clock;
     SteadyTime m_epoch;
-    Seconds m_begin;  // the pair's time at the epoch
+    Seconds m_begin;  // the time of the pair at m_epoch
     FdcanusbServer m_server;
     QByteArray m_unsent;
     QSocketNotifier m_readable;
     QSocketNotifier m_writable;
-    QTimer m_due;      // of a late reply
-    QTimer m_present;  // keeps the pair up with the clock
+    QTimer m_due;      // for delayed replies
+    QTimer m_present;  // moves the pair on with the clock
     QTimer m_absent;   // looks for a client while there is none
 };
 

@@ -54,7 +54,7 @@ Result<> SimulatedLink::send(std::span<const CanFrame> frames)
     m_status.sent += frames.size();
     m_status.busErrors += m_status.text.isEmpty() ? 0 : frames.size();
     if (isInjected(sim::FaultKind::AdapterError)) {
-        return {};  // an adapter says so later, by its ERR
+        return {};  // a real adapter also refuses a frame only later, by ERR
     }
     const std::uint64_t collided = m_pair.replyCounts().collided;
     for (const CanFrame& frame : frames) {
@@ -99,7 +99,7 @@ sim::FaultSchedule::Handle SimulatedLink::inject(sim::Injection injection)
     return m_pair.faults().add(injection);
 }
 
-// Those of the adapter, which are of no axis.
+// For the faults of the adapter, which belong to no axis.
 bool SimulatedLink::isInjected(sim::FaultKind kind) const
 {
     return m_pair.faults().isActive(kind, Axis::Azimuth, m_pair.now());

@@ -11,13 +11,13 @@
 
 #include <memory>
 
-// The bus "simulated": the pair inside the program. Lives on the station thread. The pair's time follows the injected
-// clock and catches up whenever frames arrive or its truth is asked. The mount may outlive the link, as a real one
-// does: where it stands and what was written into its drives is found again by the next link. Replies come through the
-// event loop; with a clock turned by hand, deliver() hands over those that are due.
+// The bus "simulated": the pair inside the program. Lives on the station thread. The pair follows the injected clock:
+// it catches up whenever frames arrive or its state is read. The mount may outlive the link, like a real mount: the
+// next link finds its position and the settings of its drives again. Replies come through the event loop. With a
+// hand-turned clock, deliver() hands over the replies that are due.
 namespace boresight {
 
-// A pair, when its time began, and the sensor on its antenna. One link and one source at a time use it.
+// A pair, the time at which it began, and the sensor on its antenna. Used by one link and one source at a time.
 struct SimulatedMount
 {
     SimulatedMount(const Clock& clock, const sim::PairSettings& settings) : epoch(clock.now()), pair(settings) {}
@@ -32,7 +32,7 @@ class SimulatedLink final : public CanLink
     Q_OBJECT
 
 public:
-    // The clock must outlive the link. The mount exists from now on, open or not.
+    // The clock must outlive the link. The mount exists from now on, also while the link is closed.
     explicit SimulatedLink(const Clock& clock, const sim::PairSettings& settings = sim::commissionedPair(),
                            QObject* parent = nullptr);
     SimulatedLink(const Clock& clock, std::shared_ptr<SimulatedMount> mount, QObject* parent = nullptr);
@@ -45,11 +45,12 @@ public:
 
     void deliver();
 
-    // Both bring the pair up to the present first.
+    // Both move the pair on to the present first.
     [[nodiscard]] sim::AxisTruth truth(Axis axis);
     [[nodiscard]] sim::SimulatedSensor& sensor() { return m_mount->sensor; }
     [[nodiscard]] sim::SimulatedPair& pair();
-    // From now on, for `duration` (for ever without one); for planned ones see pair().faults().
+    // From now on for the duration of the injection (without end if it has none). Use pair().faults() to plan
+    // injections.
     sim::FaultSchedule::Handle inject(sim::Injection injection);
 
 private:

@@ -10,9 +10,9 @@
 
 #include <optional>
 
-// The orientation sensor of a simulated pair as a box of its own, as it hangs on the boom: it reads where the axes
-// truly are, and what it says goes to its serial port (SensorPort) and to its broker (SensorPublisher) alike. It fails
-// when the pair's faults say so. Lives on the thread of its event loop.
+// The orientation sensor of a simulated pair as a separate device. It reads the true position of the axes. Its messages
+// go both to its serial port (SensorPort) and to its broker (SensorPublisher). It fails when the faults of the pair
+// include it. Lives on the thread of its event loop.
 namespace boresight::sim {
 
 class SensorBox final : public QObject
@@ -20,10 +20,10 @@ class SensorBox final : public QObject
     Q_OBJECT
 
 public:
-    // Pair and clock outlive the box; the pair's time 0 was at `epoch`.
+    // Pair and clock outlive the box. `epoch`: the time 0 of the pair.
     SensorBox(SimulatedPair& pair, const Clock& clock, SteadyTime epoch, const SensorTruth& truth);
 
-    void start();  // from now on it reads by a timer of its own; with a hand-turned clock call read() in its place
+    void start();  // starts a timer that calls read(). With a hand-turned clock call read() instead
     void read();
 
 Q_SIGNALS:
@@ -37,7 +37,7 @@ private:
     QTimer m_timer;
 };
 
-// One reading of a sensor on the antenna of this pair, which is brought up to the present first.
+// One reading of a sensor on the antenna of this pair. Moves the pair on to the present first.
 [[nodiscard]] std::optional<SensorMessage> readOn(SimulatedPair& pair, SteadyTime epoch, const Clock& clock,
                                                   SimulatedSensor& sensor);
 

@@ -23,7 +23,7 @@ void SensorPort::write(const SensorMessage& message) const
 {
     if (m_terminal.hasClient()) {
         const std::string sentence = toSentence(message);
-        // What does not fit is lost, as on a line that nobody reads.
+        // Bytes that do not fit are lost, as on a line that nobody reads.
         [[maybe_unused]] const ssize_t sent = ::write(m_terminal.number(), sentence.data(), sentence.size());
     }
 }

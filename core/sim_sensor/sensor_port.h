@@ -8,8 +8,9 @@
 
 #include <memory>
 
-// The serial port of a simulated orientation sensor as a device file: its sentences on a pseudo-terminal. Says nothing
-// to nobody: who opens it receives from the next sentence on. Lives on the thread of its event loop; never blocks.
+// The serial port of a simulated orientation sensor as a device file: its sentences on a pseudo-terminal. Nothing is
+// written while no client has opened the file. A client receives from the next sentence on. Lives on the thread of its
+// event loop. Never blocks.
 namespace boresight::sim {
 
 class SensorPort final : public QObject
@@ -17,7 +18,7 @@ class SensorPort final : public QObject
     Q_OBJECT
 
 public:
-    // The box outlives the port. Refused if `link` exists and is no symbolic link.
+    // The box outlives the port. Refused if `link` exists and is not a symbolic link.
     [[nodiscard]] static Result<std::unique_ptr<SensorPort>> create(const QString& link, SensorBox& box);
 
     [[nodiscard]] const QString& device() const { return m_terminal.device(); }

@@ -9,15 +9,15 @@
 #include <chrono>
 #include <optional>
 
-// The simulated orientation sensor at an MQTT broker, as its firmware does it: quality of service 0, nothing retained,
-// no will, no user; PREFIXorientation about once a second, PREFIXcalibration each 10 s, PREFIXstatus each minute. Lives
-// on the thread of its event loop; nothing blocks, and what is said without a connection is lost.
+// The simulated orientation sensor at an MQTT broker, with the behaviour of its firmware: quality of service 0, nothing
+// retained, no will, no user. PREFIXorientation about once a second, PREFIXcalibration every 10 s, PREFIXstatus every
+// minute. Lives on the thread of its event loop. Never blocks. Messages without a connection are lost.
 namespace boresight::sim {
 
 enum class PublishedTopics
 {
     All,
-    OrientationOnly  // what is left of them since the firmware of March 2026
+    OrientationOnly  // the only topic of firmware since March 2026
 };
 
 class SensorPublisher final : public QObject
@@ -32,7 +32,7 @@ public:
     SensorPublisher(SensorBox& box, const Clock& clock, const QString& prefix,
                     PublishedTopics topics = PublishedTopics::All);
 
-    // Whom to open, and whose problem to report.
+    // For opening the connection, and for reports of its problems.
     [[nodiscard]] mqtt::BrokerClient& client() { return m_client; }
 
 private:

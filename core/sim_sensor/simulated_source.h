@@ -9,7 +9,7 @@
 
 #include <memory>
 
-// The sensor of the built-in simulated mount as a source of orientations: what it says goes through the same parser as
+// The sensor of the built-in simulated mount as a source of orientations. Its messages go through the same parser as
 // the bytes of a serial port. Lives on the station thread.
 namespace boresight {
 
@@ -26,7 +26,7 @@ public:
     void open() override;
     void close() override;
 
-    // What the timer calls; tests with a hand-turned clock call it themselves.
+    // The timer calls this. Tests with a hand-turned clock call it themselves.
     void read();
 
 private:

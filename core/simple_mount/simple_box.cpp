@@ -59,7 +59,7 @@ std::optional<AxisPosition> SimpleBox::position(SteadyTime now)
     return AxisPosition{.azimuth = whole(m_place[0]), .elevation = whole(m_place[1])};
 }
 
-// It forgets where it was going.
+// The box forgets its targets.
 void SimpleBox::setPower(bool on, SteadyTime now)
 {
     moveOn(now);

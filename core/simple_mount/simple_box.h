@@ -7,9 +7,9 @@
 #include <array>
 #include <optional>
 
-// A simulated rotator of the plainest kind: it is sent to whole degrees, runs there at one speed, and reports whole
-// degrees. It has no rates, no watchdog and no torque, and its gears hold it when it stands. Pure: time is passed in.
-// Mechanical angles.
+// A simulated rotator of the simplest kind: it accepts targets in whole degrees, moves there at one speed, and reports
+// whole degrees. It has no rates, no watchdog and no torque. Its gears hold it when it stands still. Pure: time is
+// passed in. Mechanical angles.
 namespace boresight {
 
 class SimpleBox
@@ -20,16 +20,16 @@ public:
 
     explicit SimpleBox(const AxisPosition& place = {}) : m_place{place.azimuth, place.elevation} {}
 
-    // The orders of its control box. Without power nothing is heard, and the axes stand.
+    // The commands of its control box. Without power they are lost, and the axes stand still.
     void goTo(Axis axis, Angle wholeDegrees, SteadyTime now);
     void stop(SteadyTime now);
-    // Nothing without power.
+    // Empty without power.
     [[nodiscard]] std::optional<AxisPosition> position(SteadyTime now);
 
     void setPower(bool on, SteadyTime now);
-    // Where it really stands.
+    // The true position.
     [[nodiscard]] AxisPosition truth() const { return {.azimuth = m_place[0], .elevation = m_place[1]}; }
-    [[nodiscard]] int orders() const { return m_orders; }  // heard so far
+    [[nodiscard]] int orders() const { return m_orders; }  // received so far
 
 private:
     void moveOn(SteadyTime now);

@@ -7,7 +7,7 @@
 
 #include <memory>
 
-// The plain simulated rotator with its box, which is always there and has no line. Station thread only.
+// The simple simulated rotator with its box. The box is always there and needs no line. Station thread only.
 namespace boresight {
 
 class SimpleConnection final : public MountConnection
@@ -36,7 +36,7 @@ private:
     Result<> m_mine;
 };
 
-// Its box stays the same one when the mount is connected again.
+// The box stays the same when the mount is connected again.
 [[nodiscard]] MountKind simpleRotators();
 
 }  // namespace boresight

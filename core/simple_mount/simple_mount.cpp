@@ -15,7 +15,7 @@ Angle wholeDegrees(Angle angle)
 
 std::optional<AxisCapabilities> capabilitiesOf(bool present)
 {
-    // Some slower than it runs, so that it keeps up with the set-points.
+    // Slower than the box, so that the box keeps up with the set-points.
     constexpr AxisCapabilities kAxis{.step = SimpleBox::kStep,
                                      .fastest = AngularRate::fromDegrees(0.9 * SimpleBox::kSpeed.degrees()),
                                      .silence = SimpleMount::kSilence};
@@ -35,7 +35,7 @@ QString SimpleMount::label(Axis axis) const
     return Text::of(name(axis).toStdString());
 }
 
-// Such a box tells nobody who it is.
+// Such a box has no identity that can be read.
 std::optional<QString> SimpleMount::identity(Axis /*axis*/) const
 {
     return m_heard ? std::optional(QString()) : std::nullopt;
@@ -66,7 +66,7 @@ void SimpleMount::observe(SteadyTime now)
     m_now = now;
     if (const auto place = m_box.position(now)) {
         if (m_lost && !answers()) {
-            m_box.stop(now);  // it may still be on its way to where it was sent before the silence
+            m_box.stop(now);  // it may still be moving to a target from before the silence
         }
         m_place = place;
         m_heard = now;
@@ -123,7 +123,7 @@ void SimpleMount::send()
     }
 }
 
-// It moves although it does not follow: what was ordered before goes on, or somebody stands at the box.
+// The box moves although it does not follow: it carries out an old command, or somebody uses its keys.
 void SimpleMount::seize()
 {
     if (!m_follows && answers()) {

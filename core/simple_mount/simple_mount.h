@@ -7,29 +7,29 @@
 #include <array>
 #include <optional>
 
-// The plain simulated rotator behind the port of the mount: whole degrees, one speed, no watchdog. It shows that the
-// control needs nothing more of a rotator. It sends an order only when the set-point has left the degree that was
-// ordered or reported last, so taking an axis over moves nothing. It may have one axis only. Station thread only.
-// Mechanical angles.
+// The simple simulated rotator as a MountDriver: whole degrees, one speed, no watchdog. It shows that the control needs
+// nothing more from a rotator. It sends a command only when the set-point has left the degree that was commanded or
+// reported last, so taking an axis over moves nothing. It may have only one axis. Station thread only. Mechanical
+// angles.
 namespace boresight {
 
 class SimpleMount final : public MountDriver
 {
 public:
-    // Longer than some lost answers, short enough to be reported while somebody looks.
+    // Long enough for some lost answers, short enough that the operator sees the report at once.
     static constexpr std::chrono::milliseconds kSilence{500};
 
-    // Which axes there are.
+    // The axes of the rotator.
     struct Axes
     {
         bool azimuth = true;
         bool elevation = true;
     };
 
-    // The box outlives this. An axis that is missing is never ordered anywhere.
+    // The box outlives this. A missing axis is never commanded.
     explicit SimpleMount(SimpleBox& box, const Axes& axes = {true, true});
 
-    // After the control has commanded.
+    // Call it after the control has commanded.
     void send();
 
     [[nodiscard]] Capabilities capabilities() const override { return m_capabilities; }
@@ -62,15 +62,15 @@ private:
     Capabilities m_capabilities;
     std::array<QString, 2> m_names;
     Result<> m_fitness;
-    std::optional<AxisPosition> m_place;            // as reported last
-    std::array<std::optional<Angle>, 2> m_ordered;  // where it was sent last, since it follows
+    std::optional<AxisPosition> m_place;            // as last reported
+    std::array<std::optional<Angle>, 2> m_ordered;  // the last target of each axis, since it follows set-points
     std::optional<SteadyTime> m_heard;
     std::array<tracking::Setpoint, 2> m_setpoints{};
-    std::array<bool, 2> m_begins{};  // to follow, not taken yet
-    bool m_wanted = false;           // to be taken over
+    std::array<bool, 2> m_begins{};  // starts to follow, but takeFollowing() was not called yet
+    bool m_wanted = false;           // engage() was called, and the axes do not follow yet
     bool m_follows = false;
-    bool m_lost = false;  // while it followed: nothing moves before recover()
-    SteadyTime m_now{};   // of the running or last tick
+    bool m_lost = false;  // lost while it followed: nothing moves before recover()
+    SteadyTime m_now{};   // of the current or last tick
 };
 
 }  // namespace boresight

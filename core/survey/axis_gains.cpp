@@ -33,7 +33,7 @@ std::vector<std::string> getCommands()
 std::optional<double> valueOf(const ConsoleRun::Answer& answer)
 {
     if (!answer || answer->empty()) {
-        return std::nullopt;  // this firmware does not have it
+        return std::nullopt;  // this firmware does not have the key
     }
     const auto value = Reading{.state = Reading::State::Read, .text = answer->front()}.value();
     return value && std::isfinite(*value) ? value : std::nullopt;
@@ -130,7 +130,7 @@ void AxisGains::forget()
     m_read = false;
     m_doubtful = false;
     m_values = {};
-    m_stored = {};  // what it has without power is what is read next
+    m_stored = {};  // the next reading shows the stored values
 }
 
 void AxisGains::startOver()
@@ -144,7 +144,7 @@ void AxisGains::interrupt(const QString& why)
     if (!m_run) {
         return;
     }
-    m_countsAnew = m_countsAnew || writesFilter();  // it may have arrived
+    m_countsAnew = m_countsAnew || writesFilter();  // the write may have reached the drive
     m_doubtful = m_doubtful || m_doing == Doing::Writing;
     m_run.reset();
     end(why, true);
@@ -214,7 +214,7 @@ void AxisGains::finishReading()
     end(Text::tr("The gains were read."), false);
 }
 
-// What the drive made of it, not what it said to it: it takes garbage for 0 without an error.
+// Compares the values that read back. The answer of the drive proves nothing: it reads garbage as 0 without an error.
 void AxisGains::finishWriting()
 {
     const GainValues before = m_values;

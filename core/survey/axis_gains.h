@@ -10,10 +10,10 @@
 #include <utility>
 #include <vector>
 
-// The gains of the drive of one axis over its console: reads them, writes one within its bounds and reads it back, puts
-// back what was found first, stores what is in force. Knows nothing of motion: its owner sees to it that the axis
-// stands, that the drive is off where it must be, and that nobody else uses the console. Pure; at most one frame a
-// call.
+// The gains of the drive of one axis, over its console: reads them, writes one within its bounds and reads it back,
+// puts the values back that were found first, and stores the values in force. Knows nothing of motion. Its owner
+// ensures that the axis stands still, that the drive is off if necessary, and that nothing else uses the console. Pure.
+// At most one frame per call.
 namespace boresight::survey {
 
 class AxisGains
@@ -21,35 +21,35 @@ class AxisGains
 public:
     AxisGains(Axis axis, int drive) : m_axis(axis), m_drive(drive) {}
 
-    // What was found first is kept for this board.
+    // The values that were found first are kept for this board.
     void read(const QString& board);
     [[nodiscard]] Result<> mayWrite(Gain gain, double value) const;
     void write(Gain gain, double value);
-    // The gains of these that would change. Empty: nothing is to be put back.
+    // The gains that putBack() would change. Empty if none would change.
     [[nodiscard]] std::vector<Gain> toPutBack() const;
     void putBack();
     void store();
-    // The drive was without power, so what was only in force is gone; or it is another one.
+    // The drive was without power, so values that were not stored are lost. Or it is another drive.
     void forget();
-    // All of its gains were changed: those that are read next are the first ones.
+    // All gains of the drive were changed. The next values that are read count as the first ones.
     void startOver();
-    // Ends what runs.
+    // Ends the running work.
     void interrupt(const QString& why);
 
     [[nodiscard]] std::optional<CanFrame> frame(SteadyTime now);
     void take(const moteus::Reply& reply);
 
     [[nodiscard]] bool isBusy() const { return m_run.has_value(); }
-    // Writing or storing: no motion begins meanwhile.
+    // Writing or storing, so no motion may begin.
     [[nodiscard]] bool isWriting() const { return m_run && m_doing != Doing::Reading; }
     [[nodiscard]] bool isRead() const { return m_read && !m_doubtful; }
-    // Something is in force that the drive has not stored, or may be.
+    // A value is in force that the drive has not stored, or this is possible.
     [[nodiscard]] bool isOnTrial() const;
     [[nodiscard]] bool isOf(const QString& board) const { return m_board == board; }
     [[nodiscard]] DriveGains status() const;
-    // True once after the count of the encoder was begun again.
+    // True once after the encoder started its count again.
     [[nodiscard]] bool takeCountsAnew() { return std::exchange(m_countsAnew, false); }
-    // What was done to the drive, for the log.
+    // The changes to the drive, for the log.
     [[nodiscard]] std::vector<QString> takeNotes() { return std::exchange(m_notes, {}); }
 
 private:

@@ -9,10 +9,10 @@
 namespace boresight::survey {
 namespace {
 
-// Another tool may have set the channel to text.
+// Another tool may have switched the channel to text.
 const std::string kOriginFormat = std::string("tel fmt ") + moteus::kMotorPositionChannel + " 0";
 const std::string kGetOrigin = std::string("tel get ") + moteus::kMotorPositionChannel;
-constexpr int kMostSilences = 5;  // of the heartbeat, 0.1 s each
+constexpr int kMostSilences = 5;  // heartbeats without an answer, 0.1 s each
 
 std::string getCommand(const Protection& protection)
 {
@@ -150,7 +150,7 @@ void AxisSurvey::take(const moteus::Reply& reply)
     const int reboots = m_heartbeat.reboots();
     m_heartbeat.take(reply);
     if (m_heartbeat.reboots() != reboots) {
-        m_fixTrouble.clear();  // the reading now shows what is stored
+        m_fixTrouble.clear();  // the reading then shows the stored values
     }
     if (m_step == Step::Uptime && m_heartbeat.isAnswered()) {
         startReading();
@@ -198,7 +198,7 @@ void AxisSurvey::finishReading()
     takeNext();
 }
 
-// What the drive made of the texts, not what it said to them: it takes garbage for 0 without an error.
+// Compares the values that read back. The answer of the drive proves nothing: it reads garbage as 0 without an error.
 void AxisSurvey::finishSetting()
 {
     const auto& answers = m_run->answers();
@@ -226,7 +226,7 @@ void AxisSurvey::finishStoring()
     startReading();
 }
 
-// What is not answered stays as it was, too old to prove anything, and is asked again.
+// Without an answer the old reading stays. It is too old to prove anything, so it is asked for again.
 void AxisSurvey::finishOrigin()
 {
     if (m_run->trouble().isEmpty()) {
@@ -245,7 +245,7 @@ void AxisSurvey::keepOrigin(const ConsoleRun::Answer& telemetry)
 QString AxisSurvey::progress() const
 {
     if (m_step == Step::Origin || m_step == Step::OriginUptime) {
-        return {};  // a glance
+        return {};  // too short to show
     }
     if (!m_run) {
         return m_step == Step::Idle ? QString() : Text::tr("asking %1").arg(axisText(m_axis));

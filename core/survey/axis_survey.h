@@ -12,14 +12,14 @@
 #include <string_view>
 #include <vector>
 
-// The drive of one axis: reads its protections, writes those that differ, and listens to its heartbeat. Pure; at most
-// one frame a call.
+// The drive of one axis: reads its protections, writes those that differ, and watches its heartbeat. Pure. At most one
+// frame per call.
 namespace boresight::survey {
 
-// What the drive's position counted from at that moment.
+// The origin of the drive's position count at one moment.
 struct OriginReading
 {
-    std::optional<moteus::CountOrigin> origin;  // nothing: the drive does not tell
+    std::optional<moteus::CountOrigin> origin;  // empty: the drive does not report it
     SteadyTime asked{SteadyTime::min()};
 };
 
@@ -27,13 +27,14 @@ class AxisSurvey
 {
 public:
     AxisSurvey(const profile::Profile& profile, Axis axis);
-    // The settings should be others from now on; what is being written is written and read first.
+    // The wanted settings change from now on. A running reading or writing is finished first.
     void profileChanged(const profile::Profile& before, const profile::Profile& after);
 
     void read(const moteus::Uuid& board);
-    // Sets what differs, reads back, and stores only if all of it was taken; then reads everything again.
+    // Sets what differs, reads it back, and stores it only if every value was accepted. Then reads everything again.
     void fix();
-    // Only uptime and what the position counts from; the rest stays as read, and without an answer this too.
+    // Reads only the uptime and the origin of the position count. All other values stay, and without an answer these
+    // two stay, too.
     void readOrigin();
     void forget();
 
@@ -56,7 +57,7 @@ private:
     enum class Step
     {
         Idle,
-        Uptime,  // first, and by the way: is it still there?
+        Uptime,  // comes first, and shows whether the drive is still there
         OriginUptime,
         Reading,
         Setting,
@@ -78,15 +79,15 @@ private:
     Axis m_axis;
     int m_id;
     ReadProtections m_protections;
-    std::optional<std::vector<Protection>> m_next;  // instead, as soon as nothing is being written
+    std::optional<std::vector<Protection>> m_next;  // replaces the wanted settings as soon as nothing is being written
     moteus::Uuid m_board{};
     Heartbeat m_heartbeat;
     Step m_step = Step::Idle;
     std::optional<ConsoleRun> m_run;
-    std::vector<std::size_t> m_written;  // which protections fix() set since the last complete reading
+    std::vector<std::size_t> m_written;  // indices of the protections that fix() set since the last complete reading
     bool m_complete = false;
     OriginReading m_origin;
-    SteadyTime m_notYetAsked{SteadyTime::min()};  // for the origin, in this run
+    SteadyTime m_notYetAsked{SteadyTime::min()};  // time stamp for the origin of this run
     QString m_trouble;
     QString m_fixTrouble;
     DriveChanges m_changes;

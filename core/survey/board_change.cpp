@@ -13,7 +13,7 @@
 namespace boresight::survey {
 namespace {
 
-// A gear of 150:1 is 0.006666667. The drive itself writes six digits.
+// A gear of 150:1 is 0.006666667, so six digits after the point, as the drive writes them, are too few.
 std::string changeText(double value)
 {
     return formatFixed(value, value == std::round(value) ? 0 : 9);
@@ -29,7 +29,7 @@ Result<> refused(const QString& why)
     return failure(ErrorCode::Refused, why);
 }
 
-// The console answers with one line; none if the firmware has no such setting.
+// The console answers with one line, or with none if the firmware has no such setting.
 Reading readingOf(const ConsoleRun::Answer& answer)
 {
     const bool has = answer && !answer->empty();
@@ -110,7 +110,7 @@ void BoardChange::finishLook()
     read(Step::ReadingBack, m_order.newId, m_settings);
 }
 
-// Each run begins with a command that every board answers. Its answer proves that the console listens.
+// Each run begins with a command that every board answers. The answer proves that the console works.
 void BoardChange::read(Step step, int id, const std::vector<BoardSetting>& settings)
 {
     std::vector<std::string> commands{"tel stop"};
@@ -227,7 +227,7 @@ void BoardChange::finishSetting(SteadyTime now)
     if (answers.size() > 1 && !answers[1]) {
         return end(refused(Text::tr("%1. Nothing was changed.").arg(answers[1].error().text)));
     }
-    look(Step::LookingAgain, now);  // silence after a new id is as it should be
+    look(Step::LookingAgain, now);  // after a new id, silence is the expected answer
 }
 
 void BoardChange::finishReadingBack()

@@ -11,31 +11,32 @@
 #include <string>
 #include <vector>
 
-// A setting of one board that only a person may decide, its id or its gear ratio, with those that follow from it. Looks
-// who is there, reads and sets, looks again, reads back, and stores only if the same board answers and each value is
-// the one that was set. Pure: frames out, frames in, time passed in. The drives are off: its owner sees to that.
+// Changes a setting of one board that only a person may decide: its id or its gear ratio, with the settings that depend
+// on it. Looks for the boards, reads and sets, looks again and reads back. Stores only if the same board answers and
+// each value is the one that was set. Pure: frames out, frames in, time passed in. Its owner ensures that the drives
+// are off.
 //
-// A new id is in force at once. The board no longer answers under the old one, not even "OK" to the order itself. So
-// silence is the expected answer, and what follows goes to the new id.
+// A new id is in force at once. The board no longer answers with the old id, and does not even send the "OK" for the
+// command. So silence is the expected answer, and the following commands go to the new id.
 namespace boresight::survey {
 
 struct BoardSetting
 {
     std::string key;
     double value = 0.0;
-    bool optional = false;  // an older firmware does not have it
+    bool optional = false;  // older firmware does not have it
 };
 
 struct BoardOrder
 {
-    std::optional<moteus::Uuid> board;  // the one that the operator has confirmed; empty: its firmware tells none
-    int id = 0;                         // under which it answers
-    int newId = 0;                      // under which it answers afterwards
+    std::optional<moteus::Uuid> board;  // as confirmed by the operator; empty: its firmware reports no UUID
+    int id = 0;                         // its id before the change
+    int newId = 0;                      // its id after the change
     std::string key;
     double value = 0.0;
-    std::vector<BoardSetting> scaled{};  // each becomes its present value times this one
+    std::vector<BoardSetting> scaled{};  // each value is a factor for the current value of its key
     bool alone = false;                  // no other board may be connected
-    QString what;                        // "the id of board …": for texts
+    QString what;                        // for texts: "the id of board …"
 };
 
 class BoardChange
@@ -49,7 +50,7 @@ public:
 
     [[nodiscard]] bool isRunning() const { return m_step != Step::Idle; }
     [[nodiscard]] QString progress() const;  // empty while it does not run
-    // Of the last one that ended; empty: none was begun since the start.
+    // The result of the last change that ended. Empty: no change was begun, or forgetOutcome() was called.
     [[nodiscard]] const std::optional<Result<>>& outcome() const { return m_outcome; }
     void forgetOutcome() { m_outcome.reset(); }
 
@@ -57,10 +58,10 @@ private:
     enum class Step
     {
         Idle,
-        Looking,       // who is there
-        Reading,       // what will be scaled
-        Setting,       // under the old id
-        LookingAgain,  // the same board, under the new id, and nobody else
+        Looking,       // which boards answer
+        Reading,       // the values to be scaled
+        Setting,       // with the old id
+        LookingAgain,  // the same board must answer with the new id, and no other
         ReadingBack,
         Storing,
     };
@@ -81,7 +82,7 @@ private:
     void end(Result<> outcome);
 
     BoardOrder m_order;
-    std::vector<BoardSetting> m_settings;  // to be set, the one of the order first
+    std::vector<BoardSetting> m_settings;  // the settings to write, that of the order first
     BusScan m_scan;
     std::optional<ConsoleRun> m_run;
     Step m_step = Step::Idle;

@@ -13,15 +13,15 @@ using moteus::Register;
 
 constexpr int kLastId = 126;
 constexpr int kSweeps = 2;
-constexpr int kBroadcasts = 2;          // of the first question; the answer of one drive may be lost
-constexpr auto kDiscoveryTime = 150ms;  // of each; the maker's tools wait 0.2 s
-constexpr auto kSweepStep = 3ms;        // question and answer take 0.3 ms of the bus
+constexpr int kBroadcasts = 2;          // of the first query, because the answer of a drive may be lost
+constexpr auto kDiscoveryTime = 150ms;  // for each broadcast; the maker's tools wait 0.2 s
+constexpr auto kSweepStep = 3ms;        // query and answer take 0.3 ms of the bus
 constexpr int kMostAtOnce = 8;
 constexpr auto kSettleTime = 200ms;
 constexpr auto kAnswerTime = 100ms;
-constexpr int kMaxTries = 5;  // with a tenth of all replies lost, one board in 10⁵ is taken for two with one id
+constexpr int kMaxTries = 5;  // if a tenth of all replies is lost, one board in 10⁵ is reported as two with one id
 
-// A lone NOP that wants a reply; every board answers it with the same empty frame.
+// A single NOP that wants a reply. Every board answers it with the same empty frame.
 CanFrame isAnybodyThere(std::uint8_t source, int id)
 {
     const std::array<std::uint8_t, 1> nop{0x50};
@@ -108,7 +108,7 @@ std::vector<CanFrame> BusScan::discover(SteadyTime now)
     return asFrames({.destination = moteus::kBroadcastId, .source = m_source, .query = moteus::discoveryQuery()});
 }
 
-// As many as the time since the last call allows, so that a slow caller is not slowed down further.
+// Sends as many queries as the time since the last call allows, so that a slow caller does not slow the scan down.
 std::vector<CanFrame> BusScan::sweep(SteadyTime now)
 {
     std::vector<CanFrame> frames;
@@ -139,7 +139,7 @@ std::vector<CanFrame> BusScan::identify(SteadyTime now)
     return asFrames(question());
 }
 
-// False when nothing is left to be asked.
+// False if no query is left.
 bool BusScan::passToUnanswered()
 {
     while (m_controller < m_controllers.size()) {
@@ -157,7 +157,7 @@ bool BusScan::passToUnanswered()
     return false;
 }
 
-// By its UUID where it can be: the only way to speak to one of two boards with the same id.
+// Addresses the board by its UUID if possible. This is the only way to reach one of two boards with the same id.
 moteus::Request BusScan::question() const
 {
     const FoundController& controller = m_controllers[m_controller];

@@ -5,47 +5,47 @@
 
 #include <vector>
 
-// Looks for every controller on a bus, with questions only: nothing it sends moves an axis or feeds a watchdog. All are
-// asked for their UUID at once; then every id that stayed silent is asked, twice, whether somebody is there; then each
-// controller is put the given questions, one by one. Pure: its owner sends frames() and brings the replies; about
-// 1.3 seconds with frames() called every 20 ms or oftener.
+// Finds every controller on a bus with queries only: nothing that it sends moves an axis or feeds a watchdog. First it
+// asks all at once for their UUID. Then it asks every id that stayed silent, twice, whether a board is there. Then it
+// puts the given queries to each controller, one by one. Pure: its owner sends frames() and passes the replies in.
+// Takes about 1.3 seconds if frames() is called every 20 ms or more often.
 //
-// Two boards with one id destroy each other's answers, unless the answers are the same bits: the question whether
-// somebody is there has such an answer, so that even such a pair is noticed.
+// If two boards have the same id, their answers destroy each other, unless the answers are the same bits. The query
+// whether a board is there has such an answer, so even such a pair is found.
 namespace boresight::survey {
 
 struct FoundController
 {
-    int id = 0;           // under which it answers
-    moteus::Reply known;  // all it has told, of every answer
+    int id = 0;           // the id with which it answers
+    moteus::Reply known;  // the values of all its answers
 
-    // Neither its UUID nor a reason for not having one.
+    // It has reported neither its UUID nor an error for it.
     [[nodiscard]] bool isUnreadable() const;
 };
 
 class BusScan
 {
 public:
-    // `source`: our own number on the bus; only replies to it count. Each question is a query of at least one register.
+    // `source`: our id on the bus. Only replies to this id count. Each query has at least one register.
     BusScan(std::uint8_t source, std::vector<moteus::Query> questions);
 
     void begin(SteadyTime now);
-    // What is to be sent now; a reply may follow at any time. Several frames at once while the ids are asked.
+    // The frames to send now. Replies may come at any time. Several frames at once while the ids are asked.
     [[nodiscard]] std::vector<CanFrame> frames(SteadyTime now);
     void take(const moteus::Reply& reply);
 
     [[nodiscard]] bool isRunning() const { return m_phase != Phase::Idle; }
-    // In the order of their ids; whole once the scan no longer runs.
+    // In the order of their ids. Complete once the scan has ended.
     [[nodiscard]] const std::vector<FoundController>& controllers() const { return m_controllers; }
 
 private:
     enum class Phase
     {
         Idle,
-        Discover,  // all at once
-        Sweep,     // is somebody there? id by id
-        Settle,    // for late answers
-        Identify,  // one question after the other, each repeated until it is answered
+        Discover,  // all boards at once
+        Sweep,     // id by id: is a board there?
+        Settle,    // waits for late answers
+        Identify,  // one query after the other, each repeated until it is answered
     };
 
     void enter(Phase phase, SteadyTime now);
@@ -61,11 +61,11 @@ private:
     std::uint8_t m_source;
     std::vector<moteus::Query> m_questions;
     Phase m_phase = Phase::Idle;
-    SteadyTime m_entered{};  // the phase
+    SteadyTime m_entered{};  // when the phase began
     std::vector<FoundController> m_controllers;
-    int m_asked = 0;               // ids, or broadcasts
-    std::size_t m_controller = 0;  // which one is asked
-    std::size_t m_question = 0;    // and for what
+    int m_asked = 0;               // number of ids or broadcasts so far
+    std::size_t m_controller = 0;  // index of the controller that is being asked
+    std::size_t m_question = 0;    // index of the query
     int m_tries = 0;
     bool m_answered = false;
     SteadyTime m_questionSent{};

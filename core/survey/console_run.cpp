@@ -10,7 +10,7 @@ using namespace std::chrono_literals;
 
 constexpr auto kReplyTime = 50ms;
 constexpr int kConsoleRunMaxTries = 3;
-// Polls without text, one a tick. The command itself is not acknowledged: this is how its loss is noticed.
+// Polls without text, one per tick. The command itself is not acknowledged, so its loss is detected by these polls.
 constexpr int kEmptyWhenReading = 8;
 constexpr int kEmptyWhenStoring = 100;
 
@@ -58,8 +58,8 @@ std::optional<CanFrame> ConsoleRun::frame(SteadyTime now)
     return frame;
 }
 
-// An answer is kept; silence or confusion is tried again. Somebody else's unfinished line may stand before ours, so a
-// refusal of the first command, which nothing refuses, counts as confusion.
+// Keeps an answer. After silence or confusion the command is sent again. An unfinished line of another program may be
+// in front of ours. No drive refuses the first command, so a refusal of it counts as confusion.
 void ConsoleRun::collect()
 {
     Answer answer = m_client.takeAnswer();

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-// A row of console commands for one drive, each put until it is answered. Lost frames are repeated; a drive that stays
-// silent ends the run. At most one frame a call, so that a run never loads the bus. Pure.
+// A list of console commands for one drive, each repeated until it is answered. Lost frames are repeated. A drive that
+// stays silent ends the run. At most one frame per call, so a run never loads the bus. Pure.
 namespace boresight::survey {
 
 class ConsoleRun
@@ -20,7 +20,7 @@ public:
         Reading,  // an answer comes within milliseconds
         Storing,  // `conf write` erases and writes flash
     };
-    using Answer = Result<moteus::DiagnosticClient::Lines>;  // Refused: the drive said ERR
+    using Answer = Result<moteus::DiagnosticClient::Lines>;  // Refused: the drive answered ERR
 
     ConsoleRun(int drive, std::vector<std::string> commands, Patience patience = Patience::Reading);
 
@@ -30,7 +30,7 @@ public:
     [[nodiscard]] bool isFinished() const { return m_answers.size() == m_commands.size() || !m_trouble.isEmpty(); }
     [[nodiscard]] const QString& trouble() const { return m_trouble; }              // why the run ended early
     [[nodiscard]] const std::vector<Answer>& answers() const { return m_answers; }  // in the order of the commands
-    [[nodiscard]] std::string current() const;                                      // the command being put
+    [[nodiscard]] std::string current() const;                                      // the command in progress
 
 private:
     void collect();

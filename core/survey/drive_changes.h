@@ -10,11 +10,11 @@
 #include <span>
 #include <vector>
 
-// What changed in the drive of one axis from one complete reading to the next. The bus may have been lost in between.
+// The changes in the drive of one axis from one complete reading to the next. The bus may have been lost in between.
 // Pure.
 namespace boresight::survey {
 
-// A setting, or the board itself, is not what it was at the reading before.
+// A setting, or the board itself, differs from the reading before.
 struct Change
 {
     QString text;          // "azimuth: servo.timeout_mode was 12, is 10"
@@ -26,9 +26,9 @@ struct Change
 class DriveChanges
 {
 public:
-    // A complete reading. `written`: which protections Fix set since the one before.
+    // Compares a complete reading with the one before. `written`: indices of the protections that Fix set in between.
     void note(Axis axis, const moteus::Uuid& board, const ReadProtections& now, std::span<const std::size_t> written);
-    // Those noted since the last call.
+    // The changes found since the last call.
     [[nodiscard]] std::vector<Change> take();
 
 private:

@@ -185,7 +185,7 @@ void DriveSurvey::take(const CanFrame& frame)
     }
     if (rebooted && m_state == SurveyState::Done) {
         m_state = SurveyState::NotDone;
-        m_retryAt = SteadyTime::min();  // with the next tick: what was not stored is lost
+        m_retryAt = SteadyTime::min();  // with the next tick, because settings that were not stored are lost
     }
 }
 
@@ -280,7 +280,7 @@ void DriveSurvey::collectFindings()
     std::ranges::stable_sort(m_findings, std::greater(), &Finding::weight);
 }
 
-// One for all lines of a kind, naming the first: they are listed in the order of their weight.
+// One finding for all lines of a kind. It names the first line, because the lines are sorted by importance.
 void DriveSurvey::addProtectionFinding(const Side& side, Verdict verdict)
 {
     const auto lines = side.drive.lines();
@@ -319,7 +319,7 @@ Result<> DriveSurvey::fitToMove() const
 
 QString DriveSurvey::progress() const
 {
-    if (m_retrying) {  // one text for all that begins again every 2 seconds
+    if (m_retrying) {  // one text for the check that begins again every 2 seconds
         return Text::tr("Boresight cannot read all drives. It tries again every 2 s.");
     }
     if (m_state == SurveyState::Running && m_scan.isRunning()) {

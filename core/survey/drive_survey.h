@@ -13,19 +13,20 @@
 #include <span>
 #include <vector>
 
-// Who the drives are and whether their own protections are right, before anything moves: scans the bus, identifies,
-// reads the protections of the drives side by side over their consoles, writes what differs when told to, and then
-// listens to their heartbeats. Pure: its owner calls frames() every tick, sends them and brings every received frame.
-// Its source number is kDiagnosticHostId; nothing it sends moves an axis or feeds a watchdog. States: README.md.
+// Checks before anything moves which drives are there and whether their own protections are right. Scans the bus,
+// identifies the boards, reads the protections of all drives over their consoles at the same time, writes what differs
+// when told to, and then watches the heartbeats. Pure: its owner calls frames() every tick, sends these frames and
+// passes every received frame in. Its source id is kDiagnosticHostId. Nothing that it sends moves an axis or feeds a
+// watchdog. States: README.md.
 namespace boresight::survey {
 
-// Of one drive, as last read.
+// The facts about one drive, as last read.
 struct DriveFacts
 {
     QString uuid;  // 8-4-4-4-12 digits
     DriveIdentity identity;
     SteadyTime bootedAt;         // its power-up
-    bool outputEncoder = false;  // an encoder on the axis tells the turn after power-up
+    bool outputEncoder = false;  // an encoder on the axis shows the wrap after power-up
     double rotorToOutputRatio = 0.0;
     bool holdsWhenNotFed = false;  // its time-out mode holds the axis
     OriginReading origin{};
@@ -34,49 +35,51 @@ struct DriveFacts
 class DriveSurvey
 {
 public:
-    // The profile outlives this. `axes`: those that have a drive, and the only ones that may be asked about.
+    // The profile outlives this. `axes`: the axes that have a drive. No other axis may be passed to the functions
+    // below.
     DriveSurvey(const profile::InForce& profile, const KnownBoards& known, AxisSet axes = kAxes);
 
-    // What was found is judged again.
+    // The facts that were read are judged again.
     void profileChanged(const profile::Profile& before, const profile::Profile& after);
-    // From the beginning; also after other tools had the bus.
+    // Starts the check from the beginning. Also called after other tools had the bus.
     void begin(SteadyTime now);
-    // The bus or a drive was lost: nothing is known until begin().
+    // The bus or a drive was lost. Nothing is known until begin().
     void forget();
-    // The drives are read, and something differs that can be written.
+    // Success if the drives are read and a setting differs that can be written.
     [[nodiscard]] Result<> mayFix() const;
-    // Writes what differs and can be written. All drives must be in mode 0: the caller sees to that.
+    // Writes the settings that differ and can be written. The caller ensures that all drives are in mode 0.
     [[nodiscard]] Result<> fix(SteadyTime now);
-    // Reads again what the drive's position counts from, unless the drives are being read anyway.
+    // Reads the origin of the drive's position count again, unless the drives are being read already.
     void readOrigin(Axis axis);
-    // The boards are right as they are: what the memory knows from now on.
+    // The boards on the bus are the right ones. `known`: the boards that the journal knows from now on.
     void setKnownBoards(const KnownBoards& known);
 
     // At most one frame for each drive, besides those of a scan.
     [[nodiscard]] std::vector<CanFrame> frames(SteadyTime now);
     void take(const CanFrame& frame);
 
-    [[nodiscard]] bool isFixable() const;  // there is something that fix() would write or store
-    // A survey that is only repeated until all drives are there is NotDone.
+    [[nodiscard]] bool isFixable() const;  // fix() would write or store something
+    // While a check is only repeated until all drives are there, the state is NotDone.
     [[nodiscard]] SurveyState state() const { return m_retrying ? SurveyState::NotDone : m_state; }
-    // Runs, or will again by itself.
+    // The check runs, or will start again by itself.
     [[nodiscard]] bool isUnderWay() const { return m_state != SurveyState::NotDone || m_retryAt; }
     // The console of this drive is in use.
     [[nodiscard]] bool isAsking(Axis axis) const { return side(axis).drive.isBusy(); }
-    [[nodiscard]] QString progress() const;  // what it does, or why it is not done; may be empty
+    [[nodiscard]] QString progress() const;  // what the check does, or why it is not done; may be empty
     [[nodiscard]] const std::optional<DriveFacts>& facts(Axis axis) const { return side(axis).facts; }
     [[nodiscard]] std::span<const ProtectionLine> protections(Axis axis) const { return side(axis).drive.lines(); }
-    // All boards of the last scan that ended, by their ids.
+    // All boards of the last finished scan, in the order of their ids.
     [[nodiscard]] const std::vector<FoundController>& boards() const { return m_boards; }
-    // Boards that the profile does not know, of the last scan that ended.
+    // The boards of the last finished scan that the profile does not know.
     [[nodiscard]] const std::vector<Stranger>& strangers() const { return m_strangers; }
-    // In the operator's words why nothing may move yet.
+    // The reason why nothing may move yet, for the operator.
     [[nodiscard]] Result<> fitToMove() const;
-    // Of the last survey that ended, the weightiest first; a running one keeps them.
+    // The findings of the last finished check, the most serious first. A running check keeps them.
     [[nodiscard]] const std::vector<Finding>& findings() const { return m_findings; }
-    // What differs from the reading before.
+    // The differences from the reading before.
     [[nodiscard]] std::vector<Change> takeChanges();
-    // Power-ups noticed, also those behind a lost bus; the drives are then surveyed again by itself.
+    // The number of power-ups that were detected, also while the bus was lost. After each one the drives are checked
+    // again.
     [[nodiscard]] int rebootsSeen(Axis axis) const { return side(axis).drive.heartbeat().reboots(); }
 
 private:
@@ -106,8 +109,8 @@ private:
     std::vector<Side> m_sides;
     SurveyState m_state = SurveyState::NotDone;
     std::optional<SteadyTime> m_retryAt;
-    bool m_retrying = false;  // a survey has ended without all drives, and is repeated
-    bool m_fixed = false;     // the last thing done was a Fix that worked
+    bool m_retrying = false;  // a check has ended without all drives and is repeated
+    bool m_fixed = false;     // the last work was a successful Fix
     std::vector<FoundController> m_boards;
     std::vector<Stranger> m_strangers;
     std::vector<Finding> m_findings;

@@ -3,7 +3,7 @@
 
 #include <QString>
 
-// What a survey of the drives found out of order: plain values, made on the station thread, raised as alarms.
+// The problems that a check of the drives found: plain values, made on the station thread, raised as alarms.
 namespace boresight::survey {
 
 enum class FindingWeight
@@ -16,19 +16,19 @@ enum class FindingWeight
 enum class FindingKind
 {
     NobodyAnswers,
-    Missing,      // the board of an axis
-    SharedId,     // by two boards
+    Missing,      // no board for an axis
+    SharedId,     // two boards have the same id
     Stranger,     // a board that the profile does not know
-    Swapped,      // the ids of the axes
-    OtherBoard,   // than before, for an axis
-    RegisterMap,  // unknown to Boresight
-    Unread,       // the settings of an axis
-    NotStored,    // a setting of an axis
-    Dangerous,    // settings of an axis, as the verdict
+    Swapped,      // the ids of the two axes are interchanged
+    OtherBoard,   // an axis has another board than before
+    RegisterMap,  // a register map that Boresight does not know
+    Unread,       // the settings of an axis were not read
+    NotStored,    // a setting of an axis was not stored
+    Dangerous,    // settings of an axis with the verdict Dangerous
     Advised
 };
 
-// What the operator should know of the drives. It is the same trouble as long as it is of one kind about one thing.
+// A message for the operator about the drives. Findings of the same kind about the same thing are the same trouble.
 struct Finding
 {
     FindingKind kind = FindingKind::NobodyAnswers;

@@ -16,13 +16,13 @@ struct Bounds
     QString why;
 };
 
-// A step of tuning is a factor of two at most. More is a slip of the finger, and can shake a mast.
+// One step of tuning is a factor of two at most. A larger change is probably a typing error, and can shake a mast.
 constexpr double kFactor = 4.0;
-constexpr double kFastestIntegral = 10.0;       // 1/s: kp builds up again within a tenth of a second
-constexpr double kIntegralError = 0.1 / 360.0;  // turns: the integral holds what this error would
+constexpr double kFastestIntegral = 10.0;       // 1/s: kp is built up again within a tenth of a second
+constexpr double kIntegralError = 0.1 / 360.0;  // turns: the integral may hold the torque of this error
 constexpr double kFiltersAbove = 10.0;          // times the bandwidth of the position control
 constexpr double kLowestFilter = 10.0;          // Hz
-constexpr double kHighestFilter = 1000.0;       // Hz; the factory has 400
+constexpr double kHighestFilter = 1000.0;       // Hz; factory default: 400
 
 double of(const GainValues& values, Gain gain)
 {
@@ -36,7 +36,7 @@ Bounds around(double stored)
             .why = Text::tr("A quarter to four times the stored value. A larger change is probably a typing error.")};
 }
 
-// The inertia for which these two are critically damped.
+// The inertia for which this stiffness and damping are critically damped.
 double inertiaFor(double stiffness, double damping)
 {
     return stiffness > 0.0 ? damping * damping / (8.0 * std::numbers::pi * stiffness) : 0.0;

@@ -9,16 +9,17 @@
 #include <string>
 #include <vector>
 
-// The gains of a drive that may be tuned: how the drive calls them, in which range, and whether it must be off. Pure.
+// The gains of a drive that may be tuned: the key in the drive, the permitted range, and whether the drive must be off.
+// Pure.
 //
-// The firmware (bldc_servo.cc, motor_position.h) takes what is below "servo" while it controls. Whatever is below
-// "motor_position" begins the count of the encoder again: in a drive that is on this is fault 41, and in each the wrap
-// is lost.
+// The firmware (bldc_servo.cc, motor_position.h) accepts settings below "servo" while it controls. A change below
+// "motor_position" starts the count of the encoder again. In a drive that is on, this causes fault 41. In every drive
+// the wrap is lost.
 namespace boresight::survey {
 
 inline constexpr std::size_t kGainCount = static_cast<std::size_t>(Gain::Count);
 
-// As read; NaN or no number is empty.
+// As read. Empty for NaN, or if the text is no number.
 using GainValues = std::array<std::optional<double>, kGainCount>;
 
 [[nodiscard]] constexpr std::size_t indexOf(Gain gain)
@@ -27,7 +28,7 @@ using GainValues = std::array<std::optional<double>, kGainCount>;
 }
 
 [[nodiscard]] const std::string& gainKey(Gain gain);
-// The lines without values. The bounds are about the stored values, so that they do not creep with each change.
+// The lines without values. The bounds depend on the stored values, so they do not move with each change.
 [[nodiscard]] std::vector<GainLine> gainLines(const GainValues& stored);
 
 }  // namespace boresight::survey

@@ -15,9 +15,9 @@ using moteus::Register;
 constexpr std::uint32_t kCounterAtBoot = 0x80000000u - 300000u;
 constexpr auto kPeriod = 1s;
 constexpr auto kAgain = 100ms;
-// The clocks of computer and drive differ by up to a few percent; a late answer is taken for one to a later question.
+// The clocks of computer and drive differ by up to a few percent. A late answer counts as the answer to a later query.
 constexpr std::int64_t kToleranceMs = 1000;
-constexpr std::int64_t kDriftPart = 50;  // 2 %
+constexpr std::int64_t kDriftPart = 50;  // one part in 50, which is 2 %
 
 std::optional<std::chrono::milliseconds> uptimeIn(const moteus::Reply& reply)
 {
@@ -31,7 +31,7 @@ std::optional<std::chrono::milliseconds> uptimeIn(const moteus::Reply& reply)
 
 }  // namespace
 
-// Whether the counter went on as the time did, in the arithmetic of the counter.
+// True if the counter advanced by the elapsed time, in the arithmetic of the counter.
 bool Heartbeat::wentOn(const Observation& before, const Observation& after)
 {
     const auto elapsed = std::chrono::duration_cast<std::chrono::milliseconds>(after.at - before.at);
@@ -66,7 +66,7 @@ std::optional<CanFrame> Heartbeat::frame(SteadyTime now)
     return *frame;
 }
 
-// A suspended computer counts as a power-up too: it cannot know.
+// A suspended computer counts as a power-up, too, because it can not know whether there was one.
 void Heartbeat::take(const moteus::Reply& reply)
 {
     const auto uptime = uptimeIn(reply);
@@ -76,10 +76,10 @@ void Heartbeat::take(const moteus::Reply& reply)
     const Observation now{.board = m_board, .uptime = *uptime, .at = *m_sent};
     const bool same = m_last && m_last->board == m_board;
     const bool running = same && wentOn(*m_last, now);
-    // One old reply may come twice.
+    // One old reply may arrive twice.
     const bool confirmed = m_doubted && m_doubted->uptime != now.uptime && wentOn(*m_doubted, now);
     if (same && !running && !confirmed) {
-        m_doubted = now;  // counts as no answer, so that it is asked again soon
+        m_doubted = now;  // counts as no answer, so that the query is repeated soon
         return;
     }
     m_doubted.reset();

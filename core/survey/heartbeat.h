@@ -6,9 +6,9 @@
 
 #include <optional>
 
-// The uptime of one drive, asked once a second, tells when it lost power: its millisecond counter (register 0x070)
-// begins at 2^31 - 300000 at every power-up and wraps at 2^32, after 49 days. What was seen outlives a lost bus, so
-// that a power-up behind our back is noticed too. Pure.
+// Detects from the uptime of one drive, asked once a second, that the drive lost its power. The millisecond counter
+// (register 0x070) begins at 2^31 - 300000 at every power-up and overflows at 2^32, after 25 days. The last uptime is
+// kept while the bus is lost, so that a power-up in that time is detected, too. Pure.
 namespace boresight::survey {
 
 class Heartbeat
@@ -16,17 +16,17 @@ class Heartbeat
 public:
     explicit Heartbeat(int drive) : m_drive(drive) {}
 
-    // Another round of questions; `board` tells a power-up from an exchange of boards.
+    // Starts another round of queries. `board`: the board that answers now. An exchange of boards is no power-up.
     void begin(const moteus::Uuid& board);
-    // The question when it is due; again soon while unanswered.
+    // The query when it is due. An unanswered query is repeated soon.
     [[nodiscard]] std::optional<CanFrame> frame(SteadyTime now);
     void take(const moteus::Reply& reply);
 
-    // The last question, put since begin().
+    // The last query since begin() was answered.
     [[nodiscard]] bool isAnswered() const { return m_sent && m_silences == 0; }
-    [[nodiscard]] int silences() const { return m_silences; }  // questions since the last answer
+    [[nodiscard]] int silences() const { return m_silences; }  // queries since the last answer
     [[nodiscard]] int reboots() const { return m_reboots; }
-    // Does not move while the drive runs on, also over the end of the counter.
+    // Stays the same while the drive runs on, also when the counter overflows.
     [[nodiscard]] SteadyTime bootedAt() const { return m_bootedAt; }
 
 private:
@@ -42,7 +42,8 @@ private:
     int m_drive;
     moteus::Uuid m_board{};
     std::optional<Observation> m_last;
-    std::optional<Observation> m_doubted;  // does not continue the last one: a power-up if the next one continues it
+    // Does not continue m_last. It is a power-up if the next observation continues it.
+    std::optional<Observation> m_doubted;
     SteadyTime m_bootedAt{};
     std::optional<SteadyTime> m_sent;
     int m_silences = 0;

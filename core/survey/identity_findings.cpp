@@ -49,7 +49,7 @@ QString uuidOf(const FoundController& board)
     return uuid ? QString::fromStdString(moteus::uuidText(*uuid)) : QString();
 }
 
-// Two with one id are seen as two, or as one whose long answers never arrive whole.
+// Two boards with one id are found as two, or as one board whose long answers never arrive complete.
 void IdentityJudge::judgeShared()
 {
     std::set<int> ids;
@@ -122,7 +122,7 @@ void IdentityJudge::judgeAxis(Axis axis)
     }
     const FoundController* board = onlyBoard(found, id);
     if (board == nullptr) {
-        return;  // said already
+        return;  // reported already
     }
     judgeMap(axis, *board);
     const QString uuid = uuidOf(*board);

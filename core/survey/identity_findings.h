@@ -10,18 +10,18 @@
 #include <span>
 #include <vector>
 
-// Whether the boards that a scan found are those the profile and the memory expect: each missing, doubled, swapped,
-// replaced, unknown or additional one in words. Pure.
+// Compares the boards that a scan found with those that the profile and the journal expect. Reports missing, doubled,
+// interchanged, replaced, unknown and additional boards. Pure.
 namespace boresight::survey {
 
-// The boards that the memory knows, by their UUID; empty where it knows none. Azimuth, elevation.
+// The UUIDs of the boards in the journal, azimuth and elevation. Empty for an axis without a known board.
 using KnownBoards = std::array<QString, 2>;
 
-// `axes`: those that have a drive here. A board under the id of another one is as strange as any.
+// `axes`: the axes that have a drive. A board with the id of another axis is as unknown as any other.
 [[nodiscard]] std::vector<Finding> identityFindings(const profile::Profile& profile, const KnownBoards& known,
                                                     std::span<const FoundController> found, AxisSet axes = kAxes);
 
-// The one readable board under that id; null if there is none, or more than one.
+// The only readable board with that id. Null if there is none, or more than one.
 [[nodiscard]] const FoundController* onlyBoard(std::span<const FoundController> found, int id);
 
 [[nodiscard]] DriveIdentity identityOf(const FoundController& controller);

@@ -22,7 +22,7 @@ QString number(double value)
     return std::isnan(value) ? Text::tr("none") : QString::number(value, 'g', 6);
 }
 
-// For people: the drive keeps six decimals of a turn, and 10° read back as 10.0001°.
+// For the operator: the drive keeps six decimals of a turn, and 10° would read back as 10.0001°.
 QString rounded(double value)
 {
     return std::abs(value) >= 1000.0 ? QString::number(value, 'f', 0) : QString::number(value, 'g', 3);
@@ -38,7 +38,7 @@ bool isWithin(double value, double least, double most)
     return value >= least && value <= most;
 }
 
-// An axis in its drive's own turns.
+// Converts angles of an axis into turns of its drive.
 struct DriveScale
 {
     const pointing::AxisGeometry& geometry;
@@ -65,7 +65,7 @@ struct DriveScale
             return rounded(turns / perDegree) + unit;
         };
     }
-    // "10 to 20°/s", of turns.
+    // "10 to 20°/s", from turns per second.
     [[nodiscard]] QString angles(double least, double most, const QString& unit) const
     {
         const double perDegree = turns(Angle::fromDegrees(1.0));
@@ -93,7 +93,7 @@ QString brief(const Protection& protection, double value)
     return protection.isAngle && std::isfinite(value) ? protection.explain(value) : shown(protection, value);
 }
 
-// Fix writes the middle, and it is what the operator is told.
+// Without a text for the wanted value, the value that Fix writes is shown as the wanted one.
 void addWithRemedy(List& list, Protection protection)
 {
     if (protection.wanted.isEmpty() && protection.remedy) {
@@ -119,7 +119,7 @@ QString boundConsequence(double found, bool narrow)
                : Text::tr("The limit lies too far out. The cable or the frame stops the axis before the drive does.");
 }
 
-// `outwards`: +1 for the upper bound. Half the margin at least, so that the axis can settle at the end of its travel.
+// `outwards`: +1 for the upper bound. At least half the margin, so that the axis can settle at the end of its travel.
 void addBound(List& list, const profile::Profile& profile, const DriveScale& scale, const std::string& key,
               double travelEnd, double outwards)
 {
@@ -205,7 +205,7 @@ void addTimeout(List& list, const profile::ControlSettings& control, const profi
                          .unit = QStringLiteral("Nm"),
                          .wanted = Text::tr("above 0 Nm"),
                          .isRight = [](double found) { return found > 0.0; },
-                         .remedy = std::min(5.0, axis.maxTorque),  // the factory's
+                         .remedy = std::min(5.0, axis.maxTorque),  // 5 Nm is the factory default
                          .reason = Text::tr("Timeout mode 12 damps with this torque.")});
 }
 
@@ -225,7 +225,7 @@ void addElectrical(List& list)
          .wanted = Text::tr("10 to 46 V"),
          .isRight = [](double found) { return isWithin(found, 10.0, 46.0); },
          .otherwise = Verdict::Dangerous,
-         .remedy = 46.0,  // the factory's, for a board of 44 V
+         .remedy = 46.0,  // factory default, for a board of 44 V
          .reason = Text::tr("Above this voltage the drive stops, so that braking energy cannot destroy the board.")});
     addWithRemedy(
         list,
@@ -233,7 +233,7 @@ void addElectrical(List& list)
          .unit = QStringLiteral("V"),
          .wanted = Text::tr("1 to 20 V"),
          .isRight = [](double found) { return isWithin(found, 1.0, 20.0); },
-         .remedy = 3.0,  // the factory's
+         .remedy = 3.0,  // factory default
          .reason = Text::tr("This far below the highest voltage the motor begins to turn braking energy into heat.")});
 }
 
@@ -250,7 +250,7 @@ void addLimits(List& list, const profile::AxisSettings& axis, const DriveScale& 
                          .explain = scale.asSpan(QStringLiteral("°/s")),
                          .isAngle = true});
     const double braking = scale.turns(Angle::fromDegrees(tracking::emergencyBraking(axis.limits).degrees()));
-    const double lowest = 0.8 * braking;  // 0.1 s from full speed
+    const double lowest = 0.8 * braking;  // stops within 0.1 s from full speed
     addWithRemedy(list, {.key = "servo.default_accel_limit",
                          .unit = Text::tr("turns/s²"),
                          .wanted = scale.range(lowest, 2.0 * braking, Text::tr("turns/s²"), QStringLiteral("°/s²")),
@@ -386,7 +386,7 @@ std::string settingText(double value)
     return std::isnan(value) ? "nan" : formatFixed(value, 6);
 }
 
-// The drive keeps single precision and writes six decimals.
+// The drive computes in single precision and writes six decimals.
 bool tookEffect(double written, const Reading& reading)
 {
     const std::optional<double> value = reading.value();

@@ -9,13 +9,13 @@
 #include <string>
 #include <vector>
 
-// The settings of a drive that protect the mount, and what a profile wants of each. The drive is to be a second limit
-// that holds without this program: every line says what happens if it is wrong. Pure values.
+// The settings of a drive that protect the mount, and the values that a profile wants. The drive is a second limit that
+// also works without this program. Every line contains what happens if its value is wrong. Pure values.
 namespace boresight::survey {
 
 inline constexpr int kTimeoutHold = 10;  // servo.timeout_mode: brake, then hold
 
-// What was read of one key.
+// The reading of one key.
 struct Reading
 {
     enum class State
@@ -27,7 +27,7 @@ struct Reading
     State state = State::Unread;
     std::string text{};  // as the drive wrote it
 
-    // NaN is the drive's "none"; empty for what is no number.
+    // NaN for the "none" of the drive. Empty if the text is no number.
     [[nodiscard]] std::optional<double> value() const;
     bool operator==(const Reading&) const = default;
 };
@@ -37,14 +37,14 @@ struct Protection
     std::string key;
     QString unit;
     QString wanted;
-    QString wantedBrief{};  // where there is little room; empty: as it is
+    QString wantedBrief{};  // for narrow places; empty: the same as `wanted`
     std::function<bool(double)> isRight;
     Verdict otherwise = Verdict::Advised;
-    std::optional<double> remedy;  // what Fix writes; empty: only a person may change it
+    std::optional<double> remedy;  // the value that Fix writes; empty: only a person may change it
     QString reason;                // for the operator
-    // What a particular wrong value does, instead of the reason; may be absent.
+    // The effect of a particular wrong value, shown in place of `reason`. May be absent.
     std::function<QString(double)> consequence;
-    // The value as the operator thinks of it, behind the drive's own; may be absent.
+    // The value in units of the operator, shown after the value of the drive. May be absent.
     std::function<QString(double)> explain;
     bool isAngle = false;   // a narrow line shows only explain()
     bool reversed = false;  // see ProtectionLine
@@ -57,11 +57,12 @@ struct Protection
 [[nodiscard]] QString foundText(const Protection& protection, const Reading& reading);
 [[nodiscard]] ProtectionLine judged(const Protection& protection, const Reading& reading);
 
-// The value as `conf set` takes it, and whether what reads back is that value.
+// settingText(): the value in the form for `conf set`. tookEffect(): true if the value that reads back is the written
+// one.
 [[nodiscard]] std::string settingText(double value);
 [[nodiscard]] bool tookEffect(double written, const Reading& reading);
 
 [[nodiscard]] QString axisName(Axis axis);  // "azimuth", in the cause of an alarm
-[[nodiscard]] QString axisText(Axis axis);  // the same in a sentence
+[[nodiscard]] QString axisText(Axis axis);  // the same, translated, for a sentence
 
 }  // namespace boresight::survey

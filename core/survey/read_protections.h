@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-// The protections of one drive: what is wanted, what was read beside it, and what the two come to. Pure.
+// The protections of one drive: the wanted values, the values that were read, and the verdicts. Pure.
 namespace boresight::survey {
 
 class ReadProtections
@@ -16,9 +16,9 @@ class ReadProtections
 public:
     explicit ReadProtections(std::vector<Protection> wanted);
 
-    // The keys are the same for every profile: only what is wanted of them changes.
+    // The keys are the same for every profile. Only the wanted values change.
     void want(std::vector<Protection> wanted);
-    // One reading of each, in the same order.
+    // One reading for each key, in the same order.
     void take(std::vector<Reading> readings);
     void forget();
 

@@ -45,7 +45,7 @@ QString whoEndedIt(const StationControl& control)
     }
 }
 
-// Nobody has changed what was not read since the drive came.
+// True if the gains were not changed since they were read first. A value that was not read counts as unchanged.
 bool areAsFound(const DriveGains& gains)
 {
     return std::ranges::all_of(gains.lines,
@@ -191,7 +191,7 @@ void TuningDesk::finish()
     end(words, false);
 }
 
-// The newest of its kind; with other gains it stands beside the one with the gains as found.
+// Keeps the newest result of its kind. A result with changed gains is kept beside the one with the gains as found.
 void TuningDesk::keep(TuningResult result)
 {
     std::erase_if(m_status.results, [&](const TuningResult& one) {

@@ -10,25 +10,25 @@
 #include <memory>
 #include <optional>
 
-// Where the axes are tuned: moves one axis through a small run, measures how it answers, and keeps the figures before
-// and after a change. It stands beside StationControl and moves the mount only by asking it, so limits, STOP, faults
-// and authority hold for it like for everybody, and whatever else is asked of the mount ends a run at once. Each run
-// begins by a request of its own. Station thread.
+// Tunes the axes: moves one axis through a small run, measures how it responds, and keeps the figures before and after
+// a change of the gains. It stands beside StationControl and moves the mount only by requests to it. So limits, STOP,
+// faults and authority apply as for any client, and any other command to the mount ends a run at once. Each run needs
+// its own request. Station thread.
 namespace boresight {
 
 class TuningDesk
 {
 public:
-    // All of them outlive the desk.
+    // The references outlive the desk.
     TuningDesk(StationControl& control, const Clock& clock, EventLog& log);
 
-    // What StationControl has admitted: done, or the reason why not. `drives`: as they are now. `calibrates`: a
-    // calibration moves the mount.
+    // Carries out a request that StationControl has admitted. Returns the reason if that is not possible. `drives`:
+    // their present state. `calibrates`: a calibration moves the mount.
     Result<> carryOut(const TuningRequest& request, const std::optional<DrivesStatus>& drives, bool calibrates);
-    // Once per tick, before StationControl's.
+    // Once per tick, before the tick of StationControl.
     void tick();
 
-    // Its part of the station's, permissions included.
+    // Fills in its part of the station status, permissions included.
     void fill(StationStatus& status, bool calibrates) const;
 
 private:
@@ -47,7 +47,7 @@ private:
     const Clock& m_clock;
     EventLog& m_log;
     std::optional<TuningRunState> m_run;
-    bool m_begun = false;                        // the control has taken its first motion
+    bool m_begun = false;                        // the control has accepted the first motion of the run
     std::vector<std::optional<double>> m_gains;  // of the axis of the run
     bool m_asFound = true;
     TuningStatus m_status;  // the plans and results

@@ -9,7 +9,7 @@
 namespace boresight {
 namespace {
 
-// Better than this is not worth tuning: a beam is some degrees wide, and a pass moves at 1°/s.
+// Below these values tuning is not worth it: a beam is some degrees wide, and a pass moves at 1°/s.
 constexpr double kSmallOvershoot = 0.05;
 constexpr Seconds kQuick{0.5};
 constexpr Angle kSettled = Angle::fromDegrees(0.04);  // 2 % of the step
@@ -18,7 +18,7 @@ constexpr Angle kSmallError = Angle::fromDegrees(0.05);
 constexpr double kResonance = 1.3;
 constexpr double kFollows = 0.7;
 
-// For the curves: more than this is not seen, and the screen gets it again and again.
+// For the curves. More samples are not visible, and the screen gets them again and again.
 constexpr std::size_t kMostSamples = 1200;
 
 using Parts = std::vector<std::vector<response::Sample>>;
@@ -88,7 +88,7 @@ Result<std::vector<response::SweepPoint>> sweepOf(const Parts& parts)
 {
     std::vector<response::SweepPoint> points;
     for (std::size_t i = 0; i < parts.size(); ++i) {
-        // The limits of motion may leave nothing of a fast swing.
+        // The limits of motion may remove a fast swing completely.
         if (const auto point = response::sweepPoint(parts[i], kSweepHertz.at(i))) {
             points.push_back(*point);
         }

@@ -5,10 +5,10 @@
 #include "core/messages/tuning_status.h"
 #include "core/tuning/tuning_run_state.h"
 
-// What a tuning run that went to its end has measured, and what that means in plain words. Pure.
+// The figures and the verdict of a finished tuning run. Pure.
 namespace boresight {
 
-// An error says why the run has no result. The gains and the time are left to the caller.
+// The error says why the run has no result. The caller fills in the gains and the time.
 [[nodiscard]] Result<TuningResult> resultOf(const TuningRunState& run);
 
 }  // namespace boresight

@@ -9,11 +9,11 @@ namespace boresight {
 namespace {
 
 constexpr Seconds kSteady{1.0};   // the axis is taken over, and holds
-constexpr Seconds kWatched{2.0};  // after a step
+constexpr Seconds kWatched{2.0};  // recorded after a step
 constexpr Seconds kRampTime{4.0};
 constexpr Angle kSwing = Angle::fromDegrees(0.25);
-constexpr double kPartOfLimits = 0.5;  // so that the limits of motion do not cut the wave
-constexpr double kPullBack = 0.5;      // 1/s: the middle of the swing does not wander off
+constexpr double kPartOfLimits = 0.5;  // share of the limits of motion, so that they do not cut off the wave
+constexpr double kPullBack = 0.5;      // 1/s: keeps the middle of the swing in place
 constexpr double kFewestPeriods = 3.0;
 constexpr Seconds kShortestSwing{2.0};
 constexpr Angle kBacklashLeg = Angle::fromDegrees(0.4);
@@ -82,7 +82,7 @@ std::vector<TuningLeg> backlashLegs(Angle begin)
 
 TuningRoom roomFor(TuningRun run)
 {
-    // Half a degree more: an axis that swings over its end shall not meet a limit.
+    // Half a degree more, so that an axis that overshoots does not meet a limit.
     constexpr Angle kSpare = Angle::fromDegrees(0.5);
     switch (run) {
         case TuningRun::Step:
@@ -130,7 +130,7 @@ Angle farthestOf(const std::vector<TuningLeg>& legs, Angle begin)
     return farthest;
 }
 
-// Setting off and coming to rest: what the bounded jerk adds is in the second.
+// The time at full speed, plus one second for acceleration, braking and the limited jerk.
 Seconds durationOf(const std::vector<TuningLeg>& legs, const tracking::MotionLimits& limits)
 {
     Seconds sum{0.0};

@@ -8,21 +8,21 @@
 #include <optional>
 #include <vector>
 
-// What a tuning run does, piece by piece: small ways and low rates about the place where it begins, and back there at
-// the end. Pure; mechanical angles of one axis.
+// The parts of a tuning run: small ways and low rates around its starting position, and the way back at the end. Pure.
+// Mechanical angles of one axis.
 namespace boresight {
 
 struct TuningLeg
 {
-    std::optional<Angle> place{};  // go there; else move at the rate
-    // At this time of the leg, where the set-point is `from` the beginning of the run.
+    std::optional<Angle> place{};  // go there; empty: move at `rate`
+    // The rate at this time of the leg, when the set-point is at the distance `from` the start of the run.
     std::function<AngularRate(Seconds, Angle from)> rate{};
-    Seconds time{0.0};          // of the rate, or how long to stay at the place
-    Seconds record{0.0};        // record from here on
-    std::optional<int> part{};  // of what is recorded; empty: nothing is
+    Seconds time{0.0};          // how long to move at the rate, or to stay at the place
+    Seconds record{0.0};        // recording begins at this time of the leg
+    std::optional<int> part{};  // number of the recording; empty: nothing is recorded
 };
 
-// The largest way from the beginning, and whether it needs room on both sides.
+// The largest distance from the start, and whether the run needs room on both sides.
 struct TuningRoom
 {
     Angle way;
@@ -35,12 +35,12 @@ inline constexpr AngularRate kBacklashRate = AngularRate::fromDegrees(0.05);
 inline constexpr std::array kSweepHertz{0.3, 0.6, 1.2, 2.4};
 
 [[nodiscard]] TuningRoom roomFor(TuningRun run);
-// `way`: 1 upwards, -1 downwards, for a run that needs room on one side.
+// `way`: 1 upwards, -1 downwards. For a run that needs room on one side.
 [[nodiscard]] std::vector<TuningLeg> legsOf(TuningRun run, Angle begin, double way,
                                             const tracking::MotionLimits& limits);
-// The largest way of the set-point from the beginning.
+// The largest distance of the set-point from the start.
 [[nodiscard]] Angle farthestOf(const std::vector<TuningLeg>& legs, Angle begin);
-// As long as the limits make it.
+// The duration of the run within these limits.
 [[nodiscard]] Seconds durationOf(const std::vector<TuningLeg>& legs, const tracking::MotionLimits& limits);
 
 }  // namespace boresight

@@ -4,13 +4,13 @@
 #include "core/pointing/permitted_region.h"
 #include "core/tuning/tuning_legs.h"
 
-// Where a tuning run would move an axis from here, and whether there is the room. Pure.
+// Where a tuning run would move an axis from here, and whether there is enough room. Pure.
 namespace boresight {
 
 struct TuningWay
 {
     TuningPlan plan;
-    double way = 1.0;  // to the side with more room
+    double way = 1.0;  // 1 or -1: towards the side with more room
     std::vector<TuningLeg> legs;
 };
 

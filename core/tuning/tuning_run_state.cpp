@@ -11,9 +11,9 @@ namespace boresight {
 namespace {
 
 constexpr Angle kArrived = Angle::fromDegrees(1e-4);
-// Gains that do no better are not tried any longer.
+// Gains with a larger error are not tried any longer.
 constexpr Angle kLargestError = Angle::fromDegrees(1.0);
-constexpr Seconds kPatience{10.0};  // beyond the time that the run should take
+constexpr Seconds kPatience{10.0};  // a run may take this much longer than planned
 
 }  // namespace
 

@@ -8,8 +8,8 @@
 #include <optional>
 #include <vector>
 
-// One tuning run under way: which motion it wants in this tick, what it has recorded, and what ends it early. Pure: it
-// asks for nothing itself. Mechanical angles.
+// A tuning run in progress: the motion that it needs in this tick, its recording, and the reasons that end it early.
+// Pure: it sends no requests itself. Mechanical angles.
 namespace boresight {
 
 class TuningRunState
@@ -17,11 +17,11 @@ class TuningRunState
 public:
     TuningRunState(TuningRun run, Axis axis, TuningWay way, const AxisPosition& here, SteadyTime now);
 
-    // Once in a tick, with what the axis was asked and has answered in the last. Empty: what was asked goes on.
+    // Once per tick. `sample`: set-point and position of the axis in the last tick. Empty: the last request stays.
     [[nodiscard]] std::optional<Request> step(SteadyTime now, const AxisSample& sample);
 
     [[nodiscard]] bool done() const { return m_leg == m_way.legs.size(); }
-    // Why it can not go on: the axis does not follow, or is held. Empty: it can.
+    // Why the run can not continue: the axis does not follow, or is held. Empty if it can continue.
     [[nodiscard]] QString obstacle(SteadyTime now) const;
     [[nodiscard]] TuningRun run() const { return m_run; }
     [[nodiscard]] Axis axis() const { return m_axis; }
@@ -44,9 +44,9 @@ private:
     SteadyTime m_began;
     std::size_t m_leg = 0;
     SteadyTime m_legBegan;
-    std::optional<SteadyTime> m_arrived;  // the set-point, at the place of this leg
-    bool m_asked = false;                 // for the place of this leg
-    Angle m_error;                        // the last one
+    std::optional<SteadyTime> m_arrived;  // when the set-point arrived at the place of this leg
+    bool m_asked = false;                 // the request for the place of this leg was sent
+    Angle m_error;                        // the last following error
     std::vector<std::vector<response::Sample>> m_parts;
     std::vector<response::Sample> m_all;
 };

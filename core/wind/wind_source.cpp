@@ -30,7 +30,7 @@ Result<SourceName> atPort(std::string_view place)
     return SourceName{.kind = SourceKind::Udp, .place = host, .port = static_cast<std::uint16_t>(*port)};
 }
 
-// Without the wildcards of a filter: one anemometer is read.
+// Wildcards are refused, because only one anemometer is read.
 Result<SourceName> onTopic(std::string_view topic)
 {
     const bool isTopic = !topic.empty() && topic.front() != '$' && topic.find_first_of("+#") == std::string_view::npos;

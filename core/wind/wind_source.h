@@ -8,15 +8,15 @@
 #include <cstdint>
 #include <string>
 
-// Where readings of the wind come from, by its name in the profile. Pure, any thread.
+// The source of wind readings, by its name in the profile. Pure, any thread.
 namespace boresight::wind {
 
 enum class SourceKind
 {
     None,
-    Udp,   // whoever sends to host:port, an address of this computer
+    Udp,   // UDP messages to host:port, an address of this computer
     Mqtt,  // a topic of the broker
-    Page   // of a web server, again and again
+    Page   // a page of a web server, read again and again
 };
 
 struct SourceName
@@ -28,8 +28,8 @@ struct SourceName
     bool operator==(const SourceName&) const = default;
 };
 
-// "udp:4541", "udp:0.0.0.0:4541", "mqtt:shack/wind", "http://anemometer/wind". Without a host it is 127.0.0.1. Empty:
-// none.
+// Reads "udp:4541", "udp:0.0.0.0:4541", "mqtt:shack/wind" or "http://anemometer/wind". Without a host it is 127.0.0.1.
+// An empty text means no source.
 [[nodiscard]] Result<SourceName> parseSource(const std::string& text);
 
 }  // namespace boresight::wind

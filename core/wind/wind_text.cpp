@@ -52,7 +52,7 @@ Result<double> ofLine(const QByteArray& line, const Format& format)
     return checked(parseFinite(words.back().toStdString()), format.unit);
 }
 
-// A field with the whole key goes before objects in objects.
+// A field with the complete key is used before nested objects.
 QJsonValue valueOf(const QJsonObject& object, const QString& key)
 {
     if (object.contains(key)) {

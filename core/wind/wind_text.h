@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-// A wind speed as an anemometer reports it in one message. Whole or refused. Pure.
+// The wind speed in one message of an anemometer. A message is read completely or refused. Pure.
 namespace boresight::wind {
 
 enum class Unit
@@ -19,19 +19,19 @@ enum class Unit
 
 struct Format
 {
-    std::string key = "wind";  // of the speed in a JSON object, or in front of the number
+    std::string key = "wind";  // key of the speed in a JSON object, or the word before the number
     Unit unit = Unit::MetresPerSecond;
 
     bool operator==(const Format&) const = default;
 };
 
-// No message of an anemometer has more bytes.
+// No message of an anemometer is longer (bytes).
 inline constexpr std::size_t kLongestReading = 4096;
-// m/s. The strongest gust that was ever measured had 113 m/s.
+// m/s. The strongest gust ever measured had 113 m/s.
 inline constexpr double kStrongest = 150.0;
 
-// In m/s: "12.3", "wind 12.3" with the key or with "wind" in front, or a JSON object with the key. Points in the key
-// lead into the objects of an object: "wind.speed". Refused with the reason, which repeats nothing of the text.
+// In m/s. Reads "12.3", "wind 12.3" (with the key or with "wind"), or a JSON object with the key. Points in the key
+// lead into nested objects: "wind.speed". The reason of a refusal repeats nothing of the text.
 [[nodiscard]] Result<double> readWind(std::string_view text, const Format& format);
 
 }  // namespace boresight::wind

@@ -50,7 +50,8 @@ void WindWatch::judge(const Limits& limits, double mean, SteadyTime now)
     }
 }
 
-// The last reading counts until the next one: an anemometer may report less often than the mean wants.
+// The last reading counts until the next one, because an anemometer may report less often than once per time of the
+// mean.
 void WindWatch::forgetOld(Seconds gust, SteadyTime now)
 {
     while (m_readings.size() > 1 && now - m_readings.front().arrival >= gust) {

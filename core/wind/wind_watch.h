@@ -7,25 +7,25 @@
 #include <deque>
 #include <optional>
 
-// Whether the wind is too strong for the mount, by the mean of the last readings and with two limits. Speeds are in
-// m/s. Pure, one thread.
+// Decides whether the wind is too strong for the mount, from the mean of the last readings and two limits. Speeds are
+// in m/s. Pure, one thread.
 namespace boresight::wind {
 
-// Of the profile.
+// The limits of the profile.
 struct Limits
 {
     double stowAbove = 15.0;
     double releaseBelow = 10.0;
-    Seconds gust{3.0};           // the mean of this time counts
-    Seconds calm{600.0};         // so long below `releaseBelow`
-    Seconds silence{30.0};       // without a reading the wind is unknown after this
-    bool silenceCounts = false;  // as a wind that is too strong
+    Seconds gust{3.0};           // s: time of the mean
+    Seconds calm{600.0};         // s: the wind must be below `releaseBelow` for this time
+    Seconds silence{30.0};       // s: without a reading for this time the wind is unknown
+    bool silenceCounts = false;  // silence counts as a wind that is too strong
 };
 
 class WindWatch
 {
 public:
-    // Of more readings in the time of the mean the oldest are left out.
+    // If the time of the mean has more readings, the oldest are dropped.
     static constexpr std::size_t kMostReadings = 600;
 
     enum class Cause
@@ -35,16 +35,16 @@ public:
         Silence
     };
 
-    // Readings are expected from now on. What was known is forgotten.
+    // Readings are expected from `now` on. Earlier readings are forgotten.
     explicit WindWatch(SteadyTime now) : m_heard(now) {}
 
     void take(double speed, SteadyTime now);
-    // Once in a tick.
+    // Once per tick.
     void step(const Limits& limits, SteadyTime now);
 
-    // Why only the stow place is safe. It lasts until the wind was below the lower limit for its time.
+    // Why only the stow position is safe. The cause lasts until the wind was below the lower limit for the time `calm`.
     [[nodiscard]] Cause cause() const { return m_cause; }
-    // No reading for too long, or none at all.
+    // There was no reading for too long, or none at all.
     [[nodiscard]] bool isSilent() const { return m_isSilent; }
     // The strongest mean since the wind became too strong.
     [[nodiscard]] double peak() const { return m_peak; }
@@ -52,7 +52,7 @@ public:
     {
         return m_readings.empty() ? std::nullopt : std::optional(m_readings.back().speed);
     }
-    // Of the last reading. Without one: since readings are expected.
+    // The age of the last reading. Without a reading: the time since readings are expected.
     [[nodiscard]] Seconds age(SteadyTime now) const { return now - m_heard; }
 
 private:
@@ -66,7 +66,7 @@ private:
     [[nodiscard]] std::optional<double> mean() const;
     void judge(const Limits& limits, double mean, SteadyTime now);
 
-    std::deque<Reading> m_readings;  // of the time of the mean, and the last one
+    std::deque<Reading> m_readings;  // those within the time of the mean, and at least the last one
     SteadyTime m_heard;
     bool m_isSilent = false;
     Cause m_cause = Cause::None;
