@@ -52,6 +52,9 @@ template <class List>
     return *found;
 }
 
+// "warning". For programs and for the manual, so in no other language.
+[[nodiscard]] QString severityWord(Severity severity);
+
 // The manual's table of all alarms, in Markdown. The sentences are filled with examples.
 [[nodiscard]] QString alarmTable();
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/station/station_broker.h"
 
+#include "core/alarms/catalogue.h"
 #include "core/base/text.h"
 #include "core/mqtt/ending.h"
 #include "core/station/state_word.h"
@@ -24,6 +25,23 @@ std::optional<Angle> place(const AxisStatus& axis)
     return axis.age && *axis.age < kPositionAge && axis.turnKnown ? axis.actual : std::nullopt;
 }
 
+bool answers(const AxisStatus& axis)
+{
+    return axis.state == AxisState::Missing || (axis.age && *axis.age < kPositionAge);
+}
+
+std::vector<mqtt::PublishedAlarm> alarmsOf(const StationStatus& status)
+{
+    std::vector<mqtt::PublishedAlarm> all;
+    for (const Alarm& alarm : status.alarms) {
+        if (alarm.active) {
+            all.push_back(
+                {.id = alarm.name, .about = alarm.about, .severity = severityWord(alarm.severity), .text = alarm.what});
+        }
+    }
+    return all;
+}
+
 mqtt::PublishedState published(const StationStatus& status)
 {
     const auto azimuth = place(status.azimuth);
@@ -40,7 +58,10 @@ mqtt::PublishedState published(const StationStatus& status)
             .azimuthAxis = azimuth,
             .elevationAxis = elevation,
             .targetText = status.targetText,
-            .commander = status.commander.name};
+            .commander = status.commander.name,
+            .isLinked = answers(status.azimuth) && answers(status.elevation),
+            .linkProblem = status.line.problem,
+            .alarms = alarmsOf(status)};
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "tests/core/station/broker_station.h"
 
+#include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 
@@ -40,6 +41,8 @@ TEST_F(StationBrokerTest, TellsWhatTheMountDoes)
 }
 
 // Story: after the drives had lost their power, the last measured position was still published for ever.
+// REQ-MQTT-14: The state names the active alarms, and whether every axis has answered within 1 s. An older position is
+// `null`.
 TEST_F(StationBrokerTest, AnOldPositionIsNone)
 {
     build(publishing(broker->port()));
@@ -50,6 +53,8 @@ TEST_F(StationBrokerTest, AnOldPositionIsNone)
             const QJsonObject all = QJsonDocument::fromJson(message.payload).object();
             const QJsonObject axes = all[QStringLiteral("axes")].toObject();
             return all[QStringLiteral("state")].toString() == QLatin1String(state) &&
+                   all[QStringLiteral("link")].toObject()[QStringLiteral("up")].toBool() == withPlace &&
+                   all[QStringLiteral("alarms")].toArray().isEmpty() == withPlace &&
                    all[QStringLiteral("azimuth")].isDouble() == withPlace &&
                    all[QStringLiteral("elevation")].isDouble() == withPlace &&
                    axes[QStringLiteral("azimuth")].isDouble() == withPlace &&
