@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Commands for the mount by a real broker.
+#include "core/station/message_commands.h"
+
+#include "tests/core/station/broker_station.h"
+
+#include <QJsonDocument>
+#include <QJsonObject>
+
+#include <gmock/gmock.h>
+
+namespace boresight {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+profile::Profile commanded(std::uint16_t port, profile::BrokerCommands commands = profile::BrokerCommands::Drive)
+{
+    profile::Profile profile = publishing(port);
+    profile.mqtt.publish = profile::Publish::Off;
+    profile.mqtt.commands = commands;
+    return profile;
+}
+
+class MessageCommandsTest : public StationBrokerTest
+{
+protected:
+    // Until the broker has granted both topics, and for 4 s of the station.
+    void begin(const profile::Profile& profile)
+    {
+        build(profile);
+        ASSERT_TRUE(connected());
+        ASSERT_TRUE(isSubscribed(1));
+        run(200);
+    }
+    [[nodiscard]] bool isSubscribed(qsizetype times) const
+    {
+        return fakes::waitUntil([&] {
+            return broker->count("boresight/command (QoS 0)") >= times &&
+                   broker->count("boresight/stop (QoS 0)") >= times;
+        });
+    }
+    void send(const char* topic, const QByteArray& message, mqtt::Retain retain = mqtt::Retain::No)
+    {
+        ASSERT_TRUE(logger.client.publish({.topic = QLatin1String(topic), .payload = message, .retain = retain}));
+    }
+    // The answer to this command.
+    std::string ask(const QByteArray& command)
+    {
+        send("boresight/command", command);
+        const QByteArray answer = heardUntil(kAnswer, "\"command\":\"" + command + "\"").back();
+        return QJsonDocument::fromJson(answer).object()[QStringLiteral("answer")].toString().toStdString();
+    }
+    [[nodiscard]] std::vector<ClientStatus> clients() const { return station->status().clients; }
+    void apply(const profile::Profile& profile)
+    {
+        station->request({.id = ++m_request, .request = request::ApplyProfile{profile}});
+    }
+
+    const QString kAnswer = QStringLiteral("boresight/answer");
+
+private:
+    std::uint64_t m_request = 0;
+};
+
+// REQ-MQTTCOMMANDS-10: With commands on, Boresight reads `PREFIXcommand` and `PREFIXstop` and answers on
+// `PREFIXanswer`. The senders are in the list of clients. What the broker kept is refused with an answer at every
+// connection. REQ-MQTTCOMMANDS-03
+TEST_F(MessageCommandsTest, ACommandMovesTheMount)
+{
+    send("boresight/command", "200 60", mqtt::Retain::Yes);
+    send("boresight/stop", "stop", mqtt::Retain::Yes);
+    ASSERT_TRUE(logger.received(2));
+    begin(commanded(broker->port()));
+    const auto refused = heardUntil(kAnswer, R"("command":"200 60")");
+    EXPECT_THAT(refused.back().toStdString(), HasSubstr("The broker kept this message, so it is old."));
+    EXPECT_FALSE(station->status().stopLatched);
+    EXPECT_EQ(station->status().state, StationState::Standby);
+
+    EXPECT_EQ(ask("40 30"), "OK");
+    run(1000);
+    EXPECT_NEAR(station->status().azimuth.actual->degrees(), 40.0, 0.3);
+    ASSERT_THAT(clients(), SizeIs(1));
+    EXPECT_EQ(clients().front().program, QStringLiteral("MQTT"));
+    EXPECT_EQ(clients().front().address, QStringLiteral("topic boresight/command"));
+    EXPECT_EQ(clients().front().lastCommand, QStringLiteral("40 30"));
+    EXPECT_THAT(ask("?"), HasSubstr("30.0"));
+    EXPECT_THAT(ask("open the door"), HasSubstr("error: \"open the door\" is no command."));
+}
+
+// REQ-MQTTCOMMANDS-06
+TEST_F(MessageCommandsTest, AMessageOfTheTopicStopLatchesStop)
+{
+    begin(commanded(broker->port(), profile::BrokerCommands::Stop));
+    station->request({.id = 50, .request = request::PointSky{{.azimuth = 200_deg, .elevation = 30_deg}}});
+    run(50);
+    EXPECT_THAT(ask("40 30"), HasSubstr("only stopping and reading by MQTT"));
+    EXPECT_EQ(station->status().state, StationState::Slew);
+    send("boresight/stop", "PRESS");
+    ASSERT_TRUE(fakes::waitUntil([this] { return station->status().stopLatched; })) << "without a tick of the timer";
+    run(200);
+    EXPECT_EQ(station->status().state, StationState::Stopped);
+}
+
+// REQ-MQTTCOMMANDS-11: Commands are off by default. Boresight then does not read the topics. A change of the right is
+// in force at once.
+TEST_F(MessageCommandsTest, AreOffUntilTheProfilePermitsThem)
+{
+    profile::Profile profile = publishing(broker->port());
+    EXPECT_EQ(profile.mqtt.commands, profile::BrokerCommands::Off);
+    build(profile);
+    ASSERT_TRUE(connected());
+    run(200);
+    send("boresight/stop", "stop");
+    send("boresight/command", "stop");
+    (void)heardUntil(kState, R"("state":"STANDBY")");
+    EXPECT_FALSE(station->status().stopLatched);
+    EXPECT_EQ(broker->count("boresight/command (QoS 0)"), 0);
+    EXPECT_THAT(clients(), IsEmpty());
+
+    profile.mqtt.commands = profile::BrokerCommands::Drive;
+    apply(profile);
+    ASSERT_TRUE(isSubscribed(1));
+    run(200);
+    EXPECT_EQ(ask("40 30"), "OK");
+    profile.mqtt.commands = profile::BrokerCommands::Stop;
+    apply(profile);
+    ASSERT_TRUE(isSubscribed(2));
+    run(200);
+    EXPECT_THAT(ask("50 30"), HasSubstr("only stopping and reading by MQTT"));
+    EXPECT_EQ(ask("hold"), "OK");
+    profile.mqtt.commands = profile::BrokerCommands::Off;
+    apply(profile);
+    EXPECT_THAT(clients(), IsEmpty());
+}
+
+// The mount goes on to its last target and stays there.
+// REQ-MQTTCOMMANDS-09
+TEST_F(MessageCommandsTest, ALostBrokerIsALostClient)
+{
+    begin(commanded(broker->port()));
+    ASSERT_EQ(ask("40 30"), "OK");
+    const std::uint64_t first = clients().front().id;
+    broker->kill();
+    ASSERT_TRUE(fakes::waitUntil([this] {
+        run(1);
+        return clients().empty();
+    }));
+    run(1000);
+    EXPECT_NEAR(station->status().azimuth.actual->degrees(), 40.0, 0.3);
+    EXPECT_EQ(station->status().state, StationState::Hold);
+    ASSERT_TRUE(broker->start());
+    ASSERT_TRUE(fakes::waitUntil([this] {
+        clock.advance(Seconds(1));
+        return station->status().broker.connected;
+    }));
+    ASSERT_THAT(clients(), SizeIs(1));
+    EXPECT_GT(clients().front().id, first);
+    station->request({.id = 60, .request = request::Disconnect{clients().front().id}});
+    ASSERT_THAT(clients(), SizeIs(1));
+    EXPECT_GT(clients().front().id, first + 1) << "it begins anew";
+}
+
+// A topic that the access list of the broker hides is named in the log.
+TEST_F(MessageCommandsTest, ATopicThatTheBrokerRefusesIsALineInTheLog)
+{
+    if (!fakes::MqttBroker::canBeGuarded()) {
+        GTEST_SKIP() << "no dynamic-security plugin of mosquitto";
+    }
+    ASSERT_TRUE(startBroker(Door::Guarded));
+    build(commanded(broker->port()));
+    ASSERT_TRUE(fakes::waitUntil([this] {
+        run(1);
+        return std::ranges::any_of(log,
+                                   [](const std::string& line) { return line.find("boresight/stop") != line.npos; });
+    }));
+    EXPECT_THAT(log, Contains(HasSubstr("refuses to let Boresight read the topic boresight/command, so no command")));
+}
+
+}  // namespace
+}  // namespace boresight
