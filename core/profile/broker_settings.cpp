@@ -109,6 +109,18 @@ void addCommands(std::vector<Setting>& list)
                            "mount and read its position. \"drive\": move the mount, too. Everybody who may write to "
                            "these topics of the broker has this right.")},
         [](auto& p) -> auto& { return p.mqtt.commands; }));
+    list.push_back(choice(
+        "mqtt.home_assistant", {"off", "on"}, Applies::Now,
+        {QT_TRANSLATE_NOOP("Text", "Home Assistant"),
+         QT_TRANSLATE_NOOP("Text",
+                           "Whether Home Assistant finds the mount by itself. Needs mqtt.publish. The buttons for "
+                           "STOP and park appear as far as mqtt.commands permits them.")},
+        [](auto& p) -> auto& { return p.mqtt.homeAssistant; }));
+    list.push_back(line(
+        "mqtt.discovery_prefix",
+        {QT_TRANSLATE_NOOP("Text", "Discovery prefix"),
+         QT_TRANSLATE_NOOP("Text", "Beginning of the topics that Home Assistant searches, as in its MQTT options.")},
+        &BrokerSettings::discoveryPrefix, checkPrefix));
 }
 
 }  // namespace
@@ -134,6 +146,9 @@ void checkBroker(std::vector<Problem>& problems, const Profile& profile)
     const BrokerSettings& broker = profile.mqtt;
     if (!broker.password.empty() && broker.user.empty()) {
         problems.push_back({"mqtt.user", Text::tr("is needed with a password")});
+    }
+    if (broker.homeAssistant == HomeAssistant::On && broker.publish == Publish::Off) {
+        problems.push_back({"mqtt.home_assistant", Text::tr("needs mqtt.publish = \"on\"")});
     }
     for (const char* const name : {"command", "stop"}) {
         const std::string topic = broker.topic(name);

@@ -372,6 +372,13 @@ enum class BrokerCommands
     Drive  // move it, too
 };
 
+// Whether Boresight describes itself to Home Assistant.
+enum class HomeAssistant
+{
+    Off,
+    On
+};
+
 // The MQTT broker that brings the sensor's messages and takes Boresight's own.
 struct BrokerSettings
 {
@@ -385,6 +392,8 @@ struct BrokerSettings
     Publish publish = Publish::Off;
     std::string prefix = "boresight/";
     BrokerCommands commands = BrokerCommands::Off;
+    HomeAssistant homeAssistant = HomeAssistant::Off;
+    std::string discoveryPrefix = "homeassistant";  // as Home Assistant has it
 
     // "boresight/state", whether the prefix ends with a slash or not.
     [[nodiscard]] std::string topic(const std::string& name) const

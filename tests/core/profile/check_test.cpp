@@ -320,10 +320,13 @@ TEST(CrossCheck, APasswordNeedsAUser)
     EXPECT_TRUE(crossCheck(profile).empty());
 }
 
-// REQ-MQTTCOMMANDS-12: The topics of commands have no other reader.
+// REQ-MQTTCOMMANDS-12: Home Assistant needs the published state. The topics of commands have no other reader.
 TEST(CrossCheck, TheTopicsOfCommandsAreTheirOwn)
 {
     Profile profile;
+    profile.mqtt.homeAssistant = HomeAssistant::On;
+    EXPECT_EQ(keysOf(crossCheck(profile)), std::vector<std::string>{"mqtt.home_assistant"});
+    profile.mqtt.publish = Publish::On;
     profile.wind.source = "mqtt:boresight/stop";
     profile.position.source = PositionSource::Mqtt;
     profile.position.topic = "boresight/command";

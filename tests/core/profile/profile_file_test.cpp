@@ -155,7 +155,9 @@ TEST(ProfileFile, EveryValueSurvivesTheRoundTrip)
                     .clientId = "b1",
                     .publish = Publish::On,
                     .prefix = "shack/mount",
-                    .commands = BrokerCommands::Drive};
+                    .commands = BrokerCommands::Drive,
+                    .homeAssistant = HomeAssistant::On,
+                    .discoveryPrefix = "ha/found"};
     const auto again = parseProfile(toToml(changed), QStringLiteral("m.toml"));
     ASSERT_TRUE(again) << textOf(again.error());
     EXPECT_EQ(*again, changed);

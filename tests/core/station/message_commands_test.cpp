@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Commands for the mount by a real broker.
+// Commands for the mount by a real broker, and what Home Assistant finds there.
 #include "core/station/message_commands.h"
 
 #include "tests/core/station/broker_station.h"
@@ -15,6 +15,7 @@ namespace {
 using testing::Contains;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 using testing::SizeIs;
 
 profile::Profile commanded(std::uint16_t port, profile::BrokerCommands commands = profile::BrokerCommands::Drive)
@@ -178,6 +179,49 @@ TEST_F(MessageCommandsTest, ATopicThatTheBrokerRefusesIsALineInTheLog)
                                    [](const std::string& line) { return line.find("boresight/stop") != line.npos; });
     }));
     EXPECT_THAT(log, Contains(HasSubstr("refuses to let Boresight read the topic boresight/command, so no command")));
+}
+
+// REQ-MQTT-11
+// REQ-MQTT-12
+// REQ-MQTT-13
+TEST_F(MessageCommandsTest, HomeAssistantFindsTheMount)
+{
+    // What somebody finds who comes later.
+    const auto found = [this] {
+        mqtt::Rig finder;
+        finder.client.subscribe(QStringLiteral("homeassistant/#"));
+        finder.client.subscribe(QStringLiteral("boresight/mark"));
+        finder.client.open(mqtt::onLoopback(broker->port()));
+        EXPECT_TRUE(finder.connected());
+        EXPECT_TRUE(fakes::waitUntil([&] {
+            finder.client.publish({.topic = QStringLiteral("boresight/mark")});
+            return !finder.messages.empty() && finder.messages.back().topic == QStringLiteral("boresight/mark");
+        }));
+        std::vector<std::string> topics;
+        for (const mqtt::Message& message : finder.messages) {
+            if (message.topic != QStringLiteral("boresight/mark")) {
+                topics.push_back(message.topic.section(QLatin1Char('/'), 1, 2).toStdString());
+            }
+        }
+        return topics;
+    };
+    profile::Profile profile = publishing(broker->port());
+    profile.mqtt.homeAssistant = profile::HomeAssistant::On;
+    profile.mqtt.commands = profile::BrokerCommands::Drive;
+    begin(profile);
+    (void)heardUntil(kState, R"("link":{"problem":"","up":true})");
+    EXPECT_THAT(found(), SizeIs(12));
+    EXPECT_THAT(found(), Contains("button/boresight_park"));
+
+    profile.mqtt.commands = profile::BrokerCommands::Stop;
+    apply(profile);
+    (void)heardUntil(kAvailability, "online");
+    EXPECT_THAT(found(), SizeIs(11));
+    EXPECT_THAT(found(), Not(Contains("button/boresight_park")));
+    profile.mqtt.homeAssistant = profile::HomeAssistant::Off;
+    apply(profile);
+    (void)heardUntil(kAvailability, "online");
+    EXPECT_THAT(found(), IsEmpty());
 }
 
 }  // namespace
