@@ -54,7 +54,7 @@ Station::Station(const profile::Profile& profile, const MountMaker& mount, const
           m_log, clock, this),
       m_broker(m_profile, m_log, clock, this),
       m_commands(
-          m_profile, m_log, clock, m_broker, m_server.rotator(), m_server.newestClient(),
+          m_control.alarms(), m_profile, m_log, clock, m_broker, m_server.rotator(), m_server.newestClient(),
           [this](const rotctld::Client& client) { return askNow(request::Stop{}, clientSource(client)); }, this),
       m_sensor(m_profile, clock, m_log, m_control.alarms(), m_broker, this),
       m_power(m_profile, clock, m_log, this),
@@ -336,10 +336,14 @@ void Station::answer(const NumberedRequest& asked, const Result<>& outcome)
                      .verdict = outcome && judged ? std::optional(m_control.judge(judged->direction)) : std::nullopt});
 }
 
+// Programs may repeat STOP at will: only the one that latches it ticks.
 Result<> Station::askNow(const Request& request, const Source& by)
 {
+    const bool wasStopped = m_control.stopLatched();
     const Result<> answer = obey(request, by);
-    hurry(request);
+    if (!wasStopped) {
+        hurry(request);
+    }
     return answer;
 }
 

@@ -106,6 +106,26 @@ TEST_F(MessageCommandsTest, AMessageOfTheTopicStopLatchesStop)
     EXPECT_EQ(station->status().state, StationState::Stopped);
 }
 
+// Story: each message of a flood made a tick, and each tick sends frames to the drives.
+// REQ-MQTTCOMMANDS-07
+TEST_F(MessageCommandsTest, AFloodOfStopIsNoFloodOfTicks)
+{
+    begin(commanded(broker->port()));
+    int ticks = 0;
+    QObject::connect(station.get(), &Station::ticked, station.get(), [&ticks] { ++ticks; });
+    for (int i = 0; i < 500; ++i) {
+        send("boresight/stop", "stop");
+    }
+    ASSERT_TRUE(fakes::waitUntil([this] {
+        clock.advance(Seconds(1.0));
+        send("boresight/command", "the last one");
+        return std::ranges::any_of(logger.messages,
+                                   [](const mqtt::Message& one) { return one.payload.contains("is no command"); });
+    }));
+    EXPECT_EQ(ticks, 1);
+    EXPECT_TRUE(station->status().stopLatched);
+}
+
 // REQ-MQTTCOMMANDS-11: Commands are off by default. Boresight then does not read the topics. A change of the right is
 // in force at once.
 TEST_F(MessageCommandsTest, AreOffUntilTheProfilePermitsThem)
