@@ -17,6 +17,9 @@ namespace boresight {
 // However they are written: "::1" and "0:0:0:0:0:0:0:1".
 [[nodiscard]] bool sameHost(const std::string& one, const std::string& other);
 
+// "localhost" or a loopback address. Another name is not looked up.
+[[nodiscard]] bool isThisComputer(const std::string& host);
+
 // Addresses and networks ("192.168.1.7", "10.0.0.0/8", "fd00::/8"); an empty list admits everybody, an entry that is
 // neither admits nobody.
 class AllowList

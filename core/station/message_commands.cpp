@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/station/message_commands.h"
 
+#include "core/alarms/catalogue.h"
+#include "core/base/peer_address.h"
 #include "core/base/text.h"
 
 #include <utility>
@@ -12,11 +14,12 @@ const std::string kMqttProtocol = "MQTT";
 
 }  // namespace
 
-MessageCommands::MessageCommands(const profile::InForce& profile, EventLog& log, const Clock& clock,
+MessageCommands::MessageCommands(AlarmBoard& alarms, const profile::InForce& profile, EventLog& log, const Clock& clock,
                                  StationBroker& broker, rotctld::Rotator& rotator,
                                  std::shared_ptr<std::uint64_t> newestClient, mqtt::LatchStop latchStop,
                                  QObject* parent)
     : QObject(parent),
+      m_alarms(alarms),
       m_profile(profile),
       m_log(log),
       m_clock(clock),
@@ -41,6 +44,7 @@ MessageCommands::MessageCommands(const profile::InForce& profile, EventLog& log,
 void MessageCommands::open()
 {
     close();
+    tellOpenBroker();
     if (m_profile->mqtt.commands == profile::BrokerCommands::Off) {
         return;
     }
@@ -73,7 +77,21 @@ void MessageCommands::profileChanged(const profile::Profile& before, const profi
 {
     if (before.mqtt.commands != after.mqtt.commands || before.mqtt.prefix != after.mqtt.prefix) {
         open();
+    } else {
+        tellOpenBroker();
     }
+}
+
+// A broker that knows no user of Boresight knows none of the others.
+void MessageCommands::tellOpenBroker()
+{
+    const profile::BrokerSettings& settings = m_profile->mqtt;
+    if (settings.commands != profile::BrokerCommands::Drive || !settings.user.empty() ||
+        isThisComputer(settings.host)) {
+        m_alarms.clear(alarmEntry("mqtt.open"));
+        return;
+    }
+    m_alarms.raise(alarmEntry("mqtt.open"), {QStringLiteral("%1:%2").arg(toQString(settings.host)).arg(settings.port)});
 }
 
 void MessageCommands::tick()

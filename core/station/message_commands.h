@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/alarms/alarm_board.h"
 #include "core/alarms/event_log.h"
 #include "core/mqtt_commands/command_talk.h"
 #include "core/profile/in_force.h"
@@ -22,9 +23,9 @@ class MessageCommands : public QObject
 
 public:
     // All but the parent outlive this. `newestClient` is that of all servers of this rotator.
-    MessageCommands(const profile::InForce& profile, EventLog& log, const Clock& clock, StationBroker& broker,
-                    rotctld::Rotator& rotator, std::shared_ptr<std::uint64_t> newestClient, mqtt::LatchStop latchStop,
-                    QObject* parent);
+    MessageCommands(AlarmBoard& alarms, const profile::InForce& profile, EventLog& log, const Clock& clock,
+                    StationBroker& broker, rotctld::Rotator& rotator, std::shared_ptr<std::uint64_t> newestClient,
+                    mqtt::LatchStop latchStop, QObject* parent);
 
     void open();
     void close();
@@ -37,10 +38,12 @@ public:
     [[nodiscard]] std::vector<rotctld::ClientInfo> clients() const;
 
 private:
+    void tellOpenBroker();
     void begin();
     void end(const QString& reason);
     void take(const QString& topic, const QByteArray& payload, mqtt::Retain retain);
 
+    AlarmBoard& m_alarms;
     const profile::InForce& m_profile;
     EventLog& m_log;
     const Clock& m_clock;

@@ -2,10 +2,9 @@
 #include "core/station/station_server.h"
 
 #include "core/alarms/catalogue.h"
+#include "core/base/peer_address.h"
 #include "core/base/text.h"
 #include "core/rotctld/session.h"
-
-#include <QHostAddress>
 
 #include <algorithm>
 #include <iterator>
@@ -72,9 +71,7 @@ void StationServer::close()
 void StationServer::tellOpenPort()
 {
     const profile::RotctldSettings& settings = m_profile->rotctld;
-    const bool local =
-        settings.listen.host == "localhost" || QHostAddress(QString::fromStdString(settings.listen.host)).isLoopback();
-    if (local || !settings.allow.empty() || m_server.address().empty()) {
+    if (isThisComputer(settings.listen.host) || !settings.allow.empty() || m_server.address().empty()) {
         m_control.alarms().clear(alarmEntry("rotctld.open"));
         return;
     }

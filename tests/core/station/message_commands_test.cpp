@@ -185,6 +185,29 @@ TEST_F(MessageCommandsTest, ALostBrokerIsALostClient)
     EXPECT_GT(clients().front().id, first + 1) << "it begins anew";
 }
 
+// REQ-MQTTCOMMANDS-13: An alarm says when everybody who reaches a broker on another computer can move the mount.
+TEST_F(MessageCommandsTest, ABrokerThatIsOpenToAllIsAnAlarm)
+{
+    profile::Profile profile = commanded(broker->port());
+    build(profile);
+    const auto isRaised = [this] {
+        const std::vector<Alarm> alarms = station->status().alarms;
+        return std::ranges::any_of(
+            alarms, [](const Alarm& one) { return one.active && one.name == QStringLiteral("mqtt.open"); });
+    };
+    EXPECT_FALSE(isRaised()) << "on this computer";
+    profile.mqtt.host = "192.0.2.1";
+    apply(profile);
+    EXPECT_TRUE(isRaised());
+    profile.mqtt.user = "mount";
+    apply(profile);
+    EXPECT_FALSE(isRaised());
+    profile.mqtt.user.clear();
+    profile.mqtt.commands = profile::BrokerCommands::Stop;
+    apply(profile);
+    EXPECT_FALSE(isRaised()) << "they stop it at most";
+}
+
 // A topic that the access list of the broker hides is named in the log.
 TEST_F(MessageCommandsTest, ATopicThatTheBrokerRefusesIsALineInTheLog)
 {
