@@ -119,6 +119,17 @@ inline constexpr std::array kStationAlarms{
         .help = AlarmHelp::OpenProfile,
         .examples = {"0.0.0.0:4534"}},
     AlarmEntry{
+        .id = "mqtt.open",
+        .source = "mqtt",
+        .severity = Severity::Advisory,
+        .what = QT_TRANSLATE_NOOP("Text", "Everybody who reaches the MQTT broker %1 can move the mount"),
+        .action = QT_TRANSLATE_NOOP("Text", "Boresight obeys the commands of the broker"),
+        .remedy = QT_TRANSLATE_NOOP("Text",
+                                    "Give the broker users and passwords, and enter those of Boresight on the page "
+                                    "Profile (mqtt.user)"),
+        .help = AlarmHelp::OpenProfile,
+        .examples = {"broker.lan:1883"}},
+    AlarmEntry{
         .id = "journal.in-use",
         .source = "position journal",
         .severity = Severity::Alarm,

@@ -4,19 +4,6 @@
 namespace boresight {
 namespace {
 
-QString severityWord(Severity severity)
-{
-    switch (severity) {
-        case Severity::Advisory:
-            return QStringLiteral("advisory");
-        case Severity::Warning:
-            return QStringLiteral("warning");
-        case Severity::Alarm:
-            break;
-    }
-    return QStringLiteral("alarm");
-}
-
 QString severityText(const AlarmEntry& entry)
 {
     const QString least = severityWord(entry.severity);
@@ -33,6 +20,19 @@ QStringList examplesOf(const AlarmEntry& entry)
 }
 
 }  // namespace
+
+QString severityWord(Severity severity)
+{
+    switch (severity) {
+        case Severity::Advisory:
+            return QStringLiteral("advisory");
+        case Severity::Warning:
+            return QStringLiteral("warning");
+        case Severity::Alarm:
+            break;
+    }
+    return QStringLiteral("alarm");
+}
 
 std::vector<const AlarmEntry*> alarmCatalogue()
 {

@@ -52,6 +52,9 @@ template <class List>
     return *found;
 }
 
+// "warning". For programs and for the manual: in English in every language of the program.
+[[nodiscard]] QString severityWord(Severity severity);
+
 // The manual's table of all alarms in Markdown. Example arguments complete the sentences.
 [[nodiscard]] QString alarmTable();
 

@@ -36,6 +36,11 @@ bool sameHost(const std::string& one, const std::string& other)
     return !first.isNull() && first == plain(other);
 }
 
+bool isThisComputer(const std::string& host)
+{
+    return host == "localhost" || plain(host).isLoopback();
+}
+
 AllowList::AllowList(const std::vector<std::string>& entries)
 {
     for (const std::string& entry : entries) {

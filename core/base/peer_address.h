@@ -17,6 +17,9 @@ namespace boresight {
 // Compares addresses, not texts: "::1" equals "0:0:0:0:0:0:0:1".
 [[nodiscard]] bool sameHost(const std::string& one, const std::string& other);
 
+// "localhost" or a loopback address. No other name is looked up.
+[[nodiscard]] bool isThisComputer(const std::string& host);
+
 // Addresses and networks ("192.168.1.7", "10.0.0.0/8", "fd00::/8"). An empty list admits every host. An invalid entry
 // admits no host.
 class AllowList

@@ -145,6 +145,7 @@ public:
     [[nodiscard]] QString limitedReason() const { return report().limitedReason(); }
     [[nodiscard]] AlarmBoard& alarms() { return m_alarms; }
     // A drive was lost and nobody has re-armed yet; also while DISCONNECTED hides the word FAULT.
+    [[nodiscard]] bool stopLatched() const { return m_arming.stopLatched(); }
     [[nodiscard]] bool faultLatched() const { return m_arming.fault().has_value(); }
 
     // What was worked out from the profile follows it: the region, the limits of a motion under way, the advice.

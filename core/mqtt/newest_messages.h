@@ -3,12 +3,15 @@
 
 #include "core/mqtt/broker.h"
 
+#include <algorithm>
 #include <deque>
+#include <iterator>
 #include <utility>
 #include <vector>
 
-// The newest messages that wait for another thread: at most kMost, and together at most kLargestMessage bytes. Above
-// that the oldest are dropped. A sensor sends ten messages a second, so only a flood reaches this limit. Pure.
+// The newest messages that wait for another thread: at most kMost, and together at most kLargestMessage bytes. A sensor
+// sends ten messages a second, so only a flood reaches this limit. Of too many messages the oldest of the same topic is
+// dropped, of too many bytes the largest. So a flood of one topic does not displace a STOP of another topic. Pure.
 namespace boresight::mqtt {
 
 class NewestMessages
@@ -20,9 +23,14 @@ public:
     {
         m_bytes += message.payload.size();
         m_messages.push_back(std::move(message));
-        while (m_messages.size() > kMost || m_bytes > kLargestMessage) {
-            m_bytes -= m_messages.front().payload.size();
-            m_messages.pop_front();
+        while (m_bytes > kLargestMessage) {
+            drop(std::ranges::max_element(m_messages, {}, [](const Message& one) { return one.payload.size(); }));
+        }
+        if (m_messages.size() > kMost) {
+            const auto last = std::prev(m_messages.end());
+            const auto older =
+                std::find_if(m_messages.begin(), last, [&](const Message& one) { return one.topic == last->topic; });
+            drop(older == last ? m_messages.begin() : older);
         }
     }
     // The oldest comes first.
@@ -34,6 +42,12 @@ public:
     }
 
 private:
+    void drop(std::deque<Message>::iterator one)
+    {
+        m_bytes -= one->payload.size();
+        m_messages.erase(one);
+    }
+
     std::deque<Message> m_messages;
     qint64 m_bytes = 0;
 };

@@ -4,9 +4,11 @@
 #include "core/mqtt/connection.h"
 
 #include <QDateTime>
+#include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 
+#include <algorithm>
 #include <cmath>
 
 namespace boresight::mqtt {
@@ -41,6 +43,26 @@ QJsonValue toValue(const std::optional<SkyPointing>& direction)
                      : QJsonValue();
 }
 
+QJsonArray toValue(const std::vector<PublishedAlarm>& alarms)
+{
+    QJsonArray all;
+    for (const PublishedAlarm& alarm : alarms) {
+        all.append(QJsonObject{{QStringLiteral("id"), alarm.id},
+                               {QStringLiteral("about"), alarm.about},
+                               {QStringLiteral("severity"), alarm.severity},
+                               {QStringLiteral("text"), alarm.text}});
+    }
+    return all;
+}
+
+// The sentences of an alarm may count seconds, which is no news.
+bool areSame(const std::vector<PublishedAlarm>& one, const std::vector<PublishedAlarm>& other)
+{
+    return std::ranges::equal(one, other, [](const PublishedAlarm& first, const PublishedAlarm& second) {
+        return first.id == second.id && first.about == second.about;
+    });
+}
+
 QString slashed(const QString& prefix)
 {
     return prefix.endsWith(QLatin1Char('/')) ? prefix : prefix + QLatin1Char('/');
@@ -55,6 +77,7 @@ QByteArray toJson(const PublishedState& state)
                            {QStringLiteral("elevation"), toValue(state.elevationAxis)}};
     const QJsonObject units{{QStringLiteral("ts"), QStringLiteral("milliseconds")},
                             {QStringLiteral("orientation"), QStringLiteral("decimal degrees")}};
+    const QJsonObject link{{QStringLiteral("up"), state.isLinked}, {QStringLiteral("problem"), state.linkProblem}};
     const QJsonObject all{
         {QStringLiteral("dateTime"), QDateTime::fromMSecsSinceEpoch(time, Qt::UTC).toString(Qt::ISODate)},
         {QStringLiteral("ts"), QString::number(time)},
@@ -70,6 +93,8 @@ QByteArray toJson(const PublishedState& state)
         {QStringLiteral("targetText"), state.targetText},
         {QStringLiteral("commander"), state.commander},
         {QStringLiteral("axes"), axes},
+        {QStringLiteral("link"), link},
+        {QStringLiteral("alarms"), toValue(state.alarms)},
         {QStringLiteral("units"), units}};
     return QJsonDocument(all).toJson(QJsonDocument::Compact);
 }
@@ -109,7 +134,8 @@ void StatePublisher::sayOffline()
 bool StatePublisher::isNews(const PublishedState& state) const
 {
     return !m_lastTime || m_clock.now() - *m_lastTime >= kPeriod || state.state != m_last.state ||
-           state.fault != m_last.fault || state.stopLatched != m_last.stopLatched || state.limited != m_last.limited;
+           state.fault != m_last.fault || state.stopLatched != m_last.stopLatched || state.limited != m_last.limited ||
+           state.isLinked != m_last.isLinked || !areSame(state.alarms, m_last.alarms);
 }
 
 void StatePublisher::show(const PublishedState& state)

@@ -10,6 +10,7 @@
 #include <QString>
 
 #include <optional>
+#include <vector>
 
 // Publishes the position and state of the mount in the format of the sensor: one line of JSON on PREFIXstate, each
 // second and whenever the state changes. PREFIXavailability is "online" or, retained as the will, "offline". Station
@@ -17,6 +18,15 @@
 namespace boresight::mqtt {
 
 class Connection;
+
+// An active alarm. `text` is for people, the rest for programs.
+struct PublishedAlarm
+{
+    QString id;     // "drive.silent"
+    QString about;  // "azimuth"; empty: the station
+    QString severity;
+    QString text;
+};
 
 // Unknown values are empty. Programs read the words, so they are not translated.
 struct PublishedState
@@ -32,8 +42,11 @@ struct PublishedState
     std::optional<SkyPointing> target;
     std::optional<Angle> azimuthAxis;  // mechanical: 370° is not 10°
     std::optional<Angle> elevationAxis;
-    QString targetText;  // "P 339.50 57.00"
-    QString commander;   // "rotctld 127.0.0.1:51234"
+    QString targetText;                  // "P 339.50 57.00"
+    QString commander;                   // "rotctld 127.0.0.1:51234"
+    bool isLinked = false;               // every axis has answered lately
+    QString linkProblem;                 // of the line to the mount, for people; empty without
+    std::vector<PublishedAlarm> alarms;  // worst first
 };
 
 [[nodiscard]] QByteArray toJson(const PublishedState& state);

@@ -41,7 +41,7 @@ tl::unexpected<Error> unknown(std::string_view line)
 {
     return failure(ErrorCode::InvalidInput,
                    Text::tr("\"%1\" is no command. Known are: ELEVATION, AZIMUTH ELEVATION, +AZIMUTH +ELEVATION, "
-                            "bearing LOCATOR, bearing LOCATOR long, stop, park, ?")
+                            "bearing LOCATOR, bearing LOCATOR long, stop, hold, park, ?")
                        .arg(shownText(line)));
 }
 
@@ -125,7 +125,7 @@ Result<Command> parseLine(std::string_view line)
     if (words.size() == 1 && word == "?") {
         return Command(Report{});
     }
-    if (words.size() == 1 && word == "stop") {
+    if (words.size() == 1 && (word == "stop" || word == "hold")) {
         return Command(Stop{});
     }
     if (words.size() == 1 && word == "park") {

@@ -17,7 +17,7 @@
 //   120.5 30         azimuth and elevation
 //   +5 0, -5 +0, +2  move by these angles from the target: a plus sign makes the line a move
 //   bearing IM58kr, bearing IM58kr long
-//   stop, park, ?
+//   stop, hold, park, ?
 namespace boresight::pairs {
 
 struct Report

@@ -82,6 +82,47 @@ void addConnection(std::vector<Setting>& list)
                         &BrokerSettings::clientId));
 }
 
+void addTopics(std::vector<Setting>& list)
+{
+    list.push_back(choice(
+        "mqtt.publish", {"off", "on"}, Applies::Now,
+        {QT_TRANSLATE_NOOP("Text", "Publish"),
+         QT_TRANSLATE_NOOP(
+             "Text", "Whether Boresight sends the position and the state of the mount to the broker each second.")},
+        [](auto& p) -> auto& { return p.mqtt.publish; }));
+    list.push_back(line(
+        "mqtt.prefix",
+        {QT_TRANSLATE_NOOP("Text", "Topic prefix"),
+         QT_TRANSLATE_NOOP("Text",
+                           "Beginning of the topics \"state\" and \"availability\" that Boresight publishes, and of "
+                           "\"command\" and \"stop\" that it reads.")},
+        &BrokerSettings::prefix, checkPrefix));
+}
+
+void addCommands(std::vector<Setting>& list)
+{
+    list.push_back(choice(
+        "mqtt.commands", {"off", "stop", "drive"}, Applies::Now,
+        {QT_TRANSLATE_NOOP("Text", "Commands"),
+         QT_TRANSLATE_NOOP("Text",
+                           "What the topics \"command\" and \"stop\" may do. \"off\": nothing. \"stop\": stop the "
+                           "mount and read its position. \"drive\": move the mount, too. Everybody who may write to "
+                           "these topics of the broker has this right.")},
+        [](auto& p) -> auto& { return p.mqtt.commands; }));
+    list.push_back(choice(
+        "mqtt.home_assistant", {"off", "on"}, Applies::Now,
+        {QT_TRANSLATE_NOOP("Text", "Home Assistant"),
+         QT_TRANSLATE_NOOP("Text",
+                           "Whether Home Assistant finds the mount by itself. Needs mqtt.publish. The buttons for "
+                           "STOP and park appear as far as mqtt.commands permits them.")},
+        [](auto& p) -> auto& { return p.mqtt.homeAssistant; }));
+    list.push_back(line(
+        "mqtt.discovery_prefix",
+        {QT_TRANSLATE_NOOP("Text", "Discovery prefix"),
+         QT_TRANSLATE_NOOP("Text", "Beginning of the topics that Home Assistant searches, as in its MQTT options.")},
+        &BrokerSettings::discoveryPrefix, checkPrefix));
+}
+
 }  // namespace
 
 Result<> checkHost(const std::string& text)
@@ -96,17 +137,29 @@ Result<> checkHost(const std::string& text)
 void addBroker(std::vector<Setting>& list)
 {
     addConnection(list);
-    list.push_back(choice(
-        "mqtt.publish", {"off", "on"}, Applies::Now,
-        {QT_TRANSLATE_NOOP("Text", "Publish"),
-         QT_TRANSLATE_NOOP(
-             "Text", "Whether Boresight sends the position and the state of the mount to the broker each second.")},
-        [](auto& p) -> auto& { return p.mqtt.publish; }));
-    list.push_back(line(
-        "mqtt.prefix",
-        {QT_TRANSLATE_NOOP("Text", "Topic prefix"),
-         QT_TRANSLATE_NOOP("Text", "Beginning of the topics \"state\" and \"availability\" that Boresight publishes.")},
-        &BrokerSettings::prefix, checkPrefix));
+    addTopics(list);
+    addCommands(list);
+}
+
+void checkBroker(std::vector<Problem>& problems, const Profile& profile)
+{
+    const BrokerSettings& broker = profile.mqtt;
+    if (!broker.password.empty() && broker.user.empty()) {
+        problems.push_back({"mqtt.user", Text::tr("is needed with a password")});
+    }
+    if (broker.homeAssistant == HomeAssistant::On && broker.publish == Publish::Off) {
+        problems.push_back({"mqtt.home_assistant", Text::tr("needs mqtt.publish = \"on\"")});
+    }
+    for (const char* const name : {"command", "stop"}) {
+        const std::string topic = broker.topic(name);
+        const bool isTaken =
+            profile.sensor.reads(topic) || profile.position.reads(topic) || profile.wind.source == "mqtt:" + topic;
+        if (broker.commands != BrokerCommands::Off && isTaken) {
+            problems.push_back(
+                {"mqtt.prefix", Text::tr("the topic %1 is read for the sensor, for positions or for the wind already")
+                                    .arg(toQString(topic))});
+        }
+    }
 }
 
 }  // namespace boresight::profile

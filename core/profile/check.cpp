@@ -224,9 +224,7 @@ std::vector<Problem> crossCheck(const Profile& profile)
     if (profile.rotctld.lead == Lead::Locked && profile.rotctld.lockedTo.empty()) {
         problems.push_back({"rotctld.locked_to", Text::tr("is needed while rotctld.lead is \"locked\"")});
     }
-    if (!profile.mqtt.password.empty() && profile.mqtt.user.empty()) {
-        problems.push_back({"mqtt.user", Text::tr("is needed with a password")});
-    }
+    checkBroker(problems, profile);
     checkListeners(problems, profile);
     checkRegion(problems, profile);
     checkAntennas(problems, profile);

@@ -7,7 +7,6 @@
 #include "core/profile/setting_makers.h"
 
 #include <algorithm>
-#include <array>
 #include <string>
 
 namespace boresight::profile {
@@ -217,12 +216,7 @@ void checkPosition(std::vector<Problem>& problems, const Profile& profile)
         problems.push_back(
             {"position.host", Text::tr("an address of this computer is expected while position.source is \"udp\"")});
     }
-    // One connection subscribes for both: the end of one would silence the other.
-    const SensorSettings& sensor = profile.sensor;
-    const bool areByBroker = profile.position.source == PositionSource::Mqtt && sensor.source == SensorSource::Mqtt;
-    const std::array taken{&sensor.orientationTopic, &sensor.statusTopic, &sensor.calibrationTopic};
-    if (areByBroker &&
-        std::ranges::any_of(taken, [&](const std::string* topic) { return *topic == profile.position.topic; })) {
+    if (profile.position.source == PositionSource::Mqtt && profile.sensor.reads(profile.position.topic)) {
         problems.push_back({"position.topic", Text::tr("is the same as a topic of the sensor")});
     }
 }

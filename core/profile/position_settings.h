@@ -26,6 +26,10 @@ struct PositionSettings
     Seconds stale{30.0};
     double fastest = 2000.0;  // m/s
 
+    [[nodiscard]] bool reads(const std::string& ofBroker) const
+    {
+        return source == PositionSource::Mqtt && ofBroker == topic;
+    }
     bool operator==(const PositionSettings&) const = default;
     [[nodiscard]] bool comesFromWhere(const PositionSettings& other) const
     {

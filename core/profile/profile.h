@@ -364,6 +364,21 @@ enum class Publish
     On
 };
 
+// What those who may write to the topics of the broker may do.
+enum class BrokerCommands
+{
+    Off,   // nothing: Boresight does not read the topics
+    Stop,  // stop the mount and ask for its position
+    Drive  // move it, too
+};
+
+// Whether Boresight describes itself to Home Assistant.
+enum class HomeAssistant
+{
+    Off,
+    On
+};
+
 // The MQTT broker that brings the sensor's messages and takes Boresight's own.
 struct BrokerSettings
 {
@@ -376,7 +391,15 @@ struct BrokerSettings
     std::string clientId;  // empty: another one at every start
     Publish publish = Publish::Off;
     std::string prefix = "boresight/";
+    BrokerCommands commands = BrokerCommands::Off;
+    HomeAssistant homeAssistant = HomeAssistant::Off;
+    std::string discoveryPrefix = "homeassistant";  // as Home Assistant has it
 
+    // "boresight/state", whether the prefix ends with a slash or not.
+    [[nodiscard]] std::string topic(const std::string& name) const
+    {
+        return prefix.ends_with('/') ? prefix + name : prefix + "/" + name;
+    }
     bool operator==(const BrokerSettings&) const = default;
 };
 

@@ -70,6 +70,13 @@ struct SensorSettings
     double stillCurrent = 1.0;
     double swingCurrent = 5.0;
 
+    // Whether it subscribes to this topic of the broker. Each topic has one reader: the end of one would silence the
+    // other.
+    [[nodiscard]] bool reads(const std::string& topic) const
+    {
+        return source == SensorSource::Mqtt &&
+               (topic == orientationTopic || topic == statusTopic || topic == calibrationTopic);
+    }
     bool operator==(const SensorSettings&) const = default;
 };
 

@@ -48,8 +48,9 @@ void checkNumbers(std::vector<Problem>& problems, std::string_view list, const s
     }
 }
 
-// Cross checks of the region, the Sun, the park place and the presets; of the antennas; of the source of positions; of
-// the satellites; of the watch list; of the sensor; of the received power; of the wind.
+// Cross checks of the broker; of the region, the Sun, the park place and the presets; of the antennas; of the source of
+// positions; of the satellites; of the watch list; of the sensor; of the received power; of the wind.
+void checkBroker(std::vector<Problem>& problems, const Profile& profile);
 void checkRegion(std::vector<Problem>& problems, const Profile& profile);
 void checkAntennas(std::vector<Problem>& problems, const Profile& profile);
 void checkPosition(std::vector<Problem>& problems, const Profile& profile);

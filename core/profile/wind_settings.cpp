@@ -126,7 +126,6 @@ void addStow(std::vector<Setting>& list)
         [](auto& p) -> auto& { return p.wind.overrideFor; }));
 }
 
-// One connection subscribes for all: the end of one reader would silence the other.
 void checkWindTopic(std::vector<Problem>& problems, const Profile& profile)
 {
     const auto source = wind::parseSource(profile.wind.source);
@@ -134,12 +133,7 @@ void checkWindTopic(std::vector<Problem>& problems, const Profile& profile)
         return;
     }
     const std::string topic = source->place.toStdString();
-    const SensorSettings& sensor = profile.sensor;
-    const bool isOfSensor =
-        sensor.source == SensorSource::Mqtt &&
-        (topic == sensor.orientationTopic || topic == sensor.statusTopic || topic == sensor.calibrationTopic);
-    const bool isOfPosition = profile.position.source == PositionSource::Mqtt && topic == profile.position.topic;
-    if (isOfSensor || isOfPosition) {
+    if (profile.sensor.reads(topic) || profile.position.reads(topic)) {
         problems.push_back({"wind.source", Text::tr("the topic is read for the sensor or for positions already")});
     }
 }

@@ -53,6 +53,9 @@ Station::Station(const profile::Profile& profile, const MountMaker& mount, const
            .transmit = [this] { return m_transmit.status(); }},
           m_log, clock, this),
       m_broker(m_profile, m_log, clock, this),
+      m_commands(
+          m_control.alarms(), m_profile, m_log, clock, m_broker, m_server.rotator(), m_server.newestClient(),
+          [this](const rotctld::Client& client) { return askNow(request::Stop{}, clientSource(client)); }, this),
       m_sensor(m_profile, clock, m_log, m_control.alarms(), m_broker, this),
       m_power(m_profile, clock, m_log, this),
       m_elements(m_profile, m_log, clock, this),
@@ -138,6 +141,7 @@ void Station::openAll()
     openMount();
     openServer();
     m_broker.open();
+    m_commands.open();
     m_sensor.open();
     m_power.open();
     m_elements.open();
@@ -218,6 +222,7 @@ void Station::tick()
 {
     keepSample();
     m_clockGuard.tick();
+    m_commands.tick();
     m_calibration.show(m_power.tick());
     m_calibration.tick();
     m_tuning.tick();
@@ -265,6 +270,7 @@ void Station::finish()
     m_reopenTimer.stop();
     m_shell.close();
     m_server.close();
+    m_commands.close();
     m_sensor.close();
     m_power.close();
     m_azel.close();
@@ -330,10 +336,14 @@ void Station::answer(const NumberedRequest& asked, const Result<>& outcome)
                      .verdict = outcome && judged ? std::optional(m_control.judge(judged->direction)) : std::nullopt});
 }
 
+// Programs may repeat STOP at will: only the one that latches it ticks.
 Result<> Station::askNow(const Request& request, const Source& by)
 {
+    const bool wasStopped = m_control.stopLatched();
     const Result<> answer = obey(request, by);
-    hurry(request);
+    if (!wasStopped) {
+        hurry(request);
+    }
     return answer;
 }
 
@@ -382,7 +392,9 @@ void Station::reload(const Result<profile::Profile>& read)
 Result<> Station::carryOut(const Request& request, const Source& by)
 {
     if (const auto* const wanted = std::get_if<request::Disconnect>(&request)) {
-        return m_server.disconnect(wanted->clientId);
+        const QString reason = Text::tr("disconnected by the operator");
+        return m_commands.disconnect(wanted->clientId, reason) ? Result<>{}
+                                                               : m_server.disconnect(wanted->clientId, reason);
     }
     if (const auto* const applying = std::get_if<request::ApplyProfile>(&request)) {
         return fits(applying->profile).map([&] { apply(applying->profile); });
@@ -478,6 +490,7 @@ void Station::profileChanged(const profile::Profile& before)
     m_mount->profileChanged(before, after);
     m_server.profileChanged();
     m_broker.profileChanged(before, after);
+    m_commands.profileChanged(before, after);
     m_sensor.profileChanged(before, after);
     m_power.profileChanged(before, after);
     m_elements.profileChanged(before, after);
@@ -529,7 +542,7 @@ StationStatus Station::status() const
     status.simulated = m_mount->simulated();
     m_mount->describe(status);
     status.listening = m_server.address();
-    status.clients = m_server.clients();
+    status.clients = m_server.clients(m_commands.clients());
     status.timing = {.lateP50 = m_lateness.percentile(0.5),
                      .lateP99 = m_lateness.percentile(0.99),
                      .lateWorst = m_lateness.percentile(1.0),

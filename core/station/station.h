@@ -14,6 +14,7 @@
 #include "core/profile/in_force.h"
 #include "core/profile/profile.h"
 #include "core/station/clock_guard.h"
+#include "core/station/message_commands.h"
 #include "core/station/real_time.h"
 #include "core/station/screen_feed.h"
 #include "core/station/station_azel.h"
@@ -138,6 +139,7 @@ private:
     StationServer m_server;
     StationShell m_shell;
     StationBroker m_broker;
+    MessageCommands m_commands;
     StationSensor m_sensor;
     StationPower m_power;
     StationElements m_elements;

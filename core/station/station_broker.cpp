@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/station/station_broker.h"
 
+#include "core/alarms/catalogue.h"
 #include "core/base/text.h"
+#include "core/base/version.h"
 #include "core/mqtt/ending.h"
+#include "core/mqtt/home_assistant.h"
 #include "core/station/state_word.h"
 
 #include <QUuid>
 
 #include <algorithm>
+#include <utility>
 
 namespace boresight {
 namespace {
@@ -22,6 +26,23 @@ constexpr std::chrono::seconds kPositionAge{1};
 std::optional<Angle> place(const AxisStatus& axis)
 {
     return axis.age && *axis.age < kPositionAge && axis.turnKnown ? axis.actual : std::nullopt;
+}
+
+bool answers(const AxisStatus& axis)
+{
+    return axis.state == AxisState::Missing || (axis.age && *axis.age < kPositionAge);
+}
+
+std::vector<mqtt::PublishedAlarm> alarmsOf(const StationStatus& status)
+{
+    std::vector<mqtt::PublishedAlarm> all;
+    for (const Alarm& alarm : status.alarms) {
+        if (alarm.active) {
+            all.push_back(
+                {.id = alarm.name, .about = alarm.about, .severity = severityWord(alarm.severity), .text = alarm.what});
+        }
+    }
+    return all;
 }
 
 mqtt::PublishedState published(const StationStatus& status)
@@ -40,7 +61,37 @@ mqtt::PublishedState published(const StationStatus& status)
             .azimuthAxis = azimuth,
             .elevationAxis = elevation,
             .targetText = status.targetText,
-            .commander = status.commander.name};
+            .commander = status.commander.name,
+            .isLinked = answers(status.azimuth) && answers(status.elevation),
+            .linkProblem = status.line.problem,
+            .alarms = alarmsOf(status)};
+}
+
+mqtt::Offered offeredBy(profile::BrokerCommands commands)
+{
+    switch (commands) {
+        case profile::BrokerCommands::Stop:
+            return mqtt::Offered::Stop;
+        case profile::BrokerCommands::Drive:
+            return mqtt::Offered::StopAndPark;
+        case profile::BrokerCommands::Off:
+            break;
+    }
+    return mqtt::Offered::Nothing;
+}
+
+// Nothing where Home Assistant is not wanted.
+std::vector<mqtt::Message> descriptionOf(const profile::Profile& profile)
+{
+    const profile::BrokerSettings& settings = profile.mqtt;
+    if (settings.homeAssistant == profile::HomeAssistant::Off || settings.publish == profile::Publish::Off) {
+        return {};
+    }
+    return mqtt::discovery({.discoveryPrefix = toQString(settings.discoveryPrefix),
+                            .prefix = toQString(settings.prefix),
+                            .name = toQString(profile.mount.name),
+                            .version = toQString(kVersion),
+                            .buttons = offeredBy(settings.commands)});
 }
 
 }  // namespace
@@ -63,11 +114,13 @@ StationBroker::StationBroker(const profile::InForce& profile, EventLog& log, con
       m_clock(clock),
       m_ownId(QStringLiteral("boresight-") + QUuid::createUuid().toString(QUuid::Id128).left(8)),
       m_lines(log, clock, kBrokerLinesPerSecond),
-      m_client(clock, this)
+      m_client(clock, this),
+      m_description(descriptionOf(*profile))
 {
     connect(&m_client, &mqtt::Connection::connected, this, [this] {
         m_log.add(Severity::Advisory, kBrokerSource,
                   Text::tr("connected to the broker %1").arg(mqtt::toText(m_client.broker())));
+        publishAll(m_description);
     });
     connect(&m_client, &mqtt::Connection::problemChanged, this, [this](const QString& problem) {
         if (!problem.isEmpty()) {
@@ -88,8 +141,18 @@ void StationBroker::profileChanged(const profile::Profile& before, const profile
 {
     if (before.mqtt != after.mqtt) {
         stopPublishing();
+        const std::vector<mqtt::Message> described = std::exchange(m_description, descriptionOf(after));
+        publishAll(mqtt::withdrawal(described, m_description));
+        publishAll(m_description);
     }
     connectAnew();
+}
+
+void StationBroker::publishAll(const std::vector<mqtt::Message>& messages)
+{
+    for (const mqtt::Message& message : messages) {
+        m_client.publish(message);
+    }
 }
 
 void StationBroker::setSensorWanted(bool wanted)

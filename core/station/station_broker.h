@@ -13,6 +13,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 // The MQTT broker as the station uses it: one connection, by which the station's state goes out and the sensor's
 // messages come in. What happens to it is logged and never moves or stops anything. Station thread; the broker
@@ -53,6 +54,7 @@ private:
     void connectAnew();
     [[nodiscard]] bool isReadFrom() const { return m_sensorWanted || m_readers > 0; }
     void stopPublishing();
+    void publishAll(const std::vector<mqtt::Message>& messages);
     [[nodiscard]] std::optional<Seconds> untilNext() const;
 
     const profile::InForce& m_profile;
@@ -62,6 +64,7 @@ private:
     LogThrottle m_lines;  // about messages that others cause at will
     mqtt::ThreadedClient m_client;
     std::unique_ptr<mqtt::StatePublisher> m_publisher;
+    std::vector<mqtt::Message> m_description;  // for Home Assistant; empty: it is not wanted
     bool m_sensorWanted = false;
     int m_readers = 0;  // besides the sensor
 };

@@ -2,10 +2,9 @@
 #include "core/station/station_server.h"
 
 #include "core/alarms/catalogue.h"
+#include "core/base/peer_address.h"
 #include "core/base/text.h"
 #include "core/rotctld/session.h"
-
-#include <QHostAddress>
 
 #include <algorithm>
 #include <iterator>
@@ -72,9 +71,7 @@ void StationServer::close()
 void StationServer::tellOpenPort()
 {
     const profile::RotctldSettings& settings = m_profile->rotctld;
-    const bool local =
-        settings.listen.host == "localhost" || QHostAddress(QString::fromStdString(settings.listen.host)).isLoopback();
-    if (local || !settings.allow.empty() || m_server.address().empty()) {
+    if (isThisComputer(settings.listen.host) || !settings.allow.empty() || m_server.address().empty()) {
         m_control.alarms().clear(alarmEntry("rotctld.open"));
         return;
     }
@@ -90,9 +87,8 @@ void StationServer::profileChanged()
     tellOpenPort();
 }
 
-Result<> StationServer::disconnect(std::uint64_t client)
+Result<> StationServer::disconnect(std::uint64_t client, const QString& reason)
 {
-    const QString reason = Text::tr("disconnected by the operator");
     return m_server.disconnect(client, reason) || m_further.disconnect(client, reason)
                ? Result<>{}
                : failure(ErrorCode::NotAvailable, Text::tr("this client has disconnected"));
@@ -103,11 +99,12 @@ QString StationServer::address() const
     return toQString(m_server.address());
 }
 
-std::vector<ClientStatus> StationServer::clients() const
+std::vector<ClientStatus> StationServer::clients(std::vector<rotctld::ClientInfo> others) const
 {
     std::vector<ClientStatus> list;
     std::vector<rotctld::ClientInfo> all = m_server.clients();
     std::ranges::move(m_further.clients(), std::back_inserter(all));
+    std::ranges::move(others, std::back_inserter(all));
     for (const rotctld::ClientInfo& client : all) {
         ClientStatus status{.id = client.id,
                             .address = QString::fromStdString(client.address),

@@ -8,6 +8,7 @@
 #include "core/station/station_listeners.h"
 #include "core/station/station_rotator.h"
 
+#include <memory>
 #include <vector>
 
 // The rotctld server of a station, by the profile: where it listens, who may connect, what the log and the alarms say
@@ -26,11 +27,14 @@ public:
     void close();
     void profileChanged();
     // NotAvailable: it has gone by itself.
-    Result<> disconnect(std::uint64_t client);
+    Result<> disconnect(std::uint64_t client, const QString& reason);
 
     [[nodiscard]] std::uint16_t port() const { return m_server.port(); }
     [[nodiscard]] QString address() const;  // empty: it does not listen
-    [[nodiscard]] std::vector<ClientStatus> clients() const;
+    // Those of the listeners, and others of the same rotator.
+    [[nodiscard]] std::vector<ClientStatus> clients(std::vector<rotctld::ClientInfo> others) const;
+    [[nodiscard]] rotctld::Rotator& rotator() { return m_rotator; }
+    [[nodiscard]] const std::shared_ptr<std::uint64_t>& newestClient() const { return m_server.newestClient(); }
 
 private:
     void tellOpenPort();

@@ -22,6 +22,16 @@ TEST(PeerAddress, ComparesHostsNotSpellings)
     EXPECT_FALSE(sameHost("unknown", "unknown"));
 }
 
+TEST(PeerAddress, KnowsThisComputer)
+{
+    for (const char* const host : {"localhost", "127.0.0.1", "127.9.9.9", "::1", "::ffff:127.0.0.1"}) {
+        EXPECT_TRUE(isThisComputer(host)) << host;
+    }
+    for (const char* const host : {"", "10.0.0.7", "0.0.0.0", "broker.lan", "localhost.lan"}) {
+        EXPECT_FALSE(isThisComputer(host)) << host;
+    }
+}
+
 // REQ-ROTCTLD-09 (AllowList.*): Only the addresses and networks of `rotctld.allow` may connect. Others are
 // disconnected at once, with a line in the log, also when the list changes while they are connected.
 TEST(AllowList, EmptyAdmitsEverybody)

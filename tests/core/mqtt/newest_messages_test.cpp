@@ -34,6 +34,28 @@ TEST(NewestMessages, OfAFloodTheNewestAreKept)
     EXPECT_EQ(kept.back(), numbered(9999));
 }
 
+// Story: a sensor that went wild, or somebody who floods the commands, displaced a STOP that waited with them.
+TEST(NewestMessages, AFloodOfOneTopicLeavesTheOthers)
+{
+    const Message stop{.topic = QStringLiteral("stop"), .payload = "stop"};
+    NewestMessages messages;
+    messages.add(stop);
+    for (int i = 0; i < 1000; ++i) {
+        messages.add({.topic = QStringLiteral("command"), .payload = QByteArray::number(i)});
+    }
+    auto kept = messages.take();
+    ASSERT_EQ(kept.size(), NewestMessages::kMost);
+    EXPECT_EQ(kept.front(), stop);
+    EXPECT_EQ(kept.back().payload, "999");
+    EXPECT_EQ(kept[1].payload, QByteArray::number(1000 - 31)) << "the newest of the others";
+
+    messages.add(stop);
+    messages.add({.topic = QStringLiteral("command"), .payload = QByteArray(kLargestMessage, 'x')});
+    messages.add(stop);
+    kept = messages.take();
+    EXPECT_EQ(kept, (std::vector{stop, stop})) << "the large one goes";
+}
+
 TEST(NewestMessages, TheirBytesAreBoundedTogether)
 {
     NewestMessages messages;

@@ -22,11 +22,18 @@ TEST(MqttStateMessage, IsOneLineInTheSensorsStyle)
                                .azimuthAxis = 372.345678_deg,
                                .elevationAxis = 33.3_deg,
                                .targetText = QStringLiteral("P 13.00 34.00"),
-                               .commander = QStringLiteral("rotctld 127.0.0.1:51234")};
+                               .commander = QStringLiteral("rotctld 127.0.0.1:51234"),
+                               .isLinked = true,
+                               .alarms = {{.id = QStringLiteral("sun.near"),
+                                           .about = QString(),
+                                           .severity = QStringLiteral("warning"),
+                                           .text = QStringLiteral("The beam is near the Sun.")}}};
     EXPECT_EQ(toJson(state).toStdString(),
-              R"({"axes":{"azimuth":372.3457,"elevation":33.3},"azimuth":12.3457,)"
+              R"({"alarms":[{"about":"","id":"sun.near","severity":"warning","text":"The beam is near the Sun."}],)"
+              R"("axes":{"azimuth":372.3457,"elevation":33.3},"azimuth":12.3457,)"
               R"("commanded":{"azimuth":12.35,"elevation":33.25},"commander":"rotctld 127.0.0.1:51234",)"
-              R"("dateTime":"2026-11-21T18:17:30Z","elevation":33.3,"fault":"","limited":true,"simulated":true,)"
+              R"("dateTime":"2026-11-21T18:17:30Z","elevation":33.3,"fault":"","limited":true,)"
+              R"("link":{"problem":"","up":true},"simulated":true,)"
               R"("state":"TRACK","stopLatched":false,"target":{"azimuth":13,"elevation":34},)"
               R"("targetText":"P 13.00 34.00","ts":"1795285050250",)"
               R"("units":{"orientation":"decimal degrees","ts":"milliseconds"}})");
@@ -37,12 +44,14 @@ TEST(MqttStateMessage, SaysNullForWhatIsNotKnown)
     const PublishedState state{.utc = kWhen,
                                .state = QStringLiteral("FAULT"),
                                .fault = QStringLiteral("azimuth: \"38\""),
-                               .stopLatched = true};
-    EXPECT_EQ(toJson(state).toStdString(),
-              R"({"axes":{"azimuth":null,"elevation":null},"azimuth":null,"commanded":null,"commander":"",)"
-              R"("dateTime":"2026-11-21T18:17:30Z","elevation":null,"fault":"azimuth: \"38\"","limited":false,)"
-              R"("simulated":false,"state":"FAULT","stopLatched":true,"target":null,"targetText":"",)"
-              R"("ts":"1795285050250","units":{"orientation":"decimal degrees","ts":"milliseconds"}})");
+                               .stopLatched = true,
+                               .linkProblem = QStringLiteral("no answer")};
+    EXPECT_EQ(
+        toJson(state).toStdString(),
+        R"({"alarms":[],"axes":{"azimuth":null,"elevation":null},"azimuth":null,"commanded":null,"commander":"",)"
+        R"("dateTime":"2026-11-21T18:17:30Z","elevation":null,"fault":"azimuth: \"38\"","limited":false,)"
+        R"("link":{"problem":"no answer","up":false},"simulated":false,"state":"FAULT","stopLatched":true,"target":null,"targetText":"",)"
+        R"("ts":"1795285050250","units":{"orientation":"decimal degrees","ts":"milliseconds"}})");
 }
 
 }  // namespace

@@ -84,6 +84,19 @@ TEST_F(MqttStatePublisher, TellsEachSecondAndAtEveryChangeOfState)
     stopped.stopLatched = true;
     publisher->show(stopped);
     EXPECT_THAT(published(), ElementsAre(telling(stopped)));
+    PublishedState alarmed = stopped;
+    alarmed.alarms = {{.id = QStringLiteral("drive.silent"),
+                       .about = QStringLiteral("azimuth"),
+                       .severity = QStringLiteral("alarm"),
+                       .text = QStringLiteral("silent for 1 s")}};
+    publisher->show(alarmed);
+    EXPECT_THAT(published(), ElementsAre(telling(alarmed)));
+    alarmed.alarms.front().text = QStringLiteral("silent for 2 s");
+    publisher->show(alarmed);
+    EXPECT_THAT(published(), ElementsAre()) << "seconds are no news";
+    alarmed.isLinked = true;
+    publisher->show(alarmed);
+    EXPECT_THAT(published(), ElementsAre(telling(alarmed)));
 }
 
 // REQ-HOOKS-15: A moment of the schedule is published when it comes, and is not retained.

@@ -89,6 +89,7 @@ TEST(PairsWords, ABearingGoesToALocator)
 TEST(PairsWords, TheRestIsStopParkAndAQuestion)
 {
     EXPECT_TRUE(parsed<Stop>("stop"));
+    EXPECT_TRUE(parsed<Stop>("Hold"));
     EXPECT_TRUE(parsed<Stop>("STOP"));
     EXPECT_TRUE(parsed<Park>("park"));
     EXPECT_TRUE(parsed<Report>("?"));

@@ -320,6 +320,26 @@ TEST(CrossCheck, APasswordNeedsAUser)
     EXPECT_TRUE(crossCheck(profile).empty());
 }
 
+// REQ-MQTTCOMMANDS-12: Home Assistant needs the published state. The topics of commands have no other reader.
+TEST(CrossCheck, TheTopicsOfCommandsAreTheirOwn)
+{
+    Profile profile;
+    profile.mqtt.homeAssistant = HomeAssistant::On;
+    EXPECT_EQ(keysOf(crossCheck(profile)), std::vector<std::string>{"mqtt.home_assistant"});
+    profile.mqtt.publish = Publish::On;
+    profile.wind.source = "mqtt:boresight/stop";
+    profile.position.source = PositionSource::Mqtt;
+    profile.position.topic = "boresight/command";
+    EXPECT_TRUE(crossCheck(profile).empty()) << "they are off";
+    profile.mqtt.commands = BrokerCommands::Stop;
+    EXPECT_EQ(keysOf(crossCheck(profile)), (std::vector<std::string>{"mqtt.prefix", "mqtt.prefix"}));
+    profile.mqtt.prefix = "boresight";
+    EXPECT_EQ(keysOf(crossCheck(profile)), (std::vector<std::string>{"mqtt.prefix", "mqtt.prefix"})) << "no slash";
+    profile.mqtt.prefix = "roof";
+    EXPECT_TRUE(crossCheck(profile).empty());
+    EXPECT_EQ(profile.mqtt.topic("stop"), "roof/stop");
+}
+
 // Sensor and position share one connection to the broker.
 // REQ-PROFILE-04
 TEST(CrossCheck, APositionHasATopicOfItsOwn)

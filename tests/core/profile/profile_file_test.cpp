@@ -154,7 +154,10 @@ TEST(ProfileFile, EveryValueSurvivesTheRoundTrip)
                     .caFile = "/etc/ca file.pem",
                     .clientId = "b1",
                     .publish = Publish::On,
-                    .prefix = "shack/mount"};
+                    .prefix = "shack/mount",
+                    .commands = BrokerCommands::Drive,
+                    .homeAssistant = HomeAssistant::On,
+                    .discoveryPrefix = "ha/found"};
     const auto again = parseProfile(toToml(changed), QStringLiteral("m.toml"));
     ASSERT_TRUE(again) << textOf(again.error());
     EXPECT_EQ(*again, changed);

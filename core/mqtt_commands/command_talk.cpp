@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/mqtt_commands/command_talk.h"
+
+#include "core/base/text.h"
+
+#include <QJsonDocument>
+#include <QJsonObject>
+
+#include <algorithm>
+#include <utility>
+#include <variant>
+
+namespace boresight::mqtt {
+namespace {
+
+using rotctld::LineOutcome;
+using rotctld::shownText;
+
+std::string_view textOf(const QByteArray& message)
+{
+    return {message.constData(), static_cast<std::size_t>(message.size())};
+}
+
+// A shell script ends a message with a line end, and a person with a blank.
+std::string_view trimmed(std::string_view text)
+{
+    constexpr std::string_view kBlanks = " \t\r\n";
+    const std::size_t begin = std::min(text.find_first_not_of(kBlanks), text.size());
+    return text.substr(begin, text.find_last_not_of(kBlanks) + 1 - begin);
+}
+
+// Of several lines, too: the last word counts.
+bool asksForStop(std::string_view line)
+{
+    std::string end(line.substr(line.size() - std::min(line.size(), CommandTalk::kLongest)));
+    std::ranges::replace_if(
+        end, [](char one) { return one == '\r' || one == '\n'; }, ' ');
+    return pairs::endsInStop(end);
+}
+
+bool moves(const pairs::Command& command)
+{
+    return !std::holds_alternative<pairs::Report>(command) && !std::holds_alternative<pairs::Stop>(command);
+}
+
+}  // namespace
+
+CommandTalk::CommandTalk(rotctld::Client client, rotctld::Rotator& rotator, const Clock& clock, pairs::SiteNow site,
+                         LatchStop latchStop)
+    : m_client(std::move(client)),
+      m_rotator(rotator),
+      m_clock(clock),
+      m_latchStop(std::move(latchStop)),
+      m_talk(m_client, rotator, std::move(site)),
+      m_habits(clock.now()),
+      m_begin(clock.now()),
+      m_slept(clock.slept()),
+      m_second(clock.now())
+{}
+
+std::optional<QByteArray> CommandTalk::obey(const QByteArray& message, Retain retain)
+{
+    const std::string_view line = trimmed(textOf(message));
+    if (asksForStop(line)) {
+        return latch(line, retain);
+    }
+    if (isFlood()) {
+        return std::nullopt;
+    }
+    return answer(line, run(line, retain));
+}
+
+std::optional<QByteArray> CommandTalk::stop(const QByteArray& /*message*/, Retain retain)
+{
+    return latch("stop", retain);
+}
+
+// STOP is never counted, and neither does it wait for the settling: of a live message it is always obeyed. The answer
+// is left out in a flood.
+std::optional<QByteArray> CommandTalk::latch(std::string_view line, Retain retain)
+{
+    LineOutcome outcome{.reply = std::string(pairs::kDone), .result = {}};
+    if (retain == Retain::Yes) {
+        outcome = run(line, retain);
+    } else if (outcome.result = m_latchStop(m_client); !outcome.result) {
+        outcome.reply = pairs::refusalOf(outcome.result.error());
+    }
+    const QByteArray text = answer(line, outcome);
+    return isFlood() ? std::nullopt : std::optional(text);
+}
+
+LineOutcome CommandTalk::run(std::string_view line, Retain retain)
+{
+    if (retain == Retain::Yes) {
+        return refuse(line, ErrorCode::Refused,
+                      Text::tr("The broker kept this message, so it is old. Delete it there, and send commands without "
+                               "the retain flag."));
+    }
+    if (line.size() > kLongest) {
+        return refuse(line, ErrorCode::InvalidInput,
+                      Text::tr("A command has at most %1 bytes.").arg(QString::number(kLongest)));
+    }
+    if (m_inSecond > kPerSecond) {
+        return refuse(
+            line, ErrorCode::Busy,
+            Text::tr("More than %1 commands arrived in one second. Boresight ignores the rest.").arg(kPerSecond));
+    }
+    settleAfterSleep();
+    const Result<pairs::Command> command = pairs::parseLine(line);
+    if (!command) {
+        return refuse(line, command.error().code, command.error().text);
+    }
+    if (const Result<> may = admits(*command); !may) {
+        return refuse(line, may.error().code, may.error().text);
+    }
+    return m_talk.obey(line);
+}
+
+void CommandTalk::settleAfterSleep()
+{
+    if (m_clock.slept() - m_slept >= kSettling) {
+        m_slept = m_clock.slept();
+        m_begin = m_clock.now();
+    }
+}
+
+// Into the log, too. What the rotator refuses, it logs itself.
+LineOutcome CommandTalk::refuse(std::string_view line, ErrorCode code, const QString& reason)
+{
+    const Error error{.code = code, .text = reason};
+    m_rotator.clientRemark(m_client, Text::tr("\"%1\" refused: %2").arg(shownText(line), reason));
+    return {.reply = pairs::refusalOf(error), .result = tl::unexpected(error)};
+}
+
+Result<> CommandTalk::admits(const pairs::Command& command) const
+{
+    if (!moves(command)) {
+        return {};
+    }
+    if (m_client.readsOnly) {
+        return failure(ErrorCode::Refused,
+                       Text::tr("The profile permits only stopping and reading by MQTT (mqtt.commands)."));
+    }
+    if (m_clock.now() - m_begin < kSettling) {
+        return failure(ErrorCode::Refused, Text::tr("The connection to the broker began or was interrupted less than "
+                                                    "%1 s ago, so this command may be old. Send it again.")
+                                               .arg(kSettling.count()));
+    }
+    return {};
+}
+
+// The first command that is too many is refused with the reason.
+bool CommandTalk::isFlood()
+{
+    const SteadyTime now = m_clock.now();
+    if (now - m_second >= std::chrono::seconds(1)) {
+        m_second = now;
+        m_inSecond = 0;
+    }
+    m_inSecond = std::min(m_inSecond + 1, kPerSecond + 2);
+    return m_inSecond > kPerSecond + 1;
+}
+
+QByteArray CommandTalk::answer(std::string_view line, const LineOutcome& outcome)
+{
+    m_habits.take(line.substr(0, rotctld::kShownBytes), outcome.motion, outcome.point, m_clock.now());
+    m_habits.answered(outcome.result, outcome.became);
+    if (!outcome.result && outcome.result.error().code == ErrorCode::InvalidInput) {
+        m_habits.countOdd();
+    }
+    const QJsonObject all{{QStringLiteral("command"), shownText(line)},
+                          {QStringLiteral("ok"), outcome.result.has_value()},
+                          {QStringLiteral("answer"), QString::fromStdString(outcome.reply).trimmed()}};
+    return QJsonDocument(all).toJson(QJsonDocument::Compact);
+}
+
+}  // namespace boresight::mqtt

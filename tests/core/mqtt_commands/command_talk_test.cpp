@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/mqtt_commands/command_talk.h"
+
+#include "tests/fakes/dummy_rotator.h"
+#include "tests/fakes/manual_clock.h"
+
+#include <QJsonDocument>
+#include <QJsonObject>
+
+#include <gmock/gmock.h>
+
+#include <chrono>
+#include <string>
+
+namespace boresight::mqtt {
+namespace {
+
+using namespace std::chrono_literals;
+using testing::HasSubstr;
+
+constexpr Site kLisbon{.latitude = Angle::fromDegrees(38.72), .longitude = Angle::fromDegrees(-9.14)};
+
+struct CommandTalkTest : ::testing::Test
+{
+    void connect(bool readsOnly = false)
+    {
+        talk = std::make_unique<CommandTalk>(
+            rotctld::Client{.id = 7, .address = "topic boresight/command", .protocol = "MQTT", .readsOnly = readsOnly},
+            rotator, clock, [] { return std::optional(kLisbon); },
+            [this](const rotctld::Client& client) {
+                ++stops;
+                EXPECT_EQ(client.id, 7U);
+                return Result<>{};
+            });
+    }
+    void SetUp() override
+    {
+        connect();
+        clock.advance(10s);
+    }
+
+    static QJsonObject read(const std::optional<QByteArray>& answer)
+    {
+        return answer ? QJsonDocument::fromJson(*answer).object() : QJsonObject();
+    }
+    // The answer in words.
+    std::string say(const QByteArray& message, Retain retain = Retain::No)
+    {
+        const QJsonObject answer = read(talk->obey(message, retain));
+        const std::string text = answer[QStringLiteral("answer")].toString().toStdString();
+        EXPECT_EQ(answer[QStringLiteral("ok")].toBool(), !text.starts_with("error: ") && !text.empty());
+        return text;
+    }
+
+    fakes::ManualClock clock;
+    fakes::DummyRotator rotator{clock};
+    int stops = 0;
+    std::unique_ptr<CommandTalk> talk;
+};
+
+// REQ-MQTTCOMMANDS-01: A message on the topic `command` is one command in the words of `core/pairs_server`. Each
+// command is answered by one line of JSON with the command, whether it is accepted, and the answer.
+TEST_F(CommandTalkTest, ObeysTheWordsOfThePairs)
+{
+    EXPECT_EQ(talk->obey("120.5 30", Retain::No), R"({"answer":"OK","command":"120.5 30","ok":true})");
+    EXPECT_NEAR(rotator.lastRequest->azimuth.degrees(), 120.5, 1e-9);
+    clock.advance(30s);
+    EXPECT_EQ(say("+5 -3\n"), "OK");
+    EXPECT_NEAR(rotator.lastRequest->elevation.degrees(), 27.0, 1e-9);
+    EXPECT_EQ(say("  60 "), "OK");
+    EXPECT_NEAR(rotator.lastRequest->azimuth.degrees(), 125.5, 1e-9) << "moves add up";
+    clock.advance(30s);
+    EXPECT_EQ(say("?"), "125.5 60.0");
+    EXPECT_EQ(say("bearing JN58td"), "OK");
+    EXPECT_EQ(say("park"), "OK");
+    clock.advance(1s);
+    EXPECT_EQ(say("hold"), "OK");
+    EXPECT_EQ(stops, 0) << "the motion ends, and STOP is not latched";
+    rotator.became = QStringLiteral("90.0° 90.0°, at the elevation limit");
+    EXPECT_EQ(say("90 90"), "OK: 90.0° 90.0°, at the elevation limit");
+}
+
+// REQ-MQTTCOMMANDS-02: What is no command moves nothing, and the answer gives the reason. So does a message of several
+// lines, of more than 200 bytes or without text.
+TEST_F(CommandTalkTest, RefusesWhatIsNoCommand)
+{
+    for (const QByteArray& message :
+         {QByteArray(), QByteArray("\n"), QByteArray("PRESS"), QByteArray("10 20\n30 40"),
+          QByteArray("\xff\xfe\x00", 3), QByteArray("{\"az\": 10}"), QByteArray("10 95 1"), QByteArray("nan 20"),
+          QByteArray("1e999 20"), QByteArray("4000 20"), QByteArray("10 181"), QByteArray("bearing XX00"),
+          QByteArray(201, '1'), QByteArray(64 * 1024, ' ') + "x" + QByteArray(300, 'y')}) {
+        clock.advance(1s);
+        EXPECT_THAT(say(message), HasSubstr("error: ")) << message.left(40).toStdString();
+        EXPECT_EQ(rotator.actions, 0);
+    }
+    EXPECT_EQ(talk->obey("10\xe2\x82", Retain::No)->contains("error: "), true) << "half a letter";
+    EXPECT_EQ(rotator.actions, 0);
+    EXPECT_THAT(say("PRESS"), HasSubstr("Known are: ELEVATION, AZIMUTH ELEVATION"));
+    EXPECT_THAT(rotator.remarks.back(), HasSubstr("\"PRESS\" refused: ")) << "the log has it";
+    EXPECT_THAT(say(QByteArray(201, '1')), HasSubstr("at most 200 bytes"));
+}
+
+// REQ-MQTTCOMMANDS-03: A message that the broker kept is never obeyed, be it a STOP. The answer says so.
+TEST_F(CommandTalkTest, NeverObeysWhatTheBrokerKept)
+{
+    for (const char* const message : {"10 20", "park", "hold", "?", "stop", "now stop"}) {
+        EXPECT_THAT(say(message, Retain::Yes), HasSubstr("The broker kept this message, so it is old.")) << message;
+    }
+    EXPECT_THAT(read(talk->stop("", Retain::Yes))[QStringLiteral("answer")].toString().toStdString(),
+                HasSubstr("The broker kept this message"));
+    EXPECT_EQ(rotator.actions, 0);
+    EXPECT_EQ(stops, 0);
+}
+
+// REQ-MQTTCOMMANDS-04: For 2 s after the connection to the broker, and after the computer slept, every motion is
+// refused. Stopping and reading work.
+TEST_F(CommandTalkTest, MovesNothingRightAfterTheConnection)
+{
+    connect();
+    for (const char* const message : {"10 20", "60", "+1 0", "park", "bearing JN58td"}) {
+        EXPECT_THAT(say(message), HasSubstr("less than 2 s ago, so this command may be old. Send it again."))
+            << message;
+    }
+    EXPECT_EQ(rotator.actions, 0);
+    EXPECT_EQ(say("?"), "0.0 0.0");
+    EXPECT_EQ(say("hold"), "OK");
+    EXPECT_EQ(say("stop"), "OK");
+    EXPECT_EQ(stops, 1);
+    clock.advance(2s);
+    EXPECT_EQ(say("10 20"), "OK");
+}
+
+// The connection may have survived, and a command waited in the network.
+// REQ-MQTTCOMMANDS-04
+TEST_F(CommandTalkTest, MovesNothingRightAfterTheComputerSlept)
+{
+    clock.sleep(30min);
+    EXPECT_THAT(say("10 20"), HasSubstr("this command may be old. Send it again."));
+    clock.advance(1s);
+    EXPECT_THAT(say("10 20"), HasSubstr("this command may be old. Send it again."));
+    EXPECT_EQ(rotator.actions, 0);
+    clock.advance(1s);
+    EXPECT_EQ(say("10 20"), "OK");
+}
+
+// REQ-MQTTCOMMANDS-05: With `mqtt.commands = "stop"` a sender reads and stops, and every motion is refused.
+TEST_F(CommandTalkTest, MayBeForStoppingOnly)
+{
+    connect(true);
+    clock.advance(10s);
+    for (const char* const message : {"10 20", "60", "+1 0", "park", "bearing JN58td"}) {
+        EXPECT_THAT(say(message), HasSubstr("only stopping and reading by MQTT (mqtt.commands)")) << message;
+    }
+    EXPECT_EQ(rotator.actions, 0);
+    EXPECT_EQ(say("?"), "0.0 0.0");
+    EXPECT_EQ(say("hold"), "OK");
+    EXPECT_EQ(say("stop"), "OK");
+    EXPECT_EQ(stops, 1);
+}
+
+// REQ-MQTTCOMMANDS-06: `stop` on the topic `command`, and any message on the topic `stop`, latch STOP. `stop` as the
+// last word of a message counts, whatever stands before it.
+TEST_F(CommandTalkTest, LatchesStop)
+{
+    int expected = 0;
+    for (const QByteArray& message : {QByteArray("stop"), QByteArray("STOP\r\n"), QByteArray("120 30 stop"),
+                                      QByteArray("120 30\nstop\n"), QByteArray(64 * 1024 - 5, 'x') + " stop"}) {
+        EXPECT_EQ(say(message), "OK") << message.left(40).toStdString();
+        EXPECT_EQ(stops, ++expected);
+    }
+    for (const QByteArray& message : {QByteArray(), QByteArray("stop"), QByteArray("PRESS"), QByteArray("\xff", 1)}) {
+        EXPECT_EQ(talk->stop(message, Retain::No), R"({"answer":"OK","command":"stop","ok":true})");
+        EXPECT_EQ(stops, ++expected);
+    }
+    EXPECT_EQ(rotator.actions, 0) << "the control stops, not the client";
+    EXPECT_THAT(say("nonstop"), HasSubstr("error: "));
+    EXPECT_THAT(say("stop now"), HasSubstr("error: "));
+    EXPECT_EQ(stops, expected);
+}
+
+// REQ-MQTTCOMMANDS-07: Of more than 20 commands in a second the rest is ignored. The first of them is answered. STOP is
+// always obeyed.
+TEST_F(CommandTalkTest, BearsAFlood)
+{
+    int answers = 0;
+    std::string last;
+    for (int i = 0; i < 1000; ++i) {
+        if (const auto answer = talk->obey("10 20", Retain::No)) {
+            ++answers;
+            last = answer->toStdString();
+        }
+    }
+    EXPECT_EQ(rotator.actions, 20);
+    EXPECT_EQ(answers, 21);
+    EXPECT_THAT(last, HasSubstr("More than 20 commands arrived in one second."));
+    EXPECT_EQ(rotator.remarks.size(), 1U);
+    for (int i = 0; i < 100; ++i) {
+        EXPECT_FALSE(talk->obey("stop", Retain::No)) << "no answer, but";
+    }
+    EXPECT_EQ(stops, 100);
+    clock.advance(1s);
+    EXPECT_EQ(say("30 20"), "OK");
+}
+
+// What the list of clients shows.
+TEST_F(CommandTalkTest, KeepsItsHabits)
+{
+    EXPECT_FALSE(talk->habits().lastMotion());
+    (void)say("10 20");
+    EXPECT_EQ(talk->habits().lastMotion(), clock.now());
+    EXPECT_EQ(talk->habits().lastInWords(), QStringLiteral("10 20"));
+    (void)say("PRESS");
+    EXPECT_EQ(talk->habits().oddCommands(), 1U);
+    EXPECT_THAT(talk->habits().lastInWords().toStdString(), HasSubstr("PRESS: refused. "));
+    rotator.fault = Error{.code = ErrorCode::Refused, .text = QStringLiteral("STOP is latched. Reset STOP first.")};
+    for (const char* const message : {"10 20", "60", "+1 0", "park", "?"}) {
+        EXPECT_EQ(say(message), "error: STOP is latched. Reset STOP first.") << message;
+    }
+}
+
+}  // namespace
+}  // namespace boresight::mqtt
