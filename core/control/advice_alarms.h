@@ -8,8 +8,8 @@
 
 #include <vector>
 
-// Raises the advice on the profile in force, and clears what does not apply any more. Shows once what the rotator
-// cannot promise. Station thread only.
+// Raises the advice on the profile in force as alarms, and clears the advice that no longer applies. Also raises an
+// alarm when a drive of the mount has no watchdog. Station thread only.
 namespace boresight {
 
 class AdviceAlarms
@@ -22,7 +22,7 @@ public:
 
 private:
     AlarmBoard& m_alarms;
-    std::vector<profile::Advice> m_advice;  // as raised
+    std::vector<profile::Advice> m_advice;  // that is raised now
 };
 
 }  // namespace boresight

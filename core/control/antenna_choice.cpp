@@ -11,7 +11,7 @@
 namespace boresight {
 namespace {
 
-// Where only names were changed, an antenna is known by its place in the list.
+// The name of the antenna in `after`. If only names were changed, the place in the list identifies the antenna.
 std::string nameIn(const profile::Profile& after, const profile::Profile& before, const std::string& name)
 {
     const auto old = std::ranges::find(before.antennas, name, &pointing::Antenna::name);

@@ -11,10 +11,11 @@
 #include <optional>
 #include <string>
 
-// Which antenna of the mount is in use: all directions are those of its beam. The operator chooses one. While a
-// satellite is tracked that has an antenna of its own, that one is in use. Whatever ends the tracking may itself have
-// sent the beam somewhere, so it stays in use until the mount rests. After a start it is the main one: what is chosen
-// is not kept, so that the mount points as its profile says. Moves nothing. Station thread only.
+// Which antenna of the mount is in use. Every direction that Boresight reads or shows is a direction of its beam. The
+// operator chooses an antenna. A satellite can have an antenna of its own, which is in use while the satellite is
+// tracked. The motion that ends the tracking may have been meant for that beam, so the antenna stays in use until the
+// mount stands still. After a start the main antenna is in use: the choice is not stored, so the mount points as its
+// profile says. Moves nothing. Station thread only.
 namespace boresight {
 
 class AntennaChoice
@@ -23,35 +24,36 @@ public:
     // What the station tracks by itself.
     struct Tracked
     {
-        std::optional<std::int64_t> satellite;  // whose own antenna counts
+        std::optional<std::int64_t> satellite;  // its own antenna is used; empty: the chosen one is
         bool isOver = false;
     };
 
-    // `changed` is called when another antenna is in use, or the same one with another beam. All outlive this.
+    // `changed` is called when another antenna is in use, or when the beam of the same antenna differs. The arguments
+    // outlive this.
     AntennaChoice(const profile::InForce& profile, EventLog& log, std::function<void()> changed);
 
     [[nodiscard]] const pointing::Antenna& inUse() const { return m_inUse; }
     [[nodiscard]] pointing::Antenna chosen() const { return m_profile->antenna(m_chosen); }
-    // By which its beam points.
+    // The pointing terms for the antenna in use.
     [[nodiscard]] pointing::PointingTerms terms() const { return m_profile->termsOf(m_inUse); }
-    // The same once another profile is in force: another antenna may then be in use.
+    // The pointing terms that would apply with the profile `after`, in which another antenna may be in use.
     [[nodiscard]] pointing::PointingTerms termsBy(const profile::Profile& after) const
     {
         return after.termsOf(after.antenna(wanted(after)));
     }
-    // As far as the beam of another antenna of the mount can be from it.
+    // The largest angle between the beam in use and the beam of any other antenna of the mount.
     [[nodiscard]] Angle spread() const;
     [[nodiscard]] const std::optional<Tracked>& tracked() const { return m_tracked; }
     [[nodiscard]] bool tracks() const { return m_tracked && !m_tracked->isOver; }
 
-    // By hand, and for the satellite that is tracked now as well. Refused with the names of the profile: it has no such
-    // antenna.
+    // The operator's choice. It also replaces the antenna of the satellite that is tracked now. An unknown name is
+    // refused, and the refusal lists the antennas of the profile.
     Result<> choose(const std::string& name);
     void track(const std::optional<Tracked>& tracked);
     void endTracking();
-    // The mount rests: what is not tracked any more chooses no antenna.
+    // The mount stands still. A target whose tracking is over chooses the antenna no more.
     void release();
-    // The antenna may have another name, another beam, or be gone: then it is the main one.
+    // The antenna may have another name or another beam in `after`. If it is gone, the main antenna is in use.
     void profileChanged(const profile::Profile& before, const profile::Profile& after);
 
 private:

@@ -8,7 +8,7 @@
 namespace boresight {
 namespace {
 
-// After a connection came back somebody may stand at the mast with a cable in the hand.
+// Right after a connection comes back, somebody may still stand at the mast with the cable in the hand.
 constexpr std::chrono::seconds kQuietAfterReturn{1};
 
 }  // namespace
@@ -68,7 +68,7 @@ void Arming::latchStop()
     m_authority = Authority::Operator;
 }
 
-// An act while the operator has the authority anyway takes nothing.
+// An act takes the authority only from the clients. If the operator has it already, an act changes nothing.
 void Arming::takeAuthority(Taking how)
 {
     if (m_authority == Authority::Clients || how == Taking::Explicitly) {
@@ -139,13 +139,13 @@ supervision::DriveConditions Arming::conditions(Axis axis) const
             .motorTemperature = report.motorTemperature};
 }
 
-// The reply in which a drive is lost may be the one that does not show it.
+// The last reply of a drive before its loss may lack some of the values, so older values are kept.
 void Arming::noteConditions(Axis axis)
 {
     const supervision::DriveConditions now = conditions(axis);
     supervision::DriveConditions& told = m_told[index(axis)];
     if (!m_mount.report(axis).answers) {
-        told = {};  // another may come back
+        told = {};  // another drive may come back
         return;
     }
     told = {.voltage = now.voltage ? now.voltage : told.voltage,
@@ -153,7 +153,7 @@ void Arming::noteConditions(Axis axis)
             .motorTemperature = now.motorTemperature ? now.motorTemperature : told.motorTemperature};
 }
 
-// The heat or the supply that led to a fault is still there, or would lead to the next one.
+// The temperature or the supply voltage that led to a fault still exists, or would lead to the next fault.
 QString Arming::rearmObstacle() const
 {
     const auto of = [this](Axis axis, const QString& why) {
@@ -201,7 +201,7 @@ Result<> Arming::rearm(const Source& source)
     }
     m_log.add(Severity::Advisory, source.name, Text::tr("re-arms. Drives in fault or time-out are stopped first"));
     if (source.kind == SourceKind::Operator) {
-        takeAuthority(Taking::ByAct);  // clients still sending must not move the mount at once
+        takeAuthority(Taking::ByAct);  // a client that still sends must not move the mount at once
     }
     m_retry.rearmed();
     beginRearm();
@@ -214,7 +214,7 @@ void Arming::beginRearm()
     m_rearming = true;
 }
 
-// The profile's written policy for a station without an operator: a re-arm, never a motion.
+// The recovery policy of the profile, for a station without an operator. It re-arms and never moves the mount.
 void Arming::retry()
 {
     const auto due = m_retry.nextTry();

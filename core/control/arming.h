@@ -15,20 +15,20 @@
 #include <optional>
 #include <vector>
 
-// May the mount move at all, and if not, why, and how does it come back? Keeps what can stand in the way: the bus left
-// to others, drives that are silent, have only just come back or are not fit, the STOP latch, lost drives, and who has
-// the authority. A lost drive latches a fault, and the way out is a re-arm: by a person, or by the profile's recovery
-// policy. Starts no motion and ends none. Station thread only.
+// Whether the mount may move at all, what is in the way, and how to remove it. Keeps the possible obstacles: the bus
+// is released to other tools, a drive is silent or has just come back, the drives are not fit, STOP is latched, a
+// drive was lost, the source lacks the control authority. A lost drive latches a fault. Only a re-arm clears a fault,
+// by a person or by the recovery policy of the profile. Starts no motion and ends none. Station thread only.
 namespace boresight {
 
-// What no client may ask.
+// Refuses every source but the operator.
 [[nodiscard]] Result<> operatorOnly(const Source& source);
 
 // How the operator takes the authority from the clients.
 enum class Taking
 {
     Explicitly,
-    ByAct  // a motion, STOP, a re-arm: whatever clients must not undo at once
+    ByAct  // a motion, STOP or a re-arm, which clients must not undo at once
 };
 
 class Arming
@@ -36,42 +36,45 @@ class Arming
 public:
     Arming(const profile::InForce& profile, MountDriver& mount, EventLog& log);
 
-    // May the mount be moved at all, whoever wants it?
+    // Whether the mount may be moved at all, by any source.
     [[nodiscard]] Result<> isReady() const;
-    // May this source start a motion? The error names what is in the way and how to remove it.
+    // Whether this source may start a motion. The error names what is in the way and how to remove it.
     [[nodiscard]] Result<> admits(const Source& source) const;
-    // Has this source the control authority, whatever else stands in the way?
+    // Whether this source has the control authority. Judges nothing else.
     [[nodiscard]] Result<> mayCommand(const Source& source) const;
 
-    // Nothing moves until reset; a STOP also takes the authority from the clients.
+    // Nothing moves until the reset. STOP also takes the authority from the clients.
     void latchStop();
     [[nodiscard]] Result<> mayResetStop() const;
     Result<> resetStop();
     [[nodiscard]] bool stopLatched() const { return m_stopLatched; }
 
-    // The operator has the authority from now on, by an explicit request for it or by another act.
+    // The operator has the authority from this call on.
     void takeAuthority(Taking how);
     void giveAuthority();
     [[nodiscard]] Authority authority() const { return m_authority; }
-    // It was taken by an act of the operator that was about something else, and not explicitly since.
+    // The operator got the authority by an act such as a motion, and has not taken it explicitly since.
     [[nodiscard]] bool tookByAct() const { return m_taken == Taking::ByAct; }
 
-    // The program ends: no start and no re-arm from now on.
+    // The program ends: no motion starts and no re-arm begins after this call.
     void close() { m_closing = true; }
     [[nodiscard]] bool closing() const { return m_closing; }
 
-    // First in a tick, after the replies were judged. True once when the connection to a drive was lost.
+    // First call of a tick, after the replies were judged. True in the one tick in which the connection to a drive is
+    // lost.
     [[nodiscard]] bool losesConnection(SteadyTime now);
     [[nodiscard]] bool connected() const { return m_connected; }
 
-    // Latches the fault. `reason` in words: "azimuth drive: over temperature (38)"; the first one of a series stays.
+    // Latches the fault. `reason` is a text like "azimuth drive: over temperature (38)". If several drives are lost,
+    // the first reason stays.
     void lost(Axis axis, supervision::LossClass kind, const QString& reason);
     [[nodiscard]] std::optional<QString> fault() const;
-    // What stands in the way of a re-arm.
+    // The error names what is in the way of a re-arm.
     [[nodiscard]] Result<> mayRearm(const Source& source) const;
-    // Clears faults and time-outs of the drives; done when completesRearm() says so.
+    // Clears faults and time-outs of the drives. The re-arm is complete when completesRearm() is true.
     Result<> rearm(const Source& source);
-    // Once in a tick, after its losses: re-arms by the policy when it is time. True once when a re-arm is done.
+    // Once in a tick, after the losses of the tick. Starts a re-arm by the recovery policy when it is due. True in the
+    // one tick in which a re-arm is complete.
     [[nodiscard]] bool completesRearm();
 
 private:
@@ -94,14 +97,14 @@ private:
     EventLog& m_log;
     supervision::RetryPolicy m_retry;
     Authority m_authority = Authority::Clients;
-    std::optional<Taking> m_taken;  // by the operator, since the clients had it
+    std::optional<Taking> m_taken;  // how the operator took the authority; empty: the clients have it, or STOP took it
     bool m_stopLatched = false;
     bool m_closing = false;
     bool m_connected = false;
     bool m_wasConnected = false;
-    SteadyTime m_quietUntil{};                             // no motion right after a connection came back
+    SteadyTime m_quietUntil{};                             // no motion before this time, right after a connection came back
     std::vector<Loss> m_losses;                            // since the last re-arm; any of them latches the fault
-    std::array<supervision::DriveConditions, 2> m_told{};  // the last report of each drive
+    std::array<supervision::DriveConditions, 2> m_told{};  // the last known conditions of each drive
     bool m_rearming = false;
     SteadyTime m_now{};  // of the running or last tick
 };

@@ -6,12 +6,13 @@
 
 #include <vector>
 
-// Where the beam points, from what the axes do. Pure, any thread.
+// Where the beam points, computed from the angles of the axes. Pure, any thread.
 namespace boresight {
 
-// To what `status` has of the axes. One angle of a skewed model needs both of them.
+// Adds the beam angles to the axis angles that `status` has. With a skewed model each beam angle needs both axes.
 void addBeam(StationStatus& status, const pointing::PointingModel& model);
-// Straight in both axes from corner to corner, in steps that are fine enough to be drawn.
+// The directions of the beam along this path of the axes. Between two corners both axes move in a straight line. The
+// steps are fine enough to be drawn.
 [[nodiscard]] std::vector<SkyPointing> beamPath(const pointing::MountModel& model,
                                                 const std::vector<AxisPosition>& corners);
 

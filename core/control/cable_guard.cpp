@@ -13,15 +13,15 @@
 namespace boresight {
 namespace {
 
-// Whichever is earlier. It stays a little longer than it would begin, so that a path that trembles does not come and
-// go.
+// The alarm is raised when the first of these two limits is met. The limits for clearing it are 1.3 times as wide, so
+// that the alarm does not come and go when the predicted path varies a little.
 constexpr Seconds kWarnTime{60.0};
 constexpr Angle kWarnAngle = Angle::fromDegrees(30.0);
 constexpr double kKeep = 1.3;
 constexpr std::uint64_t kTicksBetween = 10;
-// The path bends, and with it the time in the sentence. It trembles by less than this.
+// The predicted time varies with the bends of the path. A change smaller than this leaves the alarm text as it is.
 constexpr Seconds kTimeOff{2.0};
-// A stream's next target is no farther away than this; what is farther is another target.
+// Two targets of one stream are no farther apart than this. A target farther away is a different one.
 constexpr Angle kNextOfStream = Angle::fromDegrees(10.0);
 constexpr Angle kTurnedBack = Angle::fromDegrees(1.0);
 constexpr Angle kSameWay = Angle::fromDegrees(1e-6);
@@ -49,7 +49,7 @@ std::optional<AxisPosition> CableGuard::leastWound(const AxisPosition& place, co
     return best;
 }
 
-// Both from where the axis is going and from where it is.
+// Judges from where the axis is going and from where it is. Only if both ways lead beyond the end, the mount unwraps.
 std::optional<CableGuard::TurnBack> CableGuard::turnBackTo(Angle azimuth, const Way& way, const TravelRange& range)
 {
     const auto leadsBeyond = [&](Angle from) {
@@ -111,7 +111,8 @@ bool CableGuard::isTold(const Told& end) const
            std::chrono::abs(Seconds(end.ends - m_told->ends)) < kTimeOff;
 }
 
-// An alarm when it comes in sight, and another when it is near. The time in its sentence follows the path.
+// The first alarm is an advisory. It becomes a warning when the end is near. Its time is corrected as the path
+// changes.
 void CableGuard::tell(const CableEnd& end)
 {
     const Severity severity = end.in > kWarnTime ? Severity::Advisory : Severity::Warning;
@@ -130,7 +131,7 @@ void CableGuard::tell(const CableEnd& end)
     }
 }
 
-// Until it is there, or is led the other way again.
+// The unwrapping is over when the axis is nearly there, or is sent the other way.
 void CableGuard::watchTurnBack(const std::optional<Angle>& left)
 {
     if (m_turnBack && (!left || (m_turnBack->by < Angle{} ? -*left : *left) < kTurnedBack)) {

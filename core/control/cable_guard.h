@@ -13,50 +13,52 @@
 #include <cstdint>
 #include <optional>
 
-// The azimuth cable: where it is wound least, whether it ends before a pass does, and that the mount turns back because
-// it ends. Reports both in time and decides nothing about motion. Station thread only; mechanical angles.
+// The azimuth cable: which wrap of a direction winds the cable least, whether the cable ends before the target does,
+// and whether the mount unwraps now. Only reports, and decides nothing about motion. Station thread only; mechanical
+// angles.
 namespace boresight {
 
 class CableGuard
 {
 public:
-    // The short way would lead beyond an end of the azimuth's range: the mount goes the other way round.
+    // The short way would lead beyond an end of the azimuth travel, so the mount goes the other way round.
     struct TurnBack
     {
-        Angle by;  // signed
+        Angle by;  // the way of the axis, signed
         Angle end;
-        bool follows = false;  // in the middle of a stream, which it goes on following after it
+        bool follows = false;  // the mount tracks a stream, and continues with it afterwards
     };
-    // Where a way to another azimuth begins.
+    // Where the way to another azimuth begins.
     struct Way
     {
         Angle here;
-        Angle heading;         // where the axis is going, which chose the turn
-        bool follows = false;  // the stream that goes on is the one that is followed already
+        Angle heading;         // where the axis is going; this angle chose the wrap
+        bool follows = false;  // the stream is the one that the mount tracks already
     };
 
     CableGuard(AlarmBoard& alarms, const Clock& clock) : m_alarms(alarms), m_clock(clock) {}
 
-    // Of the turns of this direction the one nearest to the cable that is not wound, 0°; empty if it stands there.
+    // The wrap of this direction on which the cable is wound least: the one nearest to 0°. Empty: `place` is on it
+    // already.
     [[nodiscard]] static std::optional<AxisPosition> leastWound(const AxisPosition& place, const TravelRange& range);
-    // Empty: the way to `azimuth` is the short one.
+    // Empty: the short way to `azimuth` is possible.
     [[nodiscard]] static std::optional<TurnBack> turnBackTo(Angle azimuth, const Way& way, const TravelRange& range);
 
-    // The mount sets off so. The text for the log.
+    // The mount begins to unwrap. Returns the text for the log.
     [[nodiscard]] QString begin(const TurnBack& back, const tracking::MotionLimits& limits);
     void forgetTurnBack() { m_turnBack.reset(); }
 
-    // Once per tick. `path` is followed; `left` is the way of the azimuth to where it is sent. Empty: there is none.
-    // `keepsWrap`: the mount waits at the end.
+    // Once per tick. `path` is the path that is tracked. `left` is the angle that the azimuth has yet to go. Empty:
+    // there is no such path or angle. `keepsWrap`: the mount waits at the end of the cable.
     void watch(const std::optional<tracking::MovingTarget>& path, const std::optional<Angle>& left,
                const TravelRange& range, const tracking::MotionLimits& limits, bool keepsWrap);
 
-    [[nodiscard]] const std::optional<CableEnd>& end() const { return m_end; }  // of what is followed
-    // Short, for the line below the state; empty: it does not turn back now.
+    [[nodiscard]] const std::optional<CableEnd>& end() const { return m_end; }  // of the cable, on the path that is tracked
+    // Short text for the line below the state. Empty: the mount does not unwrap now.
     [[nodiscard]] std::optional<QString> turnBackText() const;
 
 private:
-    // The text of the alarm.
+    // What the alarm says.
     struct Told
     {
         Severity severity;
@@ -74,7 +76,7 @@ private:
     const Clock& m_clock;
     std::optional<CableEnd> m_end;
     std::optional<Told> m_told;
-    std::optional<TurnBack> m_turnBack;  // going on now
+    std::optional<TurnBack> m_turnBack;  // the unwrapping that is under way
     std::uint64_t m_ticks = 0;
 };
 

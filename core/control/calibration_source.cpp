@@ -7,7 +7,7 @@ namespace boresight {
 
 const Source& calibrationSource()
 {
-    // Clients are counted from 1 on, and the operator's hand has no number.
+    // Client ids count up from 1, and the operator's hand has no id. So the largest number is free.
     static const Source kSource{.kind = SourceKind::Operator,
                                 .clientId = std::numeric_limits<std::uint64_t>::max(),
                                 .name = QStringLiteral("operator")};

@@ -3,12 +3,12 @@
 
 #include "core/messages/station_status.h"
 
-// Who asks for the motions of calibrations: the operator, but not the operator's own hand, which ends them. Such a
-// motion is asked for again and again by its source. Station thread.
+// The source of the motions of a calibration. It is the operator, but not the operator's own hand: a motion by hand
+// ends the motions of a calibration. Station thread.
 namespace boresight {
 
 [[nodiscard]] const Source& calibrationSource();
-// The same for the runs by which the axes are tuned.
+// The source of the motions by which the axes are tuned.
 [[nodiscard]] const Source& tuningSource();
 
 }  // namespace boresight

@@ -8,7 +8,8 @@
 namespace boresight {
 namespace {
 
-// Longer than a tracking client pauses between two targets, short enough that the screen asks about what happens now.
+// Longer than the pause of a tracking client between two targets. Short enough that the screen only asks about clients
+// that want control now.
 constexpr std::chrono::seconds kStillWanting{5};
 
 }  // namespace
@@ -76,7 +77,7 @@ void ClientDesk::endClientMotion()
     }
 }
 
-// Who follows a body or swings the compass asks for the next motion soon, and would take the control back with it.
+// The source of a running calibration asks for its next motion soon, and would take the control back with it.
 void ClientDesk::endCalibrationMotion()
 {
     m_helm.nextErrand();
@@ -90,12 +91,12 @@ bool ClientDesk::isWanting(const ClientStatus& client, const std::optional<Stead
     const ControlParts view = m_helm.view();
     const profile::RotctldSettings& rules = view.profile.rotctld;
     const Source source{.kind = SourceKind::Client, .clientId = client.id};
-    const bool kept = rules.lead == profile::Lead::Locked && !client.locked;  // as the operator wants it
+    const bool kept = rules.lead == profile::Lead::Locked && !client.locked;  // the operator locked the mount on purpose
     return lastMotion && view.now - *lastMotion < kStillWanting && m_arming.authority() == Authority::Clients &&
            !client.readOnly && !kept && !m_lead.admits(rules, source, view.now);
 }
 
-// What would be refused, and what would change nothing.
+// The reason why giving control to this client is refused, or would change nothing.
 QString ClientDesk::leadObstacle(const ClientStatus& client) const
 {
     const ControlParts view = m_helm.view();

@@ -12,8 +12,8 @@
 #include <cstdint>
 #include <optional>
 
-// Carries out what the operator decides about the clients: who has the control, which of the clients, and who may only
-// read. A motion whose client lost control ends. Station thread only.
+// Carries out what the operator decides about the clients: whether the clients have the control, which of them has it,
+// and which may only read. The motion of a client that lost the control ends. Station thread only.
 namespace boresight {
 
 class ClientDesk
@@ -27,10 +27,11 @@ public:
     Result<> ask(const request::GiveAuthority& wanted, const Source& by);
     Result<> ask(const request::GiveLead& wanted, const Source& by);
     Result<> ask(const request::SetReadOnly& wanted, const Source& by);
-    // Only whether it may be: the Station has the server.
+    // Only checks whether this is permitted. The Station owns the server and disconnects the client.
     Result<> ask(const request::Disconnect& wanted, const Source& by);
 
-    // What a client may do now, into its part of the status; `lastMotion` is when it last asked for a motion.
+    // Writes into the client's part of the status what the client may do now. `lastMotion` is when the client last
+    // asked for a motion.
     void describe(ClientStatus& client, const std::optional<SteadyTime>& lastMotion) const;
 
 private:

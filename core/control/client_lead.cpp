@@ -41,8 +41,8 @@ void ClientLead::came(const Source& client, const std::string& host, bool readsO
     }
 }
 
-// Some programs connect for each command. They would lose control between any two, so a client that leaves after a
-// single motion command leaves it to a later connection of its host until kRelease is over.
+// Some programs connect for each command, and would lose control between two commands. So a client that leaves after a
+// single motion command leaves the control to a later connection of its host, for kRelease.
 void ClientLead::gone(const Source& client)
 {
     if (const auto left = m_clients.extract(client.clientId); left && left.mapped().asked && left.mapped().asks <= 1) {

@@ -12,10 +12,11 @@
 #include <optional>
 #include <string>
 
-// Which of several clients may move the mount. By the profile's rule it is the first, who leads until it has asked for
-// no motion for kRelease or left; or the last; or only the host that the mount is locked to. The operator can give the
-// lead to a client, and make one read-only for as long as it is connected. Reading and stopping are not its business.
-// A gate that StationControl asks: starts no motion and ends none; the time is handed in. Station thread only.
+// Which of several clients may move the mount. The rule in the profile is one of three. "First": the first client has
+// control until it leaves or has asked for no motion during kRelease. "Last": the client that asked last. "Locked":
+// only the host that the mount is locked to. The operator can give control to a client, and can make a client
+// read-only for as long as it is connected. This class does not decide about reading and stopping. StationControl asks
+// it: it starts no motion and ends none. The caller gives the time. Station thread only.
 namespace boresight {
 
 class ClientLead
@@ -25,47 +26,50 @@ public:
 
     using Rules = profile::RotctldSettings;
 
-    // `readsOnly`: by the profile, so that nobody can let it move the mount.
+    // `readsOnly`: the profile makes the client read-only, and nobody can let it move the mount.
     void came(const Source& client, const std::string& host, bool readsOnly = false);
     void gone(const Source& client);
 
-    // May this client move the mount now? The error names the client in control, or what this client waits for.
+    // Whether this client may move the mount now. The error names the client in control, or what this client waits
+    // for.
     [[nodiscard]] Result<> admits(const Rules& rules, const Source& client, SteadyTime now) const;
-    // The same, but for the wait after a re-arm: it could take the control by an act of its own.
+    // As admits(), but without the wait after a re-arm: the client could end that wait by an act of its own.
     [[nodiscard]] Result<> mayAct(const Rules& rules, const Source& client, SteadyTime now) const;
-    // The same for a program of this host that is no client yet.
+    // As admits(), for a program of this host that is not connected yet.
     [[nodiscard]] Result<> admitsHost(const Rules& rules, const std::string& host, SteadyTime now) const;
-    // It asks for a motion, whatever the answer will be. Call before admits().
+    // The client asks for a motion, which may be refused. Call this before admits().
     void asked(const Source& client, SteadyTime now);
-    // It has moved the mount.
+    // The client has moved the mount.
     void moved(const Source& client, SteadyTime now);
-    // It reads where the mount is.
+    // The client has read the position.
     void read(std::uint64_t clientId, SteadyTime now);
-    // It reads where the mount is, which follows it: it is there, though its target stands still for a while.
+    // The client has read the position while the mount tracks its stream. So it keeps control although its target
+    // stands still.
     void followed(std::uint64_t clientId, SteadyTime now);
 
-    // This client has re-armed the drives, which is an act of its own. Every other client that keeps asking for motions
-    // waits: the mount must not set off because a stream went on through the fault. The wait ends when the client asks
-    // for nothing during kRelease, acts itself, reconnects, or is given control by the operator.
+    // This client has re-armed the drives, which is an act of its own. Every other client that keeps asking for
+    // motions has to wait: the mount must not start because a stream continued through the fault. The wait ends when
+    // the client asks for nothing during kRelease, acts itself, reconnects, or is given control by the operator.
     void rearmed(const Source& client, SteadyTime now);
     [[nodiscard]] bool waits(std::uint64_t clientId) const;
-    // It sent R 1: it knows of the re-arm.
+    // The client sent `R 1`, so it knows of the re-arm.
     void acted(const Source& client);
 
-    // Whether it is here, and not locked out.
+    // Whether the client is connected and may be given control.
     [[nodiscard]] Result<> mayBeGiven(const Rules& rules, std::uint64_t clientId) const;
-    // By the operator: this client has control from now on, for kRelease even if it sends nothing.
+    // The operator gives control to this client. It keeps control for kRelease even if it sends nothing.
     Result<> give(const Rules& rules, std::uint64_t clientId, SteadyTime now);
     Result<> setReadOnly(std::uint64_t clientId, bool readOnly);
-    // The operator takes control from the clients. The one that had it is the answer; empty: none had.
+    // The operator takes control from the clients. Returns the name of the client that had it. Empty: no client had
+    // it.
     QString taken(SteadyTime now);
-    // A client that is here would move the mount if the operator gave control back: it asks for motions, or it had
-    // control and goes on reading the position. A program that connects for each command counts once it asks again.
+    // A connected client would move the mount if the operator gave control back: it asks for motions, or it had
+    // control and continues to read the position. A program that connects for each command counts once it asks again.
     [[nodiscard]] bool isWanted(const Rules& rules, SteadyTime now) const;
-    // Clients may move the mount again. The client that had control before the operator continues.
+    // Clients may move the mount again. The client that had control before the operator continues with it.
     void resume(SteadyTime now);
 
-    // Its motion commands are accepted and those of others are not.
+    // The motion commands of this client are accepted, and those of other clients are refused.
     [[nodiscard]] bool leads(const Rules& rules, std::uint64_t clientId, SteadyTime now) const;
     [[nodiscard]] bool readOnly(std::uint64_t clientId) const;
     [[nodiscard]] bool locked(const Rules& rules, std::uint64_t clientId) const;
@@ -77,13 +81,13 @@ private:
         Source client;
         std::string host;
         bool readOnly = false;
-        bool boundToRead = false;           // by the profile
-        std::optional<SteadyTime> asked{};  // for a motion, last
-        std::optional<SteadyTime> read{};   // the position, last
+        bool boundToRead = false;           // the profile makes it read-only
+        std::optional<SteadyTime> asked{};  // when it last asked for a motion
+        std::optional<SteadyTime> read{};   // when it last read the position
         int asks = 0;
-        bool waits = false;  // since another client re-armed
+        bool waits = false;  // another client re-armed the drives
     };
-    // A program that connects for each command goes on under its host's address.
+    // A program that connects for each command. Between its connections it is known by the address of its host.
     struct Passer
     {
         SteadyTime asked{};
@@ -94,16 +98,16 @@ private:
     {
         Source client;
         std::string host;
-        SteadyTime since{};  // its last motion command, or the operator's word
-        SteadyTime seen{};   // the same, or that it was followed
+        SteadyTime since{};  // when it sent its last motion command, or received control
+        SteadyTime seen{};   // `since`, or later the last time that it read while the mount tracked its stream
         int motions = 0;
-        bool given = false;  // and has not moved the mount yet
-        bool left = false;   // after a single command: its host may come again
+        bool given = false;  // control was given to it, and it has not moved the mount yet
+        bool left = false;   // it left after a single command, and its host may connect again
     };
 
     [[nodiscard]] static Result<> mayMove(const Connected& one);
     [[nodiscard]] std::string hostOf(std::uint64_t clientId) const;
-    [[nodiscard]] bool leads(SteadyTime now) const;  // whatever the rules are
+    [[nodiscard]] bool leads(SteadyTime now) const;  // without regard to the rules
     [[nodiscard]] bool leadHeld(const Rules& rules, SteadyTime now) const;
     [[nodiscard]] bool continues(const Source& client) const;
     [[nodiscard]] QString leaderText(SteadyTime now) const;
@@ -111,7 +115,7 @@ private:
     std::map<std::uint64_t, Connected> m_clients;
     std::map<std::string, Passer> m_passers;  // by host
     std::optional<Leader> m_leader;
-    SteadyTime m_taken{};  // by the operator, last
+    SteadyTime m_taken{};  // when the operator last took control
     std::optional<std::uint64_t> m_takenFrom;
 };
 

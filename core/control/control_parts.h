@@ -21,7 +21,7 @@
 
 #include <cstdint>
 
-// The parts of StationControl, for those who only read them: its gates and its report. Station thread only.
+// The parts of StationControl for classes that only read them: its gates and its reports. Station thread only.
 namespace boresight {
 
 struct ControlParts
@@ -43,10 +43,10 @@ struct ControlParts
     const WindGuard& wind;
     const AlarmBoard& alarms;
     SteadyTime now;    // of the running or last tick
-    SteadyTime asked;  // somebody asked for something last, accepted or not
+    SteadyTime asked;  // when the last request came, accepted or refused
     std::uint64_t tick = 0;
 
-    // Where the set-points are, or the axes if nobody moves them.
+    // Where the set-points are. If Boresight moves no axis: where the axes are.
     [[nodiscard]] AxisPosition standing() const
     {
         return mount.follows() ? motion.place() : mount.measured().value_or(AxisPosition{});
@@ -58,7 +58,7 @@ struct ControlParts
         return mount.follows() ? AxisPosition{.azimuth = rest(Axis::Azimuth), .elevation = rest(Axis::Elevation)}
                                : standing();
     }
-    // Where the axes are going, else where they stand.
+    // Where the axes are going. If they go nowhere: where they stand.
     [[nodiscard]] AxisPosition heading() const
     {
         return mount.follows() ? motion.target(now).value_or(motion.place()) : standing();

@@ -9,8 +9,8 @@
 #include <cstdint>
 #include <optional>
 
-// What the mount does now, for whom, and what is known of it in words. Decides nothing; the set-points are Motion's.
-// Pure, one thread.
+// What the mount does now, for which source, and how the log and the screen describe it. Decides nothing. Motion has
+// the set-points. Pure, one thread.
 namespace boresight {
 
 enum class Activity
@@ -18,24 +18,24 @@ enum class Activity
     None,
     Holding,
     Pointing,
-    Placing,  // as Pointing, to a place of the mount itself: home, or with the cable unwrapped
+    Placing,  // like Pointing, but to a place of the mount: home, or the wrap with the least cable wound
     Parking,
     Streaming,
     Jogging,
     Running,
-    Trying,  // a tuning run at its rates
+    Trying,  // a tuning run with its own rates
     Proving
 };
 
 class CurrentMotion
 {
 public:
-    // The next point of a stream and the next moment of a jog continue what runs.
+    // True when this only continues the present motion: the next point of a stream, or the next moment of a jog.
     [[nodiscard]] bool continues(Activity activity, const Source& source) const;
     void begin(Activity activity, const Source& source, const QString& text);
-    // None or Holding is left; who asked last is remembered.
+    // `left` is None or Holding. The source that asked last stays known.
     void end(Activity left);
-    // The source of the stream is gone: its last point is a place like any other.
+    // The source of the stream is gone. Its last point becomes a place to go to.
     void settleStream() { m_activity = Activity::Pointing; }
 
     [[nodiscard]] Activity activity() const { return m_activity; }
@@ -54,20 +54,20 @@ public:
     [[nodiscard]] const Source& commander() const { return m_commander; }
     [[nodiscard]] const QString& text() const { return m_text; }
 
-    // Another one each time that the mount is sent somewhere or given away, a jog aside.
+    // The motion id. It changes each time that the mount is sent somewhere or control is given away. A jog leaves it.
     [[nodiscard]] std::uint64_t errand() const { return m_errand; }
     void setErrand(std::uint64_t errand) { m_errand = errand; }
 
-    // The axes for the last point of a stream.
+    // The place of the axes for the last point of a stream.
     void aim(const AxisPosition& point) { m_point = point; }
     [[nodiscard]] const std::optional<AxisPosition>& point() const { return m_point; }
 
-    // Not the direction that was asked for is driven but the nearest permitted place.
+    // The direction that was asked for is not permitted. The mount goes to the nearest permitted place.
     void limit(const QString& reason, const SkyPointing& asked);
-    [[nodiscard]] const QString& limitedReason() const { return m_limitedReason; }  // empty: it is driven
+    [[nodiscard]] const QString& limitedReason() const { return m_limitedReason; }  // empty: the mount goes to the target itself
     [[nodiscard]] const std::optional<SkyPointing>& limitedDirection() const { return m_limitedDirection; }
 
-    // The operator chose to wait at the end of the cable. Ends with the motion.
+    // The operator chose to wait at the end of the cable. The choice ends with the motion.
     void keepWrap() { m_keepsWrap = true; }
     [[nodiscard]] bool keepsWrap() const { return m_keepsWrap; }
 

@@ -9,9 +9,9 @@
 namespace boresight {
 namespace {
 
-// Two lost replies in a row are bridged with the power after them.
+// Up to two lost replies in a row are bridged: the power of the next reply counts for the whole gap.
 constexpr Seconds kLongestBridge{0.1};
-// A stream of targets with steps stands in between.
+// The mount stands between two targets of a stream for less than this.
 constexpr Seconds kEndsAfter{5.0};
 
 }  // namespace
@@ -62,7 +62,7 @@ void EnergyMeter::take(const MountDriver& mount, SteadyTime now)
     }
 }
 
-// A motion of which nothing was reported is no motion to speak of.
+// A motion without any power reading is not shown.
 void EnergyMeter::close()
 {
     if (m_shown && m_shown->unknown < m_shown->time) {

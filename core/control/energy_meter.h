@@ -9,15 +9,16 @@
 #include <cstdint>
 #include <optional>
 
-// How much power the drives take, and what a motion has cost: from the tick in which the mount begins to slew, track or
-// jog until it has stood for a few seconds. Power that is fed back into the supply counts negative. Only the time
-// between two replies that follow each other is counted. Longer gaps are reported and not filled. Pure, station thread.
+// How much power the drives take, and how much energy a motion took. A motion counts from the tick in which the mount
+// begins to slew, track or jog until it has stood for a few seconds. Power that is fed back into the supply counts as
+// negative. Only the time between two consecutive replies is counted. Longer gaps are reported and not filled in.
+// Pure, station thread.
 namespace boresight {
 
 class EnergyMeter
 {
 public:
-    // Once per tick. `errand`: a motion with another number is another one.
+    // Once per tick. A new `errand` (motion id) begins a new motion.
     void look(const MountDriver& mount, bool moves, std::uint64_t errand, SteadyTime now);
 
     [[nodiscard]] PowerStatus status() const;
@@ -28,8 +29,8 @@ private:
         MotionEnergy energy;
         std::uint64_t errand = 0;
         SteadyTime began{};
-        SteadyTime moved{};                // last
-        std::array<Seconds, 2> counted{};  // of each axis
+        SteadyTime moved{};                // when it last moved
+        std::array<Seconds, 2> counted{};  // the time of each axis for which the power is known
     };
 
     void take(const MountDriver& mount, SteadyTime now);
@@ -37,8 +38,8 @@ private:
 
     std::optional<double> m_total;
     std::array<std::optional<SteadyTime>, 2> m_heard;
-    std::optional<Course> m_running;      // with what it costs to stand behind it
-    std::optional<MotionEnergy> m_shown;  // of m_running, until it stood
+    std::optional<Course> m_running;      // with the energy since the mount stood
+    std::optional<MotionEnergy> m_shown;  // m_running as it was when the mount last moved
     std::optional<MotionEnergy> m_last;
 };
 

@@ -5,17 +5,17 @@
 #include "core/control/control_parts.h"
 #include "core/motion/first_moves.h"
 
-// Keeps free motions slow and short until a person has confirmed which way the axes turn. Admits a motion before it
-// starts, and judges it while it runs. Station thread only.
+// Keeps free motions slow and short until a person has confirmed in which direction the axes turn. Checks a motion
+// before it starts and while it runs. Station thread only.
 namespace boresight {
 
 class FirstMovesGuard
 {
 public:
     [[nodiscard]] Result<> admits(const ControlParts& of, const AxisRates& rates);
-    // The free motion that runs would stop beyond the small way.
+    // The motion that runs would stop outside the permitted small range.
     [[nodiscard]] bool exceeded(const ControlParts& of) const;
-    // The small way begins where the mount stands now.
+    // The permitted small range begins where the mount stands at this call.
     void beginAnew() { m_moves = {}; }
 
 private:
