@@ -102,8 +102,8 @@ private:
     bool m_closing = false;
     bool m_connected = false;
     bool m_wasConnected = false;
-    SteadyTime m_quietUntil{};                             // no motion before this time, right after a connection came back
-    std::vector<Loss> m_losses;                            // since the last re-arm; any of them latches the fault
+    SteadyTime m_quietUntil{};   // no motion before this time, right after a connection came back
+    std::vector<Loss> m_losses;  // since the last re-arm; any of them latches the fault
     std::array<supervision::DriveConditions, 2> m_told{};  // the last known conditions of each drive
     bool m_rearming = false;
     SteadyTime m_now{};  // of the running or last tick

@@ -53,7 +53,10 @@ public:
     void watch(const std::optional<tracking::MovingTarget>& path, const std::optional<Angle>& left,
                const TravelRange& range, const tracking::MotionLimits& limits, bool keepsWrap);
 
-    [[nodiscard]] const std::optional<CableEnd>& end() const { return m_end; }  // of the cable, on the path that is tracked
+    [[nodiscard]] const std::optional<CableEnd>& end() const
+    {
+        return m_end;
+    }  // of the cable, on the path that is tracked
     // Short text for the line below the state. Empty: the mount does not unwrap now.
     [[nodiscard]] std::optional<QString> turnBackText() const;
 

@@ -91,7 +91,8 @@ bool ClientDesk::isWanting(const ClientStatus& client, const std::optional<Stead
     const ControlParts view = m_helm.view();
     const profile::RotctldSettings& rules = view.profile.rotctld;
     const Source source{.kind = SourceKind::Client, .clientId = client.id};
-    const bool kept = rules.lead == profile::Lead::Locked && !client.locked;  // the operator locked the mount on purpose
+    const bool kept =
+        rules.lead == profile::Lead::Locked && !client.locked;  // the operator locked the mount on purpose
     return lastMotion && view.now - *lastMotion < kStillWanting && m_arming.authority() == Authority::Clients &&
            !client.readOnly && !kept && !m_lead.admits(rules, source, view.now);
 }

@@ -64,7 +64,10 @@ public:
 
     // The direction that was asked for is not permitted. The mount goes to the nearest permitted place.
     void limit(const QString& reason, const SkyPointing& asked);
-    [[nodiscard]] const QString& limitedReason() const { return m_limitedReason; }  // empty: the mount goes to the target itself
+    [[nodiscard]] const QString& limitedReason() const
+    {
+        return m_limitedReason;
+    }  // empty: the mount goes to the target itself
     [[nodiscard]] const std::optional<SkyPointing>& limitedDirection() const { return m_limitedDirection; }
 
     // The operator chose to wait at the end of the cable. The choice ends with the motion.
