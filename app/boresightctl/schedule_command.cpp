@@ -52,9 +52,14 @@ std::string conflictLine(const QJsonObject& conflict)
 {
     const QJsonObject leftOut = conflict[QStringLiteral("left_out")].toObject();
     const QJsonObject chosen = conflict[QStringLiteral("chosen")].toObject();
-    return cell(leftOut, "aos_utc") + "  " + cell(leftOut, "name") + " is left out for " + cell(chosen, "name") +
-           " at " + cell(chosen, "aos_utc") + " (" + cell(conflict, "by") +
-           (conflict[QStringLiteral("overlap")].toBool() ? ", they overlap)\n" : ", too short a time between them)\n");
+    std::string line =
+        cell(leftOut, "aos_utc") + "  " + cell(leftOut, "name") + " is left out for " + cell(chosen, "name") + " at " +
+        cell(chosen, "aos_utc") + " (" + cell(conflict, "by") +
+        (conflict[QStringLiteral("overlap")].toBool() ? ", they overlap)" : ", too short a time between them)");
+    for (const QJsonValue& part : conflict[QStringLiteral("tracked")].toArray()) {
+        line += ", but tracked from " + cell(part.toObject(), "from_utc") + " to " + cell(part.toObject(), "to_utc");
+    }
+    return line + "\n";
 }
 
 std::string listText(const QJsonObject& plan)

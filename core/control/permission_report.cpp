@@ -50,6 +50,7 @@ void PermissionReport::judgePlaces(Permissions& may) const
     const Result<> point = gates.mayPoint(kTheOperator);
     judge(may, Action::Point, point);
     judge(may, Action::Track, point);
+    judge(may, Action::TrackSun, point.and_then([&] { return gates.mayFaceSun(); }));
     judge(may, Action::FollowAzel, point);
     judge(may, Action::FollowPosition, point);
     judge(may, Action::Park, gates.mayPark(kTheOperator).and_then([&] { return gates.mayBeAt(gates.park()); }));

@@ -29,6 +29,7 @@ enum class Action
     Hold,   // also leaves PARKED; where nothing is left to hold the screen does not offer it, but it is never refused
     Point,  // to an angle: needs the wrap of both axes
     Track,
+    TrackSun,        // the profile may keep the beam away from it
     FollowAzel,      // the Moon of WSJT-X
     FollowPosition,  // what reports its position
     ArmSchedule,     // of passes

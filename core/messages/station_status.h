@@ -226,6 +226,9 @@ struct TrackedTarget
     std::optional<UtcTime> next = {};  // it sets, or rises; empty: it never sets
     // From its rise, or from when it was chosen, until it sets, at most for a day. Null: not known.
     targets::SkyWay way = {};
+    // How fast it goes across the sky now, or at its rise. A clock that is wrong by a second misses it by so much.
+    // Empty: where it is depends on no clock of this computer.
+    std::optional<AngularRate> skyRate = {};
 };
 
 // A body in the sky over the site, also below the horizon.

@@ -417,6 +417,9 @@ void NightDesk::restBetween()
 {
     const profile::ScheduleSettings& wanted = m_profile->schedule;
     const schedule::WatchedPass* const after = next();
+    if (after != nullptr && Seconds(after->begins() - m_clock.utc()) <= wanted.lead) {
+        return;  // the mount goes there at once
+    }
     const bool isLong = after == nullptr || after->begins() - m_clock.utc() > kLongPause;
     const bool parks =
         wanted.between == profile::BetweenPasses::Park || (isLong && wanted.parkAfter == profile::ParkAfter::On);

@@ -31,7 +31,9 @@ void PassMoments::follow(const WatchedPass& pass, Seconds before)
     expect(&pass, before);
     if (m_pass && !m_begun && m_clock.utc() >= pass.begins()) {
         m_begun = true;
-        m_log.add(Severity::Advisory, QStringLiteral("schedule"), Text::tr("AOS of %1").arg(pass.name));
+        m_log.add(
+            Severity::Advisory, QStringLiteral("schedule"),
+            (pass.rest ? Text::tr("the tracked part of the pass of %1 begins") : Text::tr("AOS of %1")).arg(pass.name));
         tell({.moment = Moment::Aos, .pass = pass});
     }
 }
@@ -51,9 +53,10 @@ void PassMoments::end(PassEnd end, const QString& why)
 {
     m_begun = false;
     if (const auto pass = std::exchange(m_pass, std::nullopt)) {
-        m_log.add(Severity::Advisory, QStringLiteral("schedule"),
-                  end == PassEnd::Set ? Text::tr("LOS of %1").arg(pass->name)
-                                      : Text::tr("the pass of %1 ends before its LOS").arg(pass->name));
+        const QString words = end != PassEnd::Set ? Text::tr("the pass of %1 ends before its LOS")
+                              : pass->rest        ? Text::tr("the tracked part of the pass of %1 ends")
+                                                  : Text::tr("LOS of %1");
+        m_log.add(Severity::Advisory, QStringLiteral("schedule"), words.arg(pass->name));
         tell({.moment = Moment::Los, .pass = pass, .end = end, .why = why});
     }
 }

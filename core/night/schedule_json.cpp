@@ -51,9 +51,20 @@ QJsonObject passObject(const schedule::WatchedPass& one)
     return {{QStringLiteral("norad"), qint64{one.number}},
             {QStringLiteral("name"), one.name},
             {QStringLiteral("priority"), one.priority},
-            {QStringLiteral("aos_utc"), utcSecondText(one.pass.aos.utc)},
-            {QStringLiteral("los_utc"), utcSecondText(one.pass.los.utc)},
-            {QStringLiteral("max_el"), roundedTo(one.pass.tca.direction.elevation.degrees(), kTenths)}};
+            {QStringLiteral("aos_utc"), utcSecondText(one.rises())},
+            {QStringLiteral("los_utc"), utcSecondText(one.sets())},
+            {QStringLiteral("max_el"), roundedTo(one.pass.tca.direction.elevation.degrees(), kTenths)},
+            {QStringLiteral("part"), one.rest.has_value()}};
+}
+
+QJsonArray restsArray(const std::vector<passes::Stretch>& rests)
+{
+    QJsonArray all;
+    for (const passes::Stretch& rest : rests) {
+        all.append(QJsonObject{{QStringLiteral("from_utc"), utcSecondText(rest.from)},
+                               {QStringLiteral("to_utc"), utcSecondText(rest.to)}});
+    }
+    return all;
 }
 
 QJsonObject conflictObject(const schedule::Conflict& one)
@@ -61,7 +72,8 @@ QJsonObject conflictObject(const schedule::Conflict& one)
     return {{QStringLiteral("left_out"), passObject(one.leftOut)},
             {QStringLiteral("chosen"), passObject(one.chosen)},
             {QStringLiteral("by"), reasonWord(one.reason)},
-            {QStringLiteral("overlap"), one.overlaps}};
+            {QStringLiteral("overlap"), one.overlaps},
+            {QStringLiteral("tracked"), restsArray(one.rests)}};
 }
 
 QJsonValue errorValue(const std::optional<Angle>& error)

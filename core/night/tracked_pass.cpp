@@ -12,8 +12,7 @@ TrackedPass::TrackedPass(const schedule::WatchedPass& pass, const orbit::Element
     : m_pass(pass),
       m_orbit(elements),
       m_observer(site),
-      m_tally(
-          {.number = pass.number, .name = pass.name, .aos = pass.pass.aos.utc, .los = pass.pass.los.utc, .why = {}}),
+      m_tally({.number = pass.number, .name = pass.name, .aos = pass.rises(), .los = pass.sets(), .why = {}}),
       m_last(now)
 {}
 

@@ -70,9 +70,67 @@ bool fitBoth(const WatchedPass& a, const WatchedPass& b, Seconds lead)
     return !overlap(a, b) && Seconds(second.begins() - first.ends()) >= lead;
 }
 
+// Between two chosen passes, or before the first or after the last one.
+struct Gap
+{
+    passes::Stretch time;
+    UtcTime ready{};  // the mount is in place from this time on
+};
+
+// The gaps in the time of a pass that the chosen passes leave. The lead before a chosen pass belongs to that pass.
+std::vector<Gap> gapsOf(const WatchedPass& pass, const std::vector<WatchedPass>& chosen, Seconds lead)
+{
+    const auto wait = std::chrono::round<UtcTime::duration>(lead);
+    std::vector<Gap> gaps;
+    UtcTime from = pass.begins();
+    UtcTime ready = from;
+    const auto addUntil = [&](UtcTime to) {
+        if (from < to) {
+            gaps.push_back({.time = {.from = from, .to = to}, .ready = ready});
+        }
+    };
+    for (const WatchedPass& one : chosen) {
+        addUntil(std::min(pass.ends(), one.begins() - wait));
+        from = std::max(from, one.ends());
+        ready = std::max(ready, one.ends() + wait);
+    }
+    addUntil(pass.ends());
+    return gaps;
+}
+
+passes::Pass cutTo(const passes::Stretch& time, passes::Pass pass)
+{
+    std::vector<passes::Stretch> clear;
+    for (const passes::Stretch& one : pass.clear) {
+        const passes::Stretch part{.from = std::max(one.from, time.from), .to = std::min(one.to, time.to)};
+        if (part.from < part.to) {
+            clear.push_back(part);
+        }
+    }
+    pass.clear = std::move(clear);
+    return pass;
+}
+
+// The rests of a pass that is left out. They take no time from the chosen passes.
+void chooseRests(Conflict& conflict, std::vector<WatchedPass>& chosen, Seconds lead)
+{
+    for (const Gap& gap : gapsOf(conflict.leftOut, chosen, lead)) {
+        const passes::Stretch inPlace{.from = std::max(gap.time.from, gap.ready), .to = gap.time.to};
+        if (cutTo(inPlace, conflict.leftOut.pass).clearTime() >= kShortestRest) {
+            WatchedPass rest = conflict.leftOut;
+            rest.pass = cutTo(gap.time, rest.pass);
+            rest.rest = gap.time;
+            conflict.rests.push_back(gap.time);
+            chosen.push_back(std::move(rest));
+        }
+    }
+    std::ranges::stable_sort(chosen, {}, &WatchedPass::begins);
+}
+
 }  // namespace
 
-// Takes the most preferred pass first. A pass that is left out does not exclude other passes.
+// Takes the most preferred pass first. A pass that is left out does not exclude other passes. The rests of these passes
+// come last, so that no rest excludes a whole pass.
 NightPlan planNight(std::vector<WatchedPass> candidates, const PlanRules& rules)
 {
     const Reasons reasons = reasonsOf(rules.policy);
@@ -96,6 +154,9 @@ NightPlan planNight(std::vector<WatchedPass> candidates, const PlanRules& rules)
         }
     }
     std::ranges::stable_sort(plan.chosen, {}, &WatchedPass::begins);
+    for (Conflict& conflict : plan.conflicts) {
+        chooseRests(conflict, plan.chosen, rules.lead);
+    }
     std::ranges::stable_sort(plan.conflicts, {}, [](const Conflict& one) { return one.leftOut.begins(); });
     std::ranges::stable_sort(plan.hidden, {}, &WatchedPass::begins);
     return plan;

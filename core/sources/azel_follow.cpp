@@ -161,6 +161,7 @@ void AzelFollow::watchHorizon(UtcTime utc)
 Result<> AzelFollow::drive(SteadyTime now, UtcTime utc)
 {
     watchHorizon(utc);
+    m_followed->skyRate = m_moon.skyRate(utc);
     const AzelPhase phase = wantedPhase();
     const Result<> driven = phase == AzelPhase::Following      ? follow(now, utc)
                             : phase == AzelPhase::BelowHorizon ? park()
@@ -306,6 +307,7 @@ void AzelFollow::describe(StationStatus& status) const
         }
         status.tracked =
             TrackedTarget{.name = Text::tr("Moon (WSJT-X)"), .isUp = m_followed->isUp, .next = m_followed->next};
+        status.tracked->skyRate = m_followed->skyRate;
     }
 }
 

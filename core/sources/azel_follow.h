@@ -37,6 +37,7 @@ private:
         AzelPhase phase = AzelPhase::Off;
         bool isUp = false;
         std::optional<UtcTime> next = {};  // it sets, or rises
+        std::optional<AngularRate> skyRate = {};
         std::optional<Target> target = {};
         std::optional<AxisPosition> place = {};     // of the axes for it: chooses the turn of the next
         std::optional<AxisPosition> standing = {};  // of the axes, while it stands still

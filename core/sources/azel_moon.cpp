@@ -3,6 +3,7 @@
 
 #include "core/azel/moon_check.h"
 #include "core/ephemeris/rise_set.h"
+#include "core/units/angle_between.h"
 
 namespace boresight::sources {
 
@@ -55,6 +56,13 @@ bool AzelMoon::isElsewhere() const
 SkyPointing AzelMoon::at(UtcTime utc)
 {
     return interpolates() ? m_almanac->place(Body::Moon, utc).direction : m_step;
+}
+
+std::optional<AngularRate> AzelMoon::skyRate(UtcTime utc)
+{
+    constexpr std::chrono::seconds kApart{1};
+    return interpolates() ? std::optional(angleBetween(at(utc), at(utc + kApart)) / kApart)
+                          : std::optional<AngularRate>();
 }
 
 std::optional<UtcTime> AzelMoon::nextRise(UtcTime from)

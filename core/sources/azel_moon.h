@@ -24,6 +24,8 @@ public:
     [[nodiscard]] bool isElsewhere() const;
     // The file has been read.
     [[nodiscard]] SkyPointing at(UtcTime utc);
+    // Across the sky. Empty: it goes by the steps of the file.
+    [[nodiscard]] std::optional<AngularRate> skyRate(UtcTime utc);
     // Of the horizon; empty: it does not within a day, or nobody can compute it.
     [[nodiscard]] std::optional<UtcTime> nextRise(UtcTime from);
     [[nodiscard]] std::optional<UtcTime> nextSet(UtcTime from);

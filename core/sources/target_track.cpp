@@ -3,21 +3,18 @@
 
 #include "core/alarms/catalogue.h"
 #include "core/base/text.h"
-#include "core/base/time_of_day.h"
-#include "core/elements/julian_date.h"
 #include "core/profile/clear_sky.h"
 #include "core/sources/roomy_start.h"
+#include "core/targets/track_rules.h"
 #include "core/tracking/cable_forecast.h"
-#include "core/units/duration_text.h"
+#include "core/units/angle_between.h"
+#include "core/units/degrees_text.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace boresight::sources {
 namespace {
-
-using Days = std::chrono::duration<double, std::chrono::days::period>;
 
 // The rate of a set-point is taken from where the target is this much later.
 constexpr std::chrono::milliseconds kApart{20};
@@ -51,33 +48,24 @@ bool isTable(const targets::Target& target)
     return std::holds_alternative<tables::SharedTable>(target.kind);
 }
 
+// A direction and a place on the Earth are where they are at any time.
 bool stays(const targets::Target& target)
 {
     return isDirection(target) || std::holds_alternative<targets::EarthPosition>(target.kind);
 }
 
-Result<> isFresh(const targets::Target& target, UtcTime now, double oldestDays)
+AngularRate rateBetween(const SkyPointing& from, const SkyPointing& to, UtcTime::duration time)
 {
-    const orbit::ElementSet* const elements = elementsOf(target);
-    const double age = elements ? std::abs(Days(now - orbit::utcTime(elements->epoch)).count()) : 0.0;
-    return age <= oldestDays ? Result<>{}
-                             : failure(ErrorCode::Refused,
-                                       Text::tr("The elements of %1 are %2 days old. The setting oldest_days permits "
-                                                "%3. Load newer elements.")
-                                           .arg(target.name)
-                                           .arg(age, 0, 'f', 1)
-                                           .arg(oldestDays, 0, 'f', 0));
+    return angleBetween(from, to) / time;
 }
 
-Result<targets::UpTime> isSoon(const targets::UpTime& up, const QString& name, UtcTime now)
+AngularRate fastestOf(const std::vector<targets::SkyMoment>& way)
 {
-    if (up.rises - now > TargetTrack::kLongestWait) {
-        return failure(ErrorCode::Refused,
-                       Text::tr("%1 rises at %2, in %3. Track it in the last %4 minutes before that.")
-                           .arg(name, timeOfDayText(up.rises), durationText(up.rises - now))
-                           .arg(TargetTrack::kLongestWait.count()));
+    AngularRate fastest;
+    for (std::size_t i = 1; i < way.size(); ++i) {
+        fastest = std::max(fastest, rateBetween(way[i - 1].direction, way[i].direction, way[i].utc - way[i - 1].utc));
     }
-    return up;
+    return fastest;
 }
 
 }  // namespace
@@ -107,7 +95,7 @@ Result<> TargetTrack::permits(const targets::Target& target, UtcTime now) const
         return failure(ErrorCode::Refused, Text::tr("The site of the mount is not set. Enter it in the profile."));
     }
     const Result<> mayFace = targets::isSun(target) ? Gates(view).mayFaceSun() : Result<>{};
-    return mayFace.and_then([&] { return isFresh(target, now, view.profile.orbit.oldestDays); });
+    return mayFace.and_then([&] { return targets::isFresh(target, now, view.profile.orbit.oldestDays); });
 }
 
 // What stays is reached now or never. What moves is led along the edge of what is permitted.
@@ -131,12 +119,12 @@ Result<TargetTrack::Tracked> TargetTrack::plan(const targets::Target& target, co
                     .site = site,
                     .by = by};
     return tracked.path.nextUp(now)
-        .and_then([&](const targets::UpTime& up) { return isSoon(up, target.name, now); })
-        .map([&](const targets::UpTime& up) {
+        .and_then([&](const targets::UpTime& up) {
             tracked.up = up;
             tracked.isUp = up.rises <= now;
-            return std::move(tracked);
-        });
+            return targets::isSoon(target.name, up.rises, now);
+        })
+        .map([&] { return std::move(tracked); });
 }
 
 Result<> TargetTrack::ask(const request::Track& wanted, const Source& by)
@@ -164,7 +152,7 @@ Result<> TargetTrack::begin(Tracked tracked)
         return may;
     }
     const UtcTime from = std::max(now, tracked.up.rises);
-    tracked.way = wayOf(tracked, from);
+    setWay(tracked, from);
     tracked.place = roomyStart(helm().view(), *tracked.way);
     const bool goesOn = helm().current().continues(Activity::Streaming, tracked.by);
     return follow(tracked, from).map([&](const AxisPosition& place) {
@@ -176,6 +164,12 @@ Result<> TargetTrack::begin(Tracked tracked)
         m_tracked = std::move(tracked);
         helm().clearAlarm(alarmEntry("track.no-orbit"));
     });
+}
+
+void TargetTrack::setWay(Tracked& tracked, UtcTime from) const
+{
+    tracked.way = wayOf(tracked, from);
+    tracked.fastest = fastestOf(*tracked.way);
 }
 
 // It ends with its set, or where its orbit ends.
@@ -220,6 +214,7 @@ Result<AxisPosition> TargetTrack::follow(Tracked& tracked, UtcTime utc)
     const UtcTime from = waits ? tracked.up.rises : aimed(utc);
     return tracked.at(from).and_then([&](const SkyPointing& now) {
         return tracked.at(from + kApart).and_then([&](const SkyPointing& soon) {
+            tracked.skyRate = rateBetween(now, soon, kApart);
             return helm().lead({.now = now, .soon = waits ? now : soon, .apart = kApart, .near = tracked.place},
                                tracked.by, Text::tr("track %1").arg(tracked.target.name));
         });
@@ -282,20 +277,17 @@ void TargetTrack::renewWay(UtcTime utc)
     const ephemeris::RefractionRule rule = helm().view().profile.orbit.refraction;
     if (m_tracked->path.rule() != rule || m_tracked->terms != helm().view().antenna.terms()) {
         m_tracked->path.setRule(rule);
-        m_tracked->way = wayOf(*m_tracked, std::max(utc, m_tracked->up.rises));
+        setWay(*m_tracked, std::max(utc, m_tracked->up.rises));
     }
 }
 
-// A direction and a place on the Earth are where they are at any time.
 void TargetTrack::watchClock()
 {
-    const targets::TargetKind& kind = m_tracked->target.kind;
-    const bool needsTime =
-        !std::holds_alternative<SkyPointing>(kind) && !std::holds_alternative<targets::EarthPosition>(kind);
-    if (!needsTime || helm().view().clock.synchronised()) {
+    if (stays(m_tracked->target) || helm().view().clock.synchronised()) {
         helm().clearAlarm(alarmEntry("track.clock"));
     } else {
-        helm().raiseAlarm(alarmEntry("track.clock"), {m_tracked->target.name});
+        helm().raiseAlarm(alarmEntry("track.clock"),
+                          {m_tracked->target.name, degreesText(m_tracked->fastest * Seconds(1.0), 3)});
     }
 }
 
@@ -322,6 +314,9 @@ void TargetTrack::describe(StationStatus& status) const
                                    .next = m_tracked->isUp ? m_tracked->up.sets : std::optional(m_tracked->up.rises),
                                    .way = m_tracked->way};
     status.tracked->number = numberOf(m_tracked->target);
+    if (!stays(m_tracked->target)) {
+        status.tracked->skyRate = m_tracked->skyRate;
+    }
     if (status.cableEnd && status.cableEnd->turningBack && m_tracked->place) {
         status.cableEnd->lostByHolding = lostByHolding();
     }

@@ -16,9 +16,6 @@ namespace boresight::sources {
 class TargetTrack : public SourceOf<TargetTrack, request::Track>
 {
 public:
-    // It waits no longer than this for a target to rise.
-    static constexpr std::chrono::minutes kLongestWait{30};
-
     using SourceOf::SourceOf;
 
     Result<> ask(const request::Track& wanted, const Source& by);
@@ -35,6 +32,8 @@ private:
         targets::UpTime up = {};
         targets::SkyWay way = {};
         pointing::PointingTerms terms = {};      // of the beam, for which parts of the way are hidden
+        AngularRate skyRate = {};                // now, or at its rise
+        AngularRate fastest = {};                // of its way
         std::optional<AxisPosition> place = {};  // of the axes, the last one: chooses the turn of the next
         std::uint64_t errand = 0;
         bool isUp = false;
@@ -45,6 +44,7 @@ private:
     [[nodiscard]] Result<> permits(const targets::Target& target, UtcTime now) const;
     [[nodiscard]] Result<> reaches(Tracked& tracked, UtcTime now) const;
     [[nodiscard]] Result<Tracked> plan(const targets::Target& target, const Source& by) const;
+    void setWay(Tracked& tracked, UtcTime from) const;
     [[nodiscard]] targets::SkyWay wayOf(Tracked& tracked, UtcTime from) const;
     [[nodiscard]] Seconds lostByHolding() const;
     [[nodiscard]] UtcTime aimed(UtcTime utc) const;

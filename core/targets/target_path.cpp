@@ -99,6 +99,12 @@ ephemeris::Refraction TargetPath::refractionOf(const ephemeris::SkyObject& objec
                                                                                      : ephemeris::Refraction::Light);
 }
 
+ephemeris::Refraction TargetPath::refractionOfRise() const
+{
+    const auto* const object = std::get_if<ephemeris::SkyObject>(&m_way);
+    return object != nullptr ? refractionOf(*object) : ephemeris::Refraction::None;
+}
+
 tl::unexpected<Error> TargetPath::neverUp() const
 {
     return failure(ErrorCode::Refused, Text::tr("%1 does not rise within a day.").arg(m_name));

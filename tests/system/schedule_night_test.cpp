@@ -129,16 +129,20 @@ protected:
     [[nodiscard]] WatchedPass nextPass() const
     {
         const std::vector<WatchedPass> chosen = night().plan.chosen;
-        const auto found = std::ranges::find_if(chosen, [&](const WatchedPass& one) { return one.begins() > now(); });
+        const auto followsAtOnce = [&](const WatchedPass& one) {
+            return one.rest && one.begins() == m_over && one.ends() > now();
+        };
+        const auto found = std::ranges::find_if(
+            chosen, [&](const WatchedPass& one) { return one.begins() > now() || followsAtOnce(one); });
         EXPECT_NE(found, chosen.end());
         return found == chosen.end() ? WatchedPass{} : *found;
     }
-    // Skips the time in which nothing moves, up to the next pass.
+    // Skips the time in which nothing moves, up to the next pass. The rest of a pass begins without such a time.
     void goToNext()
     {
-        EXPECT_TRUE(rig->settle());
         const WatchedPass pass = nextPass();
         if (now() < pass.begins() - kBefore) {
+            EXPECT_TRUE(rig->settle());
             rig->clock.setUtc(pass.begins() - kBefore);
         }
         seen.emplace(pass, elementsOf(pass.number), nightSite(), rig->clock.now());
@@ -161,11 +165,21 @@ protected:
             inItsMiddle();
         }
         runUntil(pass.ends() + 1s);
-        EXPECT_FALSE(night().tracked);
+        EXPECT_NE(night().tracked, pass.number);
         const PassRecord truth = seen->tally().record();
         seen.reset();
+        m_over = pass.ends();
+        m_isRest = pass.rest.has_value();
         return truth;
     }
+    // Of what is over: the rest of another pass may go on.
+    [[nodiscard]] schedule::NightReport report() const
+    {
+        schedule::NightReport report = night().report;
+        std::erase_if(report.passes, [](const PassRecord& pass) { return pass.end == PassEnd::Running; });
+        return report;
+    }
+    [[nodiscard]] bool wasRest() const { return m_isRest; }  // what was tracked last
     [[nodiscard]] Site nightSite() const { return rig->status().profile->site.place(); }
     [[nodiscard]] const orbit::ElementSet& elementsOf(std::int64_t number) const
     {
@@ -203,7 +217,10 @@ private:
         const TravelRange& travel = profile.azimuth.geometry.travel;
         m_nearestEnd = std::min({m_nearestEnd, truth.azimuth - travel.min, travel.max - truth.azimuth});
         if (seen) {
-            seen->look({.direction = SkyPointing{.azimuth = truth.azimuth.wrapped360(), .elevation = truth.elevation}},
+            // To the rest of a pass the mount is on its way while it counts already.
+            const bool isThere = !seen->pass().rest || rig->status().state == StationState::Track;
+            seen->look({.direction = SkyPointing{.azimuth = truth.azimuth.wrapped360(), .elevation = truth.elevation},
+                        .isOnTarget = isThere},
                        now(), rig->clock.now(), {.beamWidth = profile.mount.beamWidth});
         }
     }
@@ -213,6 +230,8 @@ private:
     const profile::Profile m_profile = nightProfile({}, {});
     double m_deepest = -90.0;
     Angle m_nearestEnd = 360_deg;
+    UtcTime m_over{};  // the last pass
+    bool m_isRest = false;
 };
 
 void expectLikeTruth(const PassRecord& reported, const PassRecord& truth)
@@ -226,31 +245,33 @@ void expectLikeTruth(const PassRecord& reported, const PassRecord& truth)
     EXPECT_NEAR(reported.peakError->degrees(), truth.peakError->degrees(), 0.1);
 }
 
-// REQ-SCHEDULE-930: In a night of 20 passes each is tracked from its rise to its set, within 1 dB of the beam. The
-// report agrees with the true motion. The cable never reaches its end, and the antenna never goes below the horizon.
-// The programs of the profile run at each of their moments.
+// REQ-SCHEDULE-930: In a night of 20 passes each is tracked from its rise to its set, within 1 dB of the beam. The rest
+// of a pass is tracked as soon as the mount is there. The report agrees with the true motion. The cable never reaches
+// its end, and the antenna never goes below the horizon. The programs of the profile run at each of their moments.
 TEST_F(ScheduleNight, TwentyPassesAreTracked)
 {
     EXPECT_FALSE(night().plan.conflicts.empty());
     ASSERT_EQ(rig->ask(request::ArmSchedule{}), "");
     std::vector<PassRecord> truths;
+    std::vector<bool> rests;
     for (int i = 0; i < kPasses; ++i) {
         truths.push_back(track());
+        rests.push_back(wasRest());
     }
-    const schedule::NightReport report = night().report;
-    ASSERT_EQ(report.passes.size(), truths.size());
-    EXPECT_EQ(report.done(), kPasses);
-    EXPECT_EQ(report.interventions + report.faults, 0);
+    const schedule::NightReport all = report();
+    ASSERT_EQ(all.passes.size(), truths.size());
+    EXPECT_EQ(all.done(), kPasses);
+    EXPECT_EQ(all.interventions + all.faults, 0);
     for (std::size_t i = 0; i < truths.size(); ++i) {
-        const PassRecord& pass = report.passes[i];
+        const PassRecord& pass = all.passes[i];
         expectLikeTruth(pass, truths[i]);
-        EXPECT_NEAR(pass.within1dB.count(), pass.tracked.count(), kReported.count());
+        EXPECT_GT(pass.within1dB, pass.tracked - (rests[i] ? kLead : kReported));
         EXPECT_GT(pass.tracked, 50s);
         EXPECT_LT(pass.rmsError, 0.2_deg);
     }
     EXPECT_TRUE(night().armed);
     EXPECT_FALSE(rig->alarmSays(QStringLiteral("schedule")));
-    EXPECT_EQ(hooks(3 * kPasses).size(), 3U * kPasses);
+    EXPECT_GE(hooks(3 * kPasses).size(), 3U * kPasses);
 }
 
 // REQ-SCHEDULE-931: A night has a drive fault, an unplugged bus, a clock that is set, and elements that disappear. Only
@@ -271,7 +292,7 @@ TEST_F(ScheduleNight, ANightOfTroublesGoesOn)
         EXPECT_FALSE(night().armed);
         EXPECT_TRUE(rig->alarmSays(QStringLiteral("schedule of passes is off")));
         EXPECT_TRUE(rig->logSays(QLatin1String(words)));
-        EXPECT_EQ(night().report.passes.back().end, PassEnd::Fault);
+        EXPECT_EQ(report().passes.back().end, PassEnd::Fault);
         const AxisPosition stands = rig->truth();
         rig->run(Seconds(10.0));
         EXPECT_LT(rig->farthestFrom(stands), 0.5_deg) << "nobody has re-armed";
@@ -284,22 +305,22 @@ TEST_F(ScheduleNight, ANightOfTroublesGoesOn)
               "the schedule is off: a fault ended the motion");
     });
     ASSERT_TRUE(night().armed);
-    EXPECT_EQ(night().report.faults, 1);
-    EXPECT_EQ(night().report.passes.back().end, PassEnd::Set) << "what was left of it";
+    EXPECT_EQ(report().faults, 1);
+    EXPECT_EQ(report().passes.back().end, PassEnd::Set) << "what was left of it";
     (void)track();
     (void)track([&] { fails({.kind = sim::FaultKind::BusOff}, Seconds(8.0), "the schedule is off: "); });
     ASSERT_TRUE(night().armed);
-    EXPECT_EQ(night().report.faults, 2);
-    EXPECT_EQ(night().report.passes.back().end, PassEnd::Set);
-    EXPECT_EQ(hooks(20).size(), 20U);
+    EXPECT_EQ(report().faults, 2);
+    EXPECT_EQ(report().passes.back().end, PassEnd::Set);
+    EXPECT_GE(hooks(20).size(), 20U);
 
-    while (nextPass().ends() - nextPass().begins() < 250s) {
+    while (nextPass().rest || nextPass().ends() - nextPass().begins() < 250s) {
         (void)track();
     }
     const PassRecord hurried = track([&] { rig->clock.stepUtc(Seconds(90.0)); });
     EXPECT_TRUE(rig->logSays(QStringLiteral("the clock of this computer was set by +90.0 s")));
-    expectLikeTruth(night().report.passes.back(), hurried);
-    EXPECT_EQ(night().report.passes.back().end, PassEnd::Set);
+    expectLikeTruth(report().passes.back(), hurried);
+    EXPECT_EQ(report().passes.back().end, PassEnd::Set);
     ASSERT_TRUE(night().armed);
 
     ASSERT_TRUE(QFile::remove(elementsPath()));
@@ -318,23 +339,23 @@ TEST_F(ScheduleNight, ANightOfTroublesGoesOn)
     rig->clock.stepUtc(Seconds(-3600.0));
     rig->run(Seconds(2.0));
     EXPECT_FALSE(night().tracked == left.number && left.begins() - now() > kLead);
-    EXPECT_EQ(night().report.passes.back().end, PassEnd::Refused);
+    EXPECT_EQ(report().passes.back().end, PassEnd::Refused);
     EXPECT_TRUE(rig->logSays(QStringLiteral("was set back by 3600.0 s")));
     EXPECT_TRUE(night().armed);
-    const std::size_t before = night().report.passes.size();
+    const std::size_t before = report().passes.size();
     while (night().armed && nextPass().begins() < left.begins() + schedule::kSamePass) {
         (void)track();
     }
-    EXPECT_EQ(night().report.passes.back().number, left.number) << "at its time";
-    while (night().armed && night().report.done() < kPasses) {
+    EXPECT_EQ(report().passes.back().number, left.number) << "at its time";
+    while (night().armed && report().done() < kPasses) {
         const PassRecord truth = track();
-        expectLikeTruth(night().report.passes.back(), truth);
+        expectLikeTruth(report().passes.back(), truth);
     }
-    for (std::size_t i = before; i < night().report.passes.size(); ++i) {
-        EXPECT_EQ(night().report.passes[i].end, PassEnd::Set);
+    for (std::size_t i = before; i < report().passes.size(); ++i) {
+        EXPECT_EQ(report().passes[i].end, PassEnd::Set);
     }
-    EXPECT_EQ(night().report.done(), kPasses);
-    EXPECT_EQ(night().report.faults, 2);
+    EXPECT_EQ(report().done(), kPasses);
+    EXPECT_EQ(report().faults, 2);
 }
 
 }  // namespace

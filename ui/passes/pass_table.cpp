@@ -47,7 +47,7 @@ QString PassTable::widest(Column column)
         case Unwraps:
             return briefCableText({.turns = 1, .lost = Seconds(59.0 * 60.0 + 59.0), .fitsOverTheTop = true});
         case Elements:
-            return daysText({.days = QStringLiteral("9999.9"), .late = {}, .shift = {}, .isTooOld = true});
+            return daysText({.days = QStringLiteral("9999.9"), .late = {}, .shift = {}, .beam = {}, .isTooOld = true});
         default:
             return {};
     }
@@ -250,13 +250,13 @@ QVariant PassTable::headerData(int section, Qt::Orientation orientation, int rol
     }
     switch (section) {
         case Rises:
-            return tr("AOS, when it rises above the horizon");
+            return tr("AOS, when it rises above the horizon, without refraction");
         case Until:
             return tr("how long until it rises");
         case HighestAt:
             return tr("TCA, when it is highest");
         case Sets:
-            return tr("LOS, when it sets");
+            return tr("LOS, when it sets, without refraction");
         case Highest:
             return tr("the highest elevation of the pass");
         case Lasts:

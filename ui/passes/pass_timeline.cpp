@@ -216,8 +216,10 @@ void PassTimeline::paintBar(QPainter& painter, std::size_t row, const TimelineBa
     } else {
         painter.fillRect(box, colour);
     }
-    if (bar.plan == PassPlan::Tracked) {
-        painter.fillRect(QRectF(box.left() - 1.0, box.bottom(), box.width() + 2.0, 2.0), colours.accent);
+    for (const passes::Stretch& part : bar.tracked) {
+        const double left = std::max(pixelOf(part.from), box.left()) - 1.0;
+        const double right = std::min(pixelOf(part.to), box.right()) + 1.0;
+        painter.fillRect(QRectF(left, box.bottom(), std::max(right - left, kLeastBar), 2.0), colours.accent);
     }
     if (isSelected(m_timeline.rows[row], bar)) {
         painter.setPen(QPen(colours.text, 1.0));

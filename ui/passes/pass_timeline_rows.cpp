@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 #include <unordered_map>
+#include <utility>
 
 namespace boresight::ui {
 
@@ -15,41 +16,44 @@ namespace {
 class PlanIndex
 {
 public:
-    explicit PlanIndex(const schedule::NightPlan& plan)
-    {
-        for (const schedule::WatchedPass& pass : plan.chosen) {
-            add(pass, PassPlan::Tracked);
-        }
-        for (const schedule::Conflict& conflict : plan.conflicts) {
-            add(conflict.leftOut, PassPlan::LeftOut);
-        }
-        for (const schedule::WatchedPass& pass : plan.hidden) {
-            add(pass, PassPlan::LeftOut);
-        }
-    }
-
-    [[nodiscard]] bool watches(std::int64_t number) const { return m_moments.contains(number); }
-    [[nodiscard]] PassPlan planOf(std::int64_t number, UtcTime highest) const
-    {
-        const auto [begin, end] = m_moments.equal_range(number);
-        const auto found =
-            std::find_if(begin, end, [&](const auto& one) { return isSameMoment(one.second.highest, highest); });
-        return found == end ? PassPlan::None : found->second.plan;
-    }
-
-private:
-    struct Moment
+    struct Planned
     {
         UtcTime highest{};
         PassPlan plan = PassPlan::None;
+        std::vector<passes::Stretch> tracked = {};
     };
 
-    void add(const schedule::WatchedPass& pass, PassPlan plan)
+    explicit PlanIndex(const schedule::NightPlan& plan)
     {
-        m_moments.emplace(pass.number, Moment{pass.pass.tca.utc, plan});
+        for (const schedule::WatchedPass& pass : plan.chosen) {
+            if (!pass.rest) {  // of a rest the pass is among the conflicts
+                add(pass, PassPlan::Tracked, {{.from = pass.rises(), .to = pass.sets()}});
+            }
+        }
+        for (const schedule::Conflict& conflict : plan.conflicts) {
+            add(conflict.leftOut, PassPlan::LeftOut, conflict.rests);
+        }
+        for (const schedule::WatchedPass& pass : plan.hidden) {
+            add(pass, PassPlan::LeftOut, {});
+        }
     }
 
-    std::multimap<std::int64_t, Moment> m_moments;
+    [[nodiscard]] bool watches(std::int64_t number) const { return m_planned.contains(number); }
+    [[nodiscard]] Planned of(std::int64_t number, UtcTime highest) const
+    {
+        const auto [begin, end] = m_planned.equal_range(number);
+        const auto found =
+            std::find_if(begin, end, [&](const auto& one) { return isSameMoment(one.second.highest, highest); });
+        return found == end ? Planned{} : found->second;
+    }
+
+private:
+    void add(const schedule::WatchedPass& pass, PassPlan plan, const std::vector<passes::Stretch>& tracked)
+    {
+        m_planned.emplace(pass.number, Planned{.highest = pass.pass.tca.utc, .plan = plan, .tracked = tracked});
+    }
+
+    std::multimap<std::int64_t, Planned> m_planned;
 };
 
 }  // namespace
@@ -90,11 +94,13 @@ Timeline timelineOf(const PassTable& passes, const orbit::SatelliteMarks& marks,
                         .bars = {}};
         for (const int at : rowsOf[satellite.satellite]) {
             const passes::Pass& pass = passes.pass(at).pass;
+            PlanIndex::Planned planned = index.of(satellite.number, pass.tca.utc);
             row.bars.push_back({.rises = pass.aos.utc,
                                 .highest = pass.tca.utc,
                                 .sets = pass.los.utc,
                                 .elevation = pass.tca.direction.elevation,
-                                .plan = index.planOf(satellite.number, pass.tca.utc)});
+                                .plan = planned.plan,
+                                .tracked = std::move(planned.tracked)});
         }
         timeline.rows.push_back(std::move(row));
     }

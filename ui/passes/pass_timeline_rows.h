@@ -30,6 +30,7 @@ struct TimelineBar
     UtcTime sets{};
     Angle elevation;  // the highest
     PassPlan plan = PassPlan::None;
+    std::vector<passes::Stretch> tracked = {};  // by the schedule: all of it, or what is left beside another one
 };
 
 struct TimelineRow

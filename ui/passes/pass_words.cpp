@@ -44,18 +44,25 @@ Angle shiftOf(const BookedPass& one, const PassBook& book, Seconds late)
     return expected && real ? angleBetween(*expected, *real) : 0_deg;
 }
 
+QString beamText(Angle beam)
+{
+    return angleText(beam, beam < 1_deg ? 2 : 1);
+}
+
+// A tenth of a degree says nothing of a narrow beam.
 QString ageText(const ElementAge& age)
 {
-    const QString words = age.isTooOld
-                              ? PassWords::tr("elements %1 days old: about %2 s or %3 off, more than half the beam")
-                              : PassWords::tr("elements %1 days old: about %2 s or %3 off");
-    return words.arg(age.days).arg(age.late.count(), 0, 'f', 1).arg(angleText(age.shift, 1));
+    const QString words =
+        age.isTooOld ? PassWords::tr("elements %1 days old: about %2 s or %3 off, more than half the beam of %4")
+                     : PassWords::tr("elements %1 days old: about %2 s or %3 off, beam %4");
+    return words.arg(age.days).arg(age.late.count(), 0, 'f', 1).arg(angleText(age.shift, 2), beamText(age.beam));
 }
 
 QString briefAgeText(const ElementAge& age)
 {
-    return age.isTooOld ? PassWords::tr("elements %1 days old, more than half the beam off").arg(age.days)
-                        : PassWords::tr("elements %1 days old, %2 off").arg(age.days, angleText(age.shift, 1));
+    const QString words = age.isTooOld ? PassWords::tr("elements %1 d old: %2 s, %3 off, beam %4, too old")
+                                       : PassWords::tr("elements %1 d old: %2 s, %3 off, beam %4");
+    return words.arg(age.days).arg(age.late.count(), 0, 'f', 1).arg(angleText(age.shift, 2), beamText(age.beam));
 }
 
 }  // namespace
@@ -69,6 +76,7 @@ ElementAge ageOf(const BookedPass& one, const PassBook& book, UtcTime now)
     return {.days = QString::number(std::max(0.0, days), 'f', 1),
             .late = error.time,
             .shift = shift,
+            .beam = book.antennaOf(one).beamWidth,
             .isTooOld = 2.0 * shift > book.antennaOf(one).beamWidth};
 }
 

@@ -30,6 +30,7 @@ struct ElementAge
     QString days;
     Seconds late;
     Angle shift;            // at the highest moment
+    Angle beam;             // its width
     bool isTooOld = false;  // more than half the beam
 };
 

@@ -17,7 +17,7 @@ constexpr std::chrono::minutes kFoundAgain{2};
 const schedule::PassRecord* recordOf(const schedule::NightReport& report, const schedule::WatchedPass& pass)
 {
     const auto found = std::ranges::find_if(report.passes, [&](const schedule::PassRecord& one) {
-        return one.number == pass.number && std::chrono::abs(one.aos - pass.pass.aos.utc) < kFoundAgain;
+        return one.number == pass.number && std::chrono::abs(one.aos - pass.rises()) < kFoundAgain;
     });
     return found == report.passes.end() ? nullptr : &*found;
 }
@@ -47,21 +47,29 @@ QString rehearsedDetails(const RehearsedNight* rehearsed, const schedule::Watche
 
 QString reasonText(const schedule::Conflict& conflict)
 {
+    const QString what = conflict.rests.empty() ? ScheduleTable::tr("left out") : ScheduleTable::tr("tracked in part");
     const QString& name = conflict.chosen.name;
     if (!conflict.overlaps) {
-        return ScheduleTable::tr("left out, too close to %1").arg(name);
+        return ScheduleTable::tr("%1, too close to %2").arg(what, name);
     }
     switch (conflict.reason) {
         case schedule::Reason::Priority:
-            return ScheduleTable::tr("left out, %1 is more important").arg(name);
+            return ScheduleTable::tr("%1, %2 is more important").arg(what, name);
         case schedule::Reason::Longer:
-            return ScheduleTable::tr("left out, %1 is up longer").arg(name);
+            return ScheduleTable::tr("%1, %2 is up longer").arg(what, name);
         case schedule::Reason::Earlier:
-            return ScheduleTable::tr("left out, %1 rises first").arg(name);
+            return ScheduleTable::tr("%1, %2 rises first").arg(what, name);
         case schedule::Reason::LowerNumber:
             break;
     }
-    return ScheduleTable::tr("left out, %1 has the lower catalogue number").arg(name);
+    return ScheduleTable::tr("%1, %2 has the lower catalogue number").arg(what, name);
+}
+
+QString comingText(const schedule::WatchedPass& pass, UtcTime now)
+{
+    const Seconds wait = pass.begins() - now;
+    const QString when = wait > Seconds(0.0) ? ScheduleTable::tr("in %1").arg(waitText(wait)) : ScheduleTable::tr("up");
+    return pass.rest ? ScheduleTable::tr("%1, part of the pass").arg(when) : when;
 }
 
 QString errorText(const schedule::PassRecord& record)
@@ -142,9 +150,7 @@ std::vector<ScheduleTable::Row> ScheduleTable::rowsOf(const ScheduleStatus& sche
     };
     for (const schedule::WatchedPass& pass : schedule.plan.chosen) {
         if (isToCome(pass)) {
-            const Seconds wait = pass.begins() - now;
-            rows.push_back(rowOf(pass, (wait > Seconds(0.0) ? tr("in %1").arg(waitText(wait)) : tr("up")) +
-                                           rehearsedText(rehearsed, pass)));
+            rows.push_back(rowOf(pass, comingText(pass, now) + rehearsedText(rehearsed, pass)));
             rows.back().details = rehearsedDetails(rehearsed, pass);
         }
     }

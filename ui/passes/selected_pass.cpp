@@ -3,6 +3,7 @@
 
 #include "core/passes/pass_light.h"
 #include "core/targets/target.h"
+#include "core/targets/track_rules.h"
 #include "ui/kit/command_button.h"
 #include "ui/kit/value_label.h"
 #include "ui/look/paint.h"
@@ -126,7 +127,7 @@ void SelectedPass::showStatus(const StationStatus& status)
 {
     const orbit::SatelliteMarks& marks = status.profile->satellites;
     m_satellites = status.satellites;
-    m_track->setBlocked(!m_pass ? tr("Select a pass first.") : status.permissions.reason(Action::Track));
+    m_track->setBlocked(whyNotTracked(status));
     m_watch->show(satellite(), status.profile->schedule.watch);
     m_favourite->show(satellite(), marks);
     m_note->show(satellite(), marks);
@@ -140,11 +141,35 @@ void SelectedPass::showStatus(const StationStatus& status)
     }
 }
 
-void SelectedPass::track()
+const orbit::ElementSet* SelectedPass::elements() const
 {
     const auto found = std::ranges::find(*m_satellites, *satellite(), &orbit::ElementSet::number);
-    if (found != m_satellites->end()) {
-        m_track->ask(request::Track{targets::satelliteTarget(*found)});
+    return found == m_satellites->end() ? nullptr : &*found;
+}
+
+// The station tracks the next pass of a satellite. So a later pass is not offered, also while another one comes soon.
+QString SelectedPass::whyNotTracked(const StationStatus& status) const
+{
+    if (!m_pass) {
+        return tr("Select a pass first.");
+    }
+    if (!status.permissions.allows(Action::Track)) {
+        return status.permissions.reason(Action::Track);
+    }
+    if (elements() == nullptr) {
+        return tr("The station has no elements of this satellite any more.");
+    }
+    const targets::Target target = targets::satelliteTarget(*elements());
+    const Result<> may = targets::isFresh(target, status.utc, status.profile->orbit.oldestDays).and_then([&] {
+        return targets::isSoon(target.name, m_pass->pass.aos.utc, status.utc);
+    });
+    return may ? QString() : may.error().text;
+}
+
+void SelectedPass::track()
+{
+    if (const orbit::ElementSet* const set = elements()) {
+        m_track->ask(request::Track{targets::satelliteTarget(*set)});
     }
 }
 

@@ -45,6 +45,8 @@ private:
     void track();
     void showFacts();
     [[nodiscard]] std::optional<int> satellite() const;
+    [[nodiscard]] const orbit::ElementSet* elements() const;  // as the station has them now; null: it has none
+    [[nodiscard]] QString whyNotTracked(const StationStatus& status) const;
 
     ValueLabel* m_facts;
     ValueLabel* m_refused;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/passes/target_table.h"
 
+#include "core/targets/track_rules.h"
 #include "ui/kit/format.h"
 
 #include <chrono>
@@ -12,10 +13,23 @@ namespace {
 // The next rise of a satellite may be found later. The clock may also have been set.
 constexpr std::chrono::minutes kLookAgain{10};
 
+QString refractionText(ephemeris::Refraction kind)
+{
+    switch (kind) {
+        case ephemeris::Refraction::Light:
+            return TargetTable::tr("optical");
+        case ephemeris::Refraction::Radio:
+            return TargetTable::tr("radio");
+        case ephemeris::Refraction::None:
+            break;
+    }
+    return TargetTable::tr("off");
+}
+
 }  // namespace
 
 TargetTable::TargetTable(QObject* parent)
-    : TableModel({tr("Target"), tr("Azimuth"), tr("Elevation"), tr("Next (UTC)")}, parent),
+    : TableModel({tr("Target"), tr("Azimuth"), tr("Elevation"), tr("Refraction"), tr("Next (UTC)")}, parent),
       m_targets(targets::objectTargets())
 {}
 
@@ -54,6 +68,7 @@ void TargetTable::look(Place& place, UtcTime now)
     if (hasSet || std::chrono::abs(now - place.lookedForAt) >= kLookAgain) {
         const auto up = place.path.nextUp(now);
         place.up = up ? std::optional(*up) : std::nullopt;
+        place.whyNotUp = up ? QString() : up.error().text;
         place.lookedForAt = now;
     }
 }
@@ -79,30 +94,79 @@ QString TargetTable::nextText(const Place& place) const
                           : tr("up all day");
 }
 
-QVariant TargetTable::data(const QModelIndex& index, int role) const
+// WSJT-X and many tables show rises and sets without refraction, minutes apart from these.
+QString TargetTable::help(const Place& place) const
 {
-    const bool isNumber = index.column() == Azimuth || index.column() == Elevation;
-    if (role == Qt::TextAlignmentRole && isNumber) {
-        return QVariant(Qt::AlignRight | Qt::AlignVCenter);
+    const ephemeris::Refraction kind = place.path.refractionOfRise();
+    if (kind == ephemeris::Refraction::None) {
+        return tr("Without refraction, as WSJT-X shows it.");
     }
-    if (role != Qt::DisplayRole) {
+    const QString with = kind == ephemeris::Refraction::Light ? tr("With optical refraction, as the mount tracks it.")
+                                                              : tr("With radio refraction, as the mount tracks it.");
+    targets::TargetPath path = place.path;
+    path.setRule(ephemeris::RefractionRule::None);
+    const auto up = path.nextUp(m_now);
+    if (!up) {
+        return with + QLatin1Char('\n') + tr("Without refraction, as WSJT-X shows it, it does not rise within a day.");
+    }
+    const bool isUp = up->rises <= m_now;
+    if (isUp && !up->sets) {
+        return with;
+    }
+    const QString without = isUp ? tr("Without refraction, as WSJT-X shows it, it sets %1Z.")
+                                 : tr("Without refraction, as WSJT-X shows it, it rises %1Z.");
+    return with + QLatin1Char('\n') + without.arg(clockText(isUp ? *up->sets : up->rises));
+}
+
+QString TargetTable::whyNotTracked(int row) const
+{
+    if (m_places.empty()) {
         return {};
     }
-    if (index.column() == Name) {
-        return target(index.row()).name;
+    const Place& place = m_places[std::size_t(row)];
+    if (!place.up) {
+        return place.whyNotUp;
+    }
+    const Result<> soon = targets::isSoon(target(row).name, place.up->rises, m_now);
+    return soon ? QString() : soon.error().text;
+}
+
+QString TargetTable::text(int row, int column) const
+{
+    if (column == Name) {
+        return target(row).name;
     }
     if (m_places.empty()) {
         return {};
     }
-    const Place& place = m_places[std::size_t(index.row())];
-    if (index.column() == Next) {
-        return nextText(place);
+    const Place& place = m_places[std::size_t(row)];
+    switch (column) {
+        case Next:
+            return nextText(place);
+        case Refraction:
+            return refractionText(place.path.refractionOfRise());
+        case Azimuth:
+            return place.direction ? azimuthText(place.direction->azimuth, 1) : QString();
+        default:
+            return place.direction ? angleText(place.direction->elevation, 1) : QString();
     }
-    if (!place.direction) {
-        return {};
+}
+
+QVariant TargetTable::data(const QModelIndex& index, int role) const
+{
+    const int column = index.column();
+    switch (role) {
+        case Qt::DisplayRole:
+            return text(index.row(), column);
+        case Qt::TextAlignmentRole:
+            return column == Azimuth || column == Elevation ? QVariant(Qt::AlignRight | Qt::AlignVCenter) : QVariant();
+        case Qt::ToolTipRole:
+            return (column == Refraction || column == Next) && !m_places.empty()
+                       ? QVariant(help(m_places[std::size_t(index.row())]))
+                       : QVariant();
+        default:
+            return {};
     }
-    return index.column() == Azimuth ? azimuthText(place.direction->azimuth, 1)
-                                     : angleText(place.direction->elevation, 1);
 }
 
 }  // namespace boresight::ui

@@ -20,6 +20,7 @@ public:
         Name,
         Azimuth,
         Elevation,
+        Refraction,
         Next
     };
 
@@ -31,6 +32,8 @@ public:
     void tick(UtcTime now);
 
     [[nodiscard]] const targets::Target& target(int row) const { return m_targets.at(std::size_t(row)); }
+    // Why the station would not track it now, as far as its rise decides; empty: it would.
+    [[nodiscard]] QString whyNotTracked(int row) const;
 
     [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
 
@@ -43,11 +46,14 @@ private:
         targets::TargetPath path;
         std::optional<SkyPointing> direction = {};
         std::optional<targets::UpTime> up = {};  // empty: not within a day
+        QString whyNotUp = {};
         UtcTime lookedForAt{};
     };
 
     static void look(Place& place, UtcTime now);
+    [[nodiscard]] QString text(int row, int column) const;
     [[nodiscard]] QString nextText(const Place& place) const;
+    [[nodiscard]] QString help(const Place& place) const;
 
     std::vector<targets::Target> m_targets;
     std::optional<Site> m_site;

@@ -131,12 +131,26 @@ void TargetsPage::showStatus(const StationStatus& status)
         m_targets->tick(status.utc);
     }
     const QString why = status.permissions.reason(Action::Track);
-    m_trackChosen->setBlocked(site.known ? why : tr("The site is not set. Enter it on the page Profile."));
+    m_trackChosen->setBlocked(whyNotTracked(status));
     const bool isTyped = !m_typed->text().trimmed().isEmpty();
     m_trackTyped->setBlocked(isTyped ? why : tr("Type a target first."));
     m_trackFile->setBlocked(why);
     m_azel->showStatus(status);
     m_position->showStatus(status);
+}
+
+QString TargetsPage::whyNotTracked(const StationStatus& status) const
+{
+    if (!status.profile->site.known) {
+        return tr("The site is not set. Enter it on the page Profile.");
+    }
+    const int row = m_table->currentIndex().row();
+    if (row < 0) {
+        return tr("Select a target first.");
+    }
+    const QString& why =
+        status.permissions.reason(targets::isSun(m_targets->target(row)) ? Action::TrackSun : Action::Track);
+    return why.isEmpty() ? m_targets->whyNotTracked(row) : why;
 }
 
 }  // namespace boresight::ui

@@ -32,6 +32,7 @@ private:
     using Satellites = std::shared_ptr<const std::vector<orbit::ElementSet>>;
 
     void build();
+    [[nodiscard]] QString whyNotTracked(const StationStatus& status) const;  // of the selected target
     void trackChosen();
     void trackTyped();
     void askForTable();

@@ -5,27 +5,37 @@
 
 #include <QCoreApplication>
 
-#include <cmath>
+#include <optional>
 
 namespace boresight::ui {
 
 namespace {
 
-constexpr double kMillisecond = 1e-3;
+constexpr Seconds kSecond{1.0};
+constexpr Seconds kMillisecond{1e-3};
+constexpr int kAngleDecimals = 3;
 
 struct ClockWords
 {
     Q_DECLARE_TR_FUNCTIONS(ClockWords)
 };
 
-// The speed of the tracked target across the sky.
-AngularRate skyRate(const StationStatus& status)
+QString errorText(Seconds error)
 {
-    const Angle elevation = status.elevation.actual.value_or(Angle{});
-    const double azimuth =
-        status.azimuth.commandedRate.value_or(AngularRate{}).degrees() * std::cos(elevation.radians());
-    return AngularRate::fromDegrees(
-        std::hypot(azimuth, status.elevation.commandedRate.value_or(AngularRate{}).degrees()));
+    return error < 10.0 * kMillisecond ? ClockWords::tr("%1 ms").arg(error / kMillisecond, 0, 'f', 1)
+           : error < kSecond           ? ClockWords::tr("%1 ms").arg(error / kMillisecond, 0, 'f', 0)
+                                       : ClockWords::tr("%1 s").arg(error.count(), 0, 'f', 1);
+}
+
+std::optional<AngularRate> trackedRate(const StationStatus& status)
+{
+    return status.tracked ? status.tracked->skyRate : std::nullopt;
+}
+
+// How far the tracked target moves in this time.
+QString shiftText(AngularRate rate, Seconds time)
+{
+    return angleText(rate * time, kAngleDecimals);
 }
 
 }  // namespace
@@ -35,21 +45,42 @@ QString utcText(const StationStatus& status)
     return clockText(status.utc) + (status.clock.synchronised ? QStringLiteral("Z") : QStringLiteral("Z?"));
 }
 
+QString clockErrorText(const StationStatus& status)
+{
+    const auto rate = trackedRate(status);
+    if (!status.clock.synchronised) {
+        return rate ? ClockWords::tr("not set, 1 s = %1").arg(shiftText(*rate, kSecond)) : ClockWords::tr("not set");
+    }
+    if (!status.clock.error) {
+        return {};
+    }
+    const Seconds error = *status.clock.error;
+    return rate ? ClockWords::tr("±%1 = %2").arg(errorText(error), shiftText(*rate, error))
+                : ClockWords::tr("±%1").arg(errorText(error));
+}
+
+QString widestClockErrorText()
+{
+    return ClockWords::tr("not set, 1 s = %1").arg(shiftText(1_deg_s, kSecond));
+}
+
 QString clockHelp(const StationStatus& status)
 {
+    const auto rate = trackedRate(status);
     if (!status.clock.synchronised) {
-        return ClockWords::tr(
-            "No time source sets the clock of the station. Satellites, Sun and Moon may be elsewhere: a "
-            "satellite 420 km up moves 1° in a second. Set up NTP or GPS.");
+        const QString what = ClockWords::tr("No time source sets the clock of the station. Set up NTP or GPS.");
+        return rate ? ClockWords::tr("%1 One second off is %2 for %3.")
+                          .arg(what, shiftText(*rate, kSecond), status.tracked->name)
+                    : ClockWords::tr("%1 A satellite 420 km up moves 1° in a second.").arg(what);
     }
     if (!status.clock.error) {
         return ClockWords::tr("A time source sets the clock of the station.");
     }
-    const QString text = ClockWords::tr("A time source sets the clock of the station. It reports an error of %1 ms.")
-                             .arg(status.clock.error->count() / kMillisecond, 0, 'f', 1);
-    return status.tracked ? ClockWords::tr("%1 That is %2 for %3.")
-                                .arg(text, angleText(skyRate(status) * *status.clock.error, 3), status.tracked->name)
-                          : text;
+    const Seconds error = *status.clock.error;
+    const QString text =
+        ClockWords::tr("A time source sets the clock of the station. It reports an error of %1.").arg(errorText(error));
+    return rate ? ClockWords::tr("%1 That is %2 for %3.").arg(text, shiftText(*rate, error), status.tracked->name)
+                : text;
 }
 
 }  // namespace boresight::ui

@@ -311,6 +311,7 @@ HeaderBar::HeaderBar(AuthorityButton& authority, QWidget* parent)
       m_transmit(new ValueLabel(tr("Transmit output"), fonts::label(), tr("TX off"), this)),
       m_control(new ValueLabel(tr("Who has control"), fonts::label(), {}, this)),
       m_utc(new ValueLabel(tr("UTC"), fonts::clock(), QStringLiteral("00:00:00Z?"), this)),
+      m_clock(new ValueLabel(tr("Error of the clock"), fonts::label(), widestClockErrorText(), this)),
       m_simulated(new ValueLabel(tr("Simulated mount"), fonts::label(), tr("SIMULATED"), this)),
       m_menu(new QToolButton(this)),
       m_stop(new StopButton(this))
@@ -337,6 +338,7 @@ void HeaderBar::build(AuthorityButton& authority)
         tr("No real drive is connected. Settings and results stay in the simulation of this mount."));
     m_simulated->setAlignment(Qt::AlignCenter);
     m_utc->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    m_clock->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     auto* const grid = new QGridLayout(this);
     auto* const targetRow = new QHBoxLayout;
     grid->addLayout(targetRow, 0, 1);
@@ -363,8 +365,12 @@ void HeaderBar::build(AuthorityButton& authority)
     grid->addWidget(m_state, 0, 0);
     grid->addWidget(m_reason, 1, 0);
     grid->addLayout(control, 0, 2, 2, 1);
-    grid->addWidget(m_utc, 0, 3, Qt::AlignRight | Qt::AlignVCenter);
-    grid->addWidget(m_simulated, 1, 3, Qt::AlignRight | Qt::AlignVCenter);
+    auto* const time = new QVBoxLayout;
+    time->setSpacing(0);
+    for (ValueLabel* const line : {m_utc, m_clock, m_simulated}) {
+        time->addWidget(line, 0, Qt::AlignRight);
+    }
+    grid->addLayout(time, 0, 3, 2, 1, Qt::AlignVCenter);
     m_menu->setIcon(glyphIcon(Glyph::Menu));
     m_menu->setFixedSize(kMenuSize);
     m_menu->setFocusPolicy(Qt::TabFocus);
@@ -387,9 +393,18 @@ void HeaderBar::showStatus(const StationStatus& status)
     showState(status);
     showTarget(status);
     showLinks(status);
-    m_utc->setValue(utcText(status), status.clock.synchronised ? Tone::Normal : Tone::Warning);
-    m_utc->setToolTip(clockHelp(status));
+    showClock(status);
     m_simulated->setValue(status.simulated ? tr("SIMULATED") : QString(), Tone::Advisory);
+}
+
+void HeaderBar::showClock(const StationStatus& status)
+{
+    const bool isSet = status.clock.synchronised;
+    m_utc->setValue(utcText(status), isSet ? Tone::Normal : Tone::Warning);
+    m_clock->setValue(clockErrorText(status), isSet ? Tone::Secondary : Tone::Warning);
+    for (ValueLabel* const line : {m_utc, m_clock}) {
+        line->setToolTip(clockHelp(status));
+    }
 }
 
 void HeaderBar::showState(const StationStatus& status)

@@ -42,6 +42,7 @@ private:
     [[nodiscard]] bool isWhole(const QString& text) const;
     [[nodiscard]] QString withRange(const QString& doing, const QString& range) const;
     void showLinks(const StationStatus& status);
+    void showClock(const StationStatus& status);
 
     ValueLabel* m_state;
     ValueLabel* m_reason;
@@ -54,6 +55,7 @@ private:
     ValueLabel* m_transmit;
     ValueLabel* m_control;
     ValueLabel* m_utc;
+    ValueLabel* m_clock;  // how far it may be off
     ValueLabel* m_simulated;
     QToolButton* m_menu;
     StopButton* m_stop;

@@ -116,19 +116,21 @@ void MainMenu::openBelow(const QWidget& button)
     setActiveAction(actions().front());
 }
 
-// Alt is pressed and released without another key in between. Alt+Left and similar are other keys.
+// Alt is pressed and released without another key in between. Alt+Left and similar are other keys. For a key that is a
+// shortcut Qt sends only the ShortcutOverride, and no KeyPress.
 bool MainMenu::eventFilter(QObject* watched, QEvent* event)
 {
+    const bool isPress = event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride;
     const bool isRelease = event->type() == QEvent::KeyRelease;
     if (event->type() == QEvent::MouseButtonPress || event->type() == QEvent::WindowDeactivate) {
         m_altAlone = false;
-    } else if (isRelease || event->type() == QEvent::KeyPress) {
+    } else if (isRelease || isPress) {
         const auto* const key = static_cast<QKeyEvent*>(event);
         const bool isAlt = key->key() == Qt::Key_Alt;
         if (isRelease && isAlt && m_altAlone && m_window.isActiveWindow()) {
             Q_EMIT openWanted();
         }
-        m_altAlone = isAlt && !isRelease && (key->modifiers() & ~Qt::AltModifier) == Qt::NoModifier;
+        m_altAlone = isAlt && isPress && (key->modifiers() & ~Qt::AltModifier) == Qt::NoModifier;
     }
     return QMenu::eventFilter(watched, event);
 }

@@ -115,6 +115,12 @@ protected:
             EXPECT_LT(angleBetween(way[i].direction, {there.azimuth, std::max(there.elevation, 0_deg)}), 0.001_deg);
         }
     }
+    [[nodiscard]] QString remedyOf(const char* alarm) const
+    {
+        const std::vector<Alarm> all = rig.alarms.list();
+        const auto found = std::ranges::find(all, QString::fromLatin1(alarm), &Alarm::name);
+        return found == all.end() ? QString() : found->remedy;
+    }
     [[nodiscard]] bool isTracking() const { return rig.control.status().tracked.has_value(); }
     [[nodiscard]] bool logged(const char* words) const
     {
@@ -162,6 +168,9 @@ TEST_F(StationSatellitePass, WaitsWhereItRisesFollowsItUntilItSetsAndHolds)
     EXPECT_LT(std::chrono::abs(*status.tracked->next - found.pass.los.utc), std::chrono::milliseconds(100));
     EXPECT_EQ(status.state, StationState::Track);
     EXPECT_EQ(status.targetText.toStdString(), "track TEST ONE");
+    const Angle inASecond =
+        angleBetween(directionOf(found, now()), directionOf(found, now() + std::chrono::seconds(1)));
+    EXPECT_NEAR(status.tracked->skyRate.value().degrees(), inASecond.degrees(), 0.01 * inASecond.degrees());
 
     runUntil(found.pass.los.utc + std::chrono::seconds(5));
     EXPECT_FALSE(isTracking());
@@ -244,16 +253,23 @@ TEST_F(StationSatellitePass, EverythingElseEndsIt)
     }
 }
 
-// REQ-TRACK-912: An alarm reports that a target is tracked while no time source sets the clock. The alarm ends with the
-// tracking. A place on the Earth and a fixed direction need no clock.
+// REQ-TRACK-912: An alarm reports that a target is tracked while no time source sets the clock. It says how far the
+// target moves across the sky in a second. The alarm ends with the tracking. A place on the Earth and a fixed direction
+// need no clock.
 TEST_F(StationSatellite, AClockThatNothingSetsIsAnAlarm)
 {
-    follow();
+    const FoundOrbit found = follow();
     rig.run(Seconds(0.2));
     EXPECT_FALSE(rig.alarms.active(alarmEntry("track.clock")));
     rig.clock.setSynchronised(false);
     rig.run(Seconds(0.2));
     EXPECT_TRUE(rig.alarms.active(alarmEntry("track.clock")));
+    const UtcTime middle = found.pass.tca.utc;
+    const Angle fastest =
+        angleBetween(directionOf(found, middle), directionOf(found, middle + std::chrono::seconds(1)));
+    EXPECT_NEAR(remedyOf("track.clock").section(QStringLiteral("up to "), 1).section(QChar(0xb0), 0, 0).toDouble(),
+                fastest.degrees(), 0.01)
+        << remedyOf("track.clock").toStdString();
     ASSERT_TRUE(rig.ask(request::Hold{}));
     rig.run(Seconds(0.2));
     EXPECT_FALSE(rig.alarms.active(alarmEntry("track.clock")));

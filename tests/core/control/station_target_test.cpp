@@ -11,6 +11,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace boresight {
@@ -33,6 +34,18 @@ profile::Profile atSite()
 targets::Target targetOf(std::string_view text)
 {
     return targets::parseTarget(text, {}).value();
+}
+
+// The way of a table of rows, 12° in three minutes from two minutes on.
+targets::Target tableFrom(UtcTime start)
+{
+    std::string text;
+    for (int i = 0; i <= 3; ++i) {
+        const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(start.time_since_epoch()).count();
+        text +=
+            std::to_string(seconds + 120 + 60 * i) + ' ' + std::to_string(358 + 4 * i - (i > 0 ? 360 : 0)) + " 20\n";
+    }
+    return targets::tableTarget(tables::readTable(text, QStringLiteral("/tmp/way.txt")).value());
 }
 
 class StationTarget : public ::testing::Test
@@ -160,8 +173,11 @@ TEST_F(StationTarget, TheProfileMayForbidTheSun)
     rig.setProfile(away);
     rig.run(Seconds(0.2));
     EXPECT_THAT(ask("sun"), HasSubstr("the profile keeps the beam away from the Sun"));
+    EXPECT_EQ(ask("sun"), rig.control.status().permissions.reason(Action::TrackSun).toStdString());
+    EXPECT_TRUE(rig.control.status().permissions.allows(Action::Track));
     rig.setProfile(free);
     rig.run(Seconds(0.2));
+    EXPECT_TRUE(rig.control.status().permissions.allows(Action::TrackSun));
     ASSERT_EQ(ask("sun"), "");
     rig.settle();
     rig.setProfile(away);
@@ -170,6 +186,30 @@ TEST_F(StationTarget, TheProfileMayForbidTheSun)
     EXPECT_TRUE(logged(QStringLiteral("ends the tracking: the profile keeps the beam away from the Sun")));
     rig.settle();
     EXPECT_EQ(rig.state(), StationState::Hold);
+}
+
+// REQ-TRACK-914: The status has the speed of the tracked target across the sky, so that an error of the clock has a
+// meaning in degrees. This holds for Sun, Moon, a radio source, a table and a satellite. A fixed target needs no clock.
+TEST_F(StationTarget, SaysHowFastItGoesAcrossTheSky)
+{
+    for (const char* const text : {"moon", "sun", "tau a"}) {
+        targets::TargetPath path = pathOf(text);
+        goTo(*path.nextUp(now()).value().sets - std::chrono::hours(1));
+        ASSERT_EQ(ask(text), "") << text;
+        rig.run(Seconds(0.2));
+        ASSERT_TRUE(tracked() && tracked()->skyRate) << text;
+        const Angle inASecond = angleBetween(path.at(now()).value(), path.at(now() + std::chrono::seconds(1)).value());
+        EXPECT_NEAR(tracked()->skyRate->degrees(), inASecond.degrees(), 0.01 * inASecond.degrees()) << text;
+        EXPECT_NEAR(inASecond.degrees(), 0.004, 0.0006) << text;
+    }
+    ASSERT_TRUE(rig.ask(request::Track{tableFrom(std::chrono::floor<std::chrono::seconds>(now()))}));
+    rig.run(Seconds(0.2));
+    ASSERT_TRUE(tracked()->skyRate);
+    EXPECT_NEAR(tracked()->skyRate->degrees(), 4.0 / 60.0 * std::cos((20_deg).radians()), 0.001) << "waits for it";
+    for (const char* const text : {"azel 100,30", "IM67"}) {
+        ASSERT_EQ(ask(text), "") << text;
+        EXPECT_FALSE(tracked()->skyRate) << text;
+    }
 }
 
 // REQ-TRACK-924: Changing the site during tracking ends the tracking, and the mount holds.
@@ -225,18 +265,6 @@ TEST_F(StationTarget, BelongsToTheOperatorAndEndsWithStop)
     rig.run(Seconds(1.0));
     EXPECT_FALSE(tracked());
     EXPECT_NE(ask("azel 100,30"), "") << "STOP is latched";
-}
-
-// A table of rows that moves by 12° in three minutes and begins in two minutes.
-targets::Target tableFrom(UtcTime start)
-{
-    std::string text;
-    for (int i = 0; i <= 3; ++i) {
-        const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(start.time_since_epoch()).count();
-        text +=
-            std::to_string(seconds + 120 + 60 * i) + ' ' + std::to_string(358 + 4 * i - (i > 0 ? 360 : 0)) + " 20\n";
-    }
-    return targets::tableTarget(tables::readTable(text, QStringLiteral("/tmp/way.txt")).value());
 }
 
 // REQ-TRACK-926: A table from a file is tracked like a satellite. The mount waits where the table begins, follows the

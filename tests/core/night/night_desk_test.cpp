@@ -268,6 +268,63 @@ TEST_F(NightDeskTest, AClockThatIsSetBackMakesANewPlan)
     EXPECT_EQ(status().tracked, two.number);
 }
 
+// Two satellites of which the second sets later.
+class OverlappingNight : public NightDeskTest
+{
+protected:
+    static profile::Profile twoAtOnce()
+    {
+        profile::Profile profile = watching({{.number = 90'001, .priority = 1}, {.number = 90'004, .priority = 2}});
+        profile.schedule.between = profile::BetweenPasses::Park;
+        return profile;
+    }
+    OverlappingNight() : NightDeskTest(twoAtOnce())
+    {
+        const UtcTime begin = fakes::ManualClock().utc();
+        std::vector<orbit::ElementSet> sets{*threeSatellites()->begin()};
+        sets.push_back(risingAfter(90'004, begin, std::chrono::minutes(7), Seconds(300.0), Seconds(400.0)));
+        desk.setSatellites(std::make_shared<const std::vector<orbit::ElementSet>>(std::move(sets)));
+        run(Seconds(1.2));
+    }
+};
+
+// Story: the mount parked after the important satellite had set, while the other one was up for four minutes more.
+// REQ-SCHEDULE-923: When a chosen pass ends while another watched satellite is up, the mount goes to that one at once,
+// without parking, and tracks it for the rest of its pass. Report and moments have this rest as a pass of its own.
+TEST_F(OverlappingNight, TheRestOfAPassIsTrackedAfterTheChosenOne)
+{
+    const schedule::WatchedPass chosen = first();
+    const schedule::WatchedPass rest = status().plan.chosen.at(1);
+    ASSERT_EQ(rest.number, 90'004);
+    ASSERT_EQ(rest.rest.value().from, chosen.ends());
+    ASSERT_THAT(status().plan.conflicts.front().rests, ElementsAre(*rest.rest));
+    ASSERT_EQ(arm(), "");
+    skipToBefore(chosen);
+    runUntil(chosen.ends() + std::chrono::milliseconds(500));
+    EXPECT_EQ(status().tracked, rest.number);
+    EXPECT_FALSE(logged("park"));
+    runUntil(rest.ends() - std::chrono::seconds(1));
+    EXPECT_TRUE(rig.control.onTarget(0.2_deg));
+    runUntil(rest.ends() + std::chrono::seconds(1));
+    EXPECT_FALSE(status().tracked);
+    EXPECT_TRUE(logged("park")) << "nothing is up any more";
+
+    const schedule::NightReport report = status().report;
+    ASSERT_THAT(report.passes, SizeIs(2));
+    EXPECT_EQ(report.done(), 2);
+    EXPECT_NEAR(report.passes[0].tracked.count(), Seconds(chosen.ends() - chosen.begins()).count(), 1.0);
+    const schedule::PassRecord& part = report.passes[1];
+    const double lasts = Seconds(rest.ends() - rest.begins()).count();
+    EXPECT_EQ(part.aos, rest.begins());
+    EXPECT_NEAR(part.tracked.count(), lasts, 1.0);
+    EXPECT_GT(part.within3dB.count(), lasts - rig.profile.schedule.lead.count()) << "the way there is shorter";
+    EXPECT_LT(part.rmsError.value(), 0.3_deg);
+    EXPECT_THAT(moments(),
+                ElementsAre(Moment::BeforeAos, Moment::Aos, Moment::Los, Moment::BeforeAos, Moment::Aos, Moment::Los));
+    EXPECT_TRUE(logged("the tracked part of the pass of SAT 90004 begins"));
+    EXPECT_TRUE(logged("the tracked part of the pass of SAT 90004 ends"));
+}
+
 class UnattendedNight : public NightDeskTest
 {
 protected:

@@ -42,5 +42,29 @@ TEST(MomentObject, HasAllFacts)
     EXPECT_NE(ended.find(R"("end":"manual","event":"los")"), std::string::npos) << ended;
 }
 
+// REQ-SCHEDULE-908: Of a pass that is tracked in part the plan shows the times of this part, and the conflict shows the
+// same part beside what was chosen.
+TEST(PlanJson, ShowsThePartOfAPass)
+{
+    const UtcTime begin = std::chrono::sys_days{std::chrono::year{2026} / 11 / 21};
+    schedule::WatchedPass whole{.number = 25544, .name = QStringLiteral("ISS")};
+    whole.pass.aos.utc = begin;
+    whole.pass.los.utc = begin + 600s;
+    schedule::WatchedPass part = whole;
+    part.rest = passes::Stretch{.from = begin + 400s, .to = begin + 600s};
+    ScheduleStatus status;
+    status.plan.chosen = {part};
+    status.plan.conflicts = {{.leftOut = whole, .chosen = whole, .rests = {*part.rest}}};
+    const std::string json = planJson(status).toStdString();
+    EXPECT_NE(json.find(R"("passes":[{"aos_utc":"2026-11-21T00:06:40Z","los_utc":"2026-11-21T00:10:00Z",)"
+                        R"("max_el":0,"name":"ISS","norad":25544,"part":true,"priority":1}])"),
+              std::string::npos)
+        << json;
+    EXPECT_NE(json.find(R"("tracked":[{"from_utc":"2026-11-21T00:06:40Z","to_utc":"2026-11-21T00:10:00Z"}])"),
+              std::string::npos)
+        << json;
+    EXPECT_NE(json.find(R"("left_out":{"aos_utc":"2026-11-21T00:00:00Z")"), std::string::npos) << json;
+}
+
 }  // namespace
 }  // namespace boresight

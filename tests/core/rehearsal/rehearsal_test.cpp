@@ -77,6 +77,37 @@ TEST(Rehearsal, TracksEachPassOfThePlan)
     EXPECT_LE(night->mostAzimuth, task.profile.azimuth.geometry.travel.max);
 }
 
+// REQ-SCHEDULE-944: The rehearsal also tracks the rests of passes that are left out. Its report has each pass and each
+// rest of the plan, with the seconds.
+TEST(Rehearsal, HasTheRestsOfPassesThatAreLeftOut)
+{
+    RehearsalTask task = nightOfTwo();
+    std::vector<orbit::ElementSet> sets = *task.satellites;
+    for (int i = 0; i < 3; ++i) {
+        orbit::ElementSet beside = fakes::lowOrbit(task.from, {}, Angle::fromDegrees(-8.0 * (i + 1)));
+        beside.number = kFirst + 2 + i;
+        beside.name = "SAT " + std::to_string(beside.number);
+        task.profile.schedule.watch.push_back({.number = kFirst + 2 + i, .priority = 2, .leastElevation = 10_deg});
+        sets.push_back(beside);
+    }
+    task.satellites = std::make_shared<const std::vector<orbit::ElementSet>>(std::move(sets));
+    const Result<RehearsedNight> night = rehearsed(task);
+    ASSERT_TRUE(night);
+    ASSERT_THAT(night->report.passes, SizeIs(night->plan.chosen.size()));
+    int rests = 0;
+    for (std::size_t i = 0; i < night->plan.chosen.size(); ++i) {
+        const schedule::WatchedPass& planned = night->plan.chosen[i];
+        const schedule::PassRecord& record = night->report.passes[i];
+        const Seconds lasts = planned.ends() - planned.begins();
+        EXPECT_EQ(record.number, planned.number);
+        EXPECT_LT(std::chrono::abs(record.aos - planned.rises()), std::chrono::milliseconds(10)) << "searched again";
+        EXPECT_NEAR(record.tracked.count(), lasts.count(), 1.0);
+        EXPECT_GT(record.within3dB, lasts - task.profile.schedule.lead);
+        rests += planned.rest ? 1 : 0;
+    }
+    EXPECT_GT(rests, 0);
+}
+
 // REQ-SCHEDULE-941: If the mount is too slow for a pass, the rehearsal shows the seconds beyond 3 dB.
 TEST(Rehearsal, ShowsWhatASlowMountLoses)
 {

@@ -23,16 +23,35 @@ WatchedPass pass(std::int64_t number, int from, int to, int priority = 1)
     return one;
 }
 
+// Those that are tracked whole.
 std::vector<std::int64_t> chosen(const NightPlan& plan)
 {
     std::vector<std::int64_t> numbers;
-    std::ranges::transform(plan.chosen, std::back_inserter(numbers), &WatchedPass::number);
+    for (const WatchedPass& one : plan.chosen) {
+        if (!one.rest) {
+            numbers.push_back(one.number);
+        }
+    }
     return numbers;
+}
+
+passes::Stretch stretch(int from, int to)
+{
+    return {.from = UtcTime(std::chrono::seconds(from)), .to = UtcTime(std::chrono::seconds(to))};
 }
 
 NightPlan plan(const std::vector<WatchedPass>& passes, OverlapPolicy policy = OverlapPolicy::Priority)
 {
     return planNight(passes, {.policy = policy, .lead = Seconds(60.0)});
+}
+
+WatchedPass seenOnly(WatchedPass one, std::vector<std::pair<int, int>> parts)
+{
+    one.pass.clear.clear();
+    for (const auto& [from, to] : parts) {
+        one.pass.clear.push_back({UtcTime(std::chrono::seconds(from)), UtcTime(std::chrono::seconds(to))});
+    }
+    return one;
 }
 
 // REQ-SCHEDULE-900: Of passes that overlap the policy chooses one: by priority, by length, or the one that begins
@@ -43,8 +62,11 @@ TEST(NightPlan, ThePolicyChoosesOneOfThoseThatOverlap)
     const NightPlan byPriority = plan(passes);
     EXPECT_THAT(chosen(byPriority), ElementsAre(2));
     ASSERT_THAT(byPriority.conflicts, SizeIs(2));
-    EXPECT_EQ(byPriority.conflicts[0],
-              (Conflict{.leftOut = passes[0], .chosen = passes[1], .reason = Reason::Priority, .overlaps = true}));
+    EXPECT_EQ(byPriority.conflicts[0], (Conflict{.leftOut = passes[0],
+                                                 .chosen = passes[1],
+                                                 .reason = Reason::Priority,
+                                                 .overlaps = true,
+                                                 .rests = {stretch(0, 240)}}));
     EXPECT_EQ(byPriority.conflicts[1].leftOut, passes[2]);
 
     const NightPlan byLength = plan(passes, OverlapPolicy::Longest);
@@ -76,7 +98,7 @@ TEST(NightPlan, ATieIsDecidedTheSameWayEachTime)
     }
     for (const OverlapPolicy policy : {OverlapPolicy::Priority, OverlapPolicy::Longest, OverlapPolicy::First}) {
         const NightPlan first = plan(night, policy);
-        EXPECT_EQ(first.chosen.size() + first.conflicts.size(), night.size());
+        EXPECT_EQ(chosen(first).size() + first.conflicts.size(), night.size());
         std::ranges::shuffle(night, random);
         EXPECT_EQ(plan(night, policy), first);
     }
@@ -98,13 +120,65 @@ TEST(NightPlan, TheMountIsInPlaceBeforeEachPass)
     EXPECT_THAT(plan({}).chosen, IsEmpty());
 }
 
-WatchedPass seenOnly(WatchedPass one, std::vector<std::pair<int, int>> parts)
+// REQ-SCHEDULE-907: What is left of a pass that is left out, before, between or after the chosen ones, is tracked, too,
+// if it is seen for 60 s from when the mount can be in place for it. It keeps back no whole pass. The conflict lists
+// it.
+TEST(NightPlan, TheRestOfAPassThatIsLeftOutIsTracked)
 {
-    one.pass.clear.clear();
-    for (const auto& [from, to] : parts) {
-        one.pass.clear.push_back({UtcTime(std::chrono::seconds(from)), UtcTime(std::chrono::seconds(to))});
+    const NightPlan after = plan({pass(1, 0, 400, 1), pass(2, 200, 600, 2)});
+    ASSERT_THAT(after.chosen, SizeIs(2));
+    EXPECT_EQ(after.chosen[1].number, 2);
+    EXPECT_EQ(after.chosen[1].rest, stretch(400, 600)) << "the mount goes there at once";
+    EXPECT_EQ(after.chosen[1].begins(), after.chosen[0].ends());
+    EXPECT_THAT(after.conflicts[0].rests, ElementsAre(stretch(400, 600)));
+    EXPECT_FALSE(after.conflicts[0].leftOut.rest);
+    EXPECT_THAT(plan({pass(1, 0, 400, 1), pass(2, 200, 519, 2)}).chosen, SizeIs(1)) << "59 s after the lead";
+
+    const NightPlan before = plan({pass(1, 300, 700, 1), pass(2, 0, 500, 2)});
+    ASSERT_THAT(before.chosen, SizeIs(2));
+    EXPECT_EQ(before.chosen[0].rest, stretch(0, 240)) << "the lead belongs to the chosen one";
+    EXPECT_THAT(plan({pass(1, 119, 700, 1), pass(2, 0, 500, 2)}).chosen, SizeIs(1)) << "59 s before the lead";
+
+    const NightPlan both = plan({pass(1, 1000, 1400, 1), pass(2, 0, 5000, 2), pass(3, 2000, 2300, 1)});
+    EXPECT_THAT(chosen(both), ElementsAre(1, 3));
+    EXPECT_THAT(both.conflicts[0].rests, ElementsAre(stretch(0, 940), stretch(1400, 1940), stretch(2300, 5000)));
+    EXPECT_TRUE(std::ranges::is_sorted(both.chosen, {}, &WatchedPass::begins));
+
+    // By priority alone the second would take the time of the third.
+    EXPECT_THAT(chosen(plan({pass(1, 0, 400, 1), pass(2, 300, 900, 2), pass(3, 500, 1000, 3)})), ElementsAre(1, 3));
+}
+
+// REQ-SCHEDULE-907
+TEST(NightPlan, OfARestOnlyWhatTheAntennaSeesCounts)
+{
+    const WatchedPass one = pass(1, 0, 400, 1);
+    const NightPlan late = plan({one, seenOnly(pass(2, 200, 700, 2), {{200, 380}, {600, 700}})});
+    ASSERT_THAT(late.chosen, SizeIs(2));
+    EXPECT_EQ(late.chosen[1].begins(), UtcTime(std::chrono::seconds(600)));
+    EXPECT_EQ(late.chosen[1].pass.clearTime(), Seconds(100.0));
+    EXPECT_THAT(plan({one, seenOnly(pass(2, 200, 700, 2), {{200, 519}})}).chosen, SizeIs(1));
+}
+
+// REQ-SCHEDULE-907
+TEST(NightPlan, NothingOfTheChosenPassesIsTakenByARest)
+{
+    std::mt19937 random(11);
+    std::vector<WatchedPass> night;
+    for (int i = 0; i < 80; ++i) {
+        const int from = static_cast<int>(random() % 30'000);
+        night.push_back(
+            pass(i, from, from + 100 + static_cast<int>(random() % 900), 1 + static_cast<int>(random() % 3)));
     }
-    return one;
+    const NightPlan all = plan(night);
+    int rests = 0;
+    for (std::size_t i = 1; i < all.chosen.size(); ++i) {
+        const WatchedPass& before = all.chosen[i - 1];
+        const WatchedPass& one = all.chosen[i];
+        const Seconds gap = one.begins() - before.ends();
+        EXPECT_GE(gap, Seconds(one.rest ? 0.0 : 60.0));
+        rests += one.rest ? 1 : 0;
+    }
+    EXPECT_GT(rests, 10);
 }
 
 // REQ-SCHEDULE-905: The horizon, the keep-outs and the limits of the mount count. A pass is as long as the antenna sees

@@ -206,6 +206,11 @@ TEST(TargetPath, WithoutAirABodyRisesByGeometry)
     EXPECT_NEAR(path.at(geometric).value().elevation.degrees(), 0.0, 0.008);
     EXPECT_GT(geometric - seen, std::chrono::minutes(2));
     EXPECT_LT(geometric - seen, std::chrono::minutes(4));
+    EXPECT_EQ(path.refractionOfRise(), ephemeris::Refraction::None);
+    EXPECT_EQ(TargetPath(object("moon"), kLisbon).refractionOfRise(), ephemeris::Refraction::Light);
+    EXPECT_EQ(TargetPath(object("cas-a"), kLisbon).refractionOfRise(), ephemeris::Refraction::Radio);
+    const Target west{.name = {}, .kind = SkyPointing{.azimuth = 270_deg, .elevation = 12_deg}};
+    EXPECT_EQ(TargetPath(west, kLisbon).refractionOfRise(), ephemeris::Refraction::None);
 }
 
 // REQ-TARGETS-906: A fixed direction does not change, and is always up.

@@ -69,7 +69,25 @@ TEST(PassTimeline, FavouritesComeFirstThenWhatIsWatched)
     EXPECT_EQ(timeline.rows[0].bars.front().plan, PassPlan::None);
     EXPECT_EQ(timeline.rows[1].bars.front().plan, PassPlan::LeftOut);
     EXPECT_EQ(timeline.rows[2].bars.front().plan, PassPlan::Tracked);
+    EXPECT_THAT(timeline.rows[1].bars.front().tracked, testing::IsEmpty());
+    EXPECT_THAT(timeline.rows[2].bars.front().tracked, testing::SizeIs(1));
     EXPECT_EQ(timeline.leftOut, 0U);
+}
+
+// REQ-PASSES-962
+TEST(PassTimeline, ThePartThatIsTrackedIsUnderlined)
+{
+    const auto book = bookOf(2);
+    PassTable table;
+    table.show(book, kTimelineNow);
+    schedule::NightPlan plan;
+    schedule::WatchedPass rest = watched(*book, 1);
+    rest.rest = passes::Stretch{.from = rest.pass.tca.utc, .to = rest.pass.los.utc};
+    plan.chosen = {watched(*book, 0), rest};
+    plan.conflicts = {{.leftOut = watched(*book, 1), .chosen = watched(*book, 0), .rests = {*rest.rest}}};
+    const TimelineBar bar = timelineOf(table, {}, plan).rows.at(1).bars.front();
+    EXPECT_EQ(bar.plan, PassPlan::LeftOut);
+    EXPECT_THAT(bar.tracked, ElementsAre(*rest.rest));
 }
 
 TEST(PassTimeline, SaysWhatHasNoRow)

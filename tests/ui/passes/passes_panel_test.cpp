@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/passes/passes_panel.h"
 
+#include "core/targets/track_rules.h"
 #include "tests/ui/event_loop.h"
 #include "tests/ui/passes/passes_fixture.h"
 #include "ui/guide/guide_page.h"
@@ -29,9 +30,20 @@ namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
+using testing::MatchesRegex;
 using testing::Not;
 
-using PassesPanelTest = PassesFixture;
+class PassesPanelTest : public PassesFixture
+{
+protected:
+    // When the station accepts to track this pass.
+    StationStatus soonBefore(int row)
+    {
+        StationStatus status = withSatellites();
+        status.utc = qobject_cast<PassTable*>(table().model())->pass(row).pass.aos.utc - std::chrono::minutes(5);
+        return status;
+    }
+};
 
 // REQ-PASSES-950: The panel Passes lists the coming passes of all satellites within a day, in the order of their rise.
 // Typed words and a minimum elevation filter them. Without satellites or without a site it says what to do.
@@ -142,22 +154,23 @@ TEST_F(PassesPanelTest, CountsWhatIsListed)
 }
 
 // REQ-PASSES-958: The age of the elements is evaluated: the expected error of the satellite in seconds and degrees, and
-// whether it exceeds half the beam width.
+// whether it exceeds half the beam width. The facts of the selected pass show this also in a low panel.
 TEST_F(PassesPanelTest, JudgesTheAgeOfTheElements)
 {
     StationStatus status = withSatellites();
     giveFound(status);
     // A low panel has all facts in the tooltip.
     const auto facts = [this] { return named<ValueLabel>("The selected pass")->toolTip(); };
-    EXPECT_THAT(facts().toStdString(), AllOf(HasSubstr("elements 0.0 days old: about 0."), HasSubstr("° off"),
+    EXPECT_THAT(facts().toStdString(), AllOf(HasSubstr("elements 0.0 days old: about 0."), HasSubstr("° off, beam "),
                                              Not(HasSubstr("half the beam"))));
+    EXPECT_THAT(text("The selected pass").toStdString(),
+                MatchesRegex("(.|\n)*elements 0\\.0 d old: 0\\.[0-9] s, 0\\.[0-9][0-9]° off, beam [0-9.]+°(.|\n)*"));
     profile::Profile profile = *status.profile;
     profile.mount.beamWidth = 0.01_deg;
     status.profile = std::make_shared<const profile::Profile>(profile);
     give(samples::update(status));
     ASSERT_TRUE(fakes::waitUntil([&] { return facts().contains(u"° off, more than half the beam"); }));
-    EXPECT_THAT(text("The selected pass").toStdString(),
-                HasSubstr("elements 0.0 days old, more than half the beam off"));
+    EXPECT_THAT(text("The selected pass").toStdString(), HasSubstr("° off, beam 0.01°, too old"));
     EXPECT_FALSE(named<ValueLabel>("The selected pass")->isElided());
 
     // With the antenna in use, or with the satellite's own antenna.
@@ -223,12 +236,13 @@ TEST_F(PassesPanelTest, TrackAsksForTheSelectedSatellite)
                                     ->elementsOf(qobject_cast<PassTable*>(table().model())->pass(row))
                                     .number;
     EXPECT_TRUE(text("The selected pass").contains(QString::number(number)));
-    give(samples::update(withSatellites()));
+    const StationStatus status = soonBefore(row);
+    give(samples::update(status));
     QTest::mouseClick(named<CommandButton>("Track"), Qt::LeftButton);
     ASSERT_EQ(asked<request::Track>().size(), 1U);
     EXPECT_EQ(std::get<orbit::ElementSet>(asked<request::Track>().front().target.kind).number, number);
 
-    StationUpdate refused = samples::update(withSatellites());
+    StationUpdate refused = samples::update(status);
     refused.answers.push_back(
         {.requestId = requests.back().id, .error = Error{ErrorCode::Refused, QStringLiteral("It rises later.")}});
     give(refused);
@@ -250,7 +264,7 @@ TEST_F(PassesPanelTest, TheFactsFoldWhereTheWindowIsLow)
 {
     giveFound(withSatellites());
     EXPECT_LE(text("The selected pass").count(QLatin1Char('\n')), 3);
-    EXPECT_THAT(text("The selected pass").toStdString(), HasSubstr("\nelements 0.0 days old, 0."));
+    EXPECT_THAT(text("The selected pass").toStdString(), HasSubstr("\nelements 0.0 d old: 0."));
     EXPECT_FALSE(named<ValueLabel>("The selected pass")->isElided());
     EXPECT_TRUE(text("The selected pass").startsWith(QStringLiteral("number ")));
     EXPECT_GE(table().viewport()->height(), 3 * table().rowHeight(0));
@@ -324,6 +338,39 @@ TEST_F(PassesPanelTest, APassThatIsOverLeavesTheTable)
     EXPECT_GT(model.pass(0).pass.los.utc, status.utc);
 }
 
+// Story: Track was offered for a pass in three hours, and the station refused it.
+// REQ-PASSES-968: Track is enabled for a pass exactly when the station accepts it. Otherwise the tooltip has the reason
+// of the station: a rise in more than half an hour, elements that are too old, elements that are gone.
+TEST_F(PassesPanelTest, TrackIsOfferedByTheRulesOfTheStation)
+{
+    StationStatus status = withSatellites();
+    giveFound(status);
+    const auto& model = *qobject_cast<PassTable*>(table().model());
+    auto* const track = named<CommandButton>("Track");
+    int blocked = 0;
+    for (int row = 0; row < rows(); ++row) {
+        table().selectRow(row);
+        give(samples::update(status));
+        const BookedPass& pass = model.pass(row);
+        const QString name = targets::satelliteName(model.book()->elementsOf(pass));
+        const Result<> may = targets::isSoon(name, pass.pass.aos.utc, status.utc);
+        EXPECT_EQ(track->isEnabled(), may.has_value()) << row;
+        EXPECT_TRUE(may || track->toolTip() == QStringLiteral("Track: ") + may.error().text);
+        blocked += may ? 0 : 1;
+    }
+    EXPECT_GT(blocked, 0);
+
+    status = soonBefore(table().currentIndex().row());
+    give(samples::update(status));
+    EXPECT_TRUE(track->isEnabled());
+    profile::Profile strict = *status.profile;
+    strict.orbit.oldestDays = 0.01;
+    status.profile = std::make_shared<const profile::Profile>(strict);
+    give(samples::update(status));
+    EXPECT_FALSE(track->isEnabled());
+    EXPECT_TRUE(track->toolTip().endsWith(QStringLiteral("Load newer elements."))) << track->toolTip().toStdString();
+}
+
 // REQ-PASSES-989: When the selected pass is over, the next pass of the same satellite is selected. So Track never
 // changes to another satellite by itself.
 TEST_F(PassesPanelTest, TheSelectionStaysWithItsSatellite)
@@ -343,6 +390,7 @@ TEST_F(PassesPanelTest, TheSelectionStaysWithItsSatellite)
     ASSERT_TRUE(table().currentIndex().isValid());
     EXPECT_EQ(numberAt(table().currentIndex().row()), number);
     EXPECT_GT(model.pass(table().currentIndex().row()).pass.los.utc, status.utc);
+    give(samples::update(soonBefore(table().currentIndex().row())));
     QTest::mouseClick(named<CommandButton>("Track"), Qt::LeftButton);
     ASSERT_EQ(asked<request::Track>().size(), 1U);
     EXPECT_EQ(std::get<orbit::ElementSet>(asked<request::Track>().back().target.kind).number, number);

@@ -3,6 +3,7 @@
 
 #include "tests/ui/window_fixture.h"
 #include "ui/kit/command_button.h"
+#include "ui/kit/format.h"
 #include "ui/passes/schedule_table.h"
 
 #include <QComboBox>
@@ -88,6 +89,24 @@ TEST_F(SchedulePageTest, ShowsTheNightInTheOrderOfTime)
     const QString state = text("State of the schedule");
     EXPECT_TRUE(state.startsWith(QStringLiteral("Off. Nothing moves by itself. Next: ISS at"))) << state.toStdString();
     EXPECT_TRUE(state.endsWith(QStringLiteral("1 of 1 passes tracked to the end."))) << state.toStdString();
+}
+
+// REQ-SCHEDULE-955: A pass that is tracked in part has a row for the whole, with the reason, and one for the part.
+TEST_F(SchedulePageTest, ShowsThePartOfAPassThatIsTracked)
+{
+    StationStatus status = withPlan();
+    ScheduleStatus schedule = *status.schedule;
+    WatchedPass rest = schedule.plan.conflicts.front().leftOut;
+    rest.rest = passes::Stretch{.from = schedule.plan.chosen.back().ends(), .to = rest.ends()};
+    rest.pass.clear = {*rest.rest};
+    schedule.plan.chosen.push_back(rest);
+    schedule.plan.conflicts.front().rests = {*rest.rest};
+    status.schedule = std::make_shared<const ScheduleStatus>(schedule);
+    show(status);
+    ASSERT_EQ(table().model()->rowCount(), 5);
+    EXPECT_EQ(cell(2, ScheduleTable::What), "tracked in part, ISS is more important");
+    EXPECT_EQ(cell(3, ScheduleTable::What), "in 22 min, part of the pass");
+    EXPECT_EQ(cell(3, ScheduleTable::Begins), clockText(rest.begins()).toStdString());
 }
 
 // REQ-SCHEDULE-950

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/passes/targets_page.h"
 
+#include "core/targets/track_rules.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/kit/command_button.h"
+#include "ui/kit/format.h"
 #include "ui/passes/target_table.h"
 
 #include <QFileDialog>
@@ -54,9 +56,14 @@ TEST_F(TargetsPageTest, ListsWhereEachStandsAndTracksTheSelectedOne)
                     next == (isUp ? QStringLiteral("up all day") : QStringLiteral("not up within a day")))
             << next.toStdString();
     }
-    table().selectRow(4);
+    int row = 1;
+    while (!cell(row, TargetTable::Next).startsWith(QStringLiteral("sets"))) {
+        ++row;
+    }
+    table().selectRow(row);
+    show(status);
     QTest::mouseClick(named<CommandButton>("Track selected"), Qt::LeftButton);
-    EXPECT_EQ(trackedLast(), cell(4, TargetTable::Name));
+    EXPECT_EQ(trackedLast(), cell(row, TargetTable::Name));
 
     profile::Profile nowhere = *status.profile;
     nowhere.site.known = false;
@@ -88,6 +95,67 @@ TEST_F(TargetsPageTest, GoesByTheRuleForRefraction)
     EXPECT_LT(cell(0, TargetTable::Elevation).chopped(1).toDouble(), -0.3);
     EXPECT_NEAR(cell(0, TargetTable::Elevation).chopped(1).toDouble(), path.at(status.utc)->elevation.degrees(), 0.06);
     EXPECT_TRUE(cell(0, TargetTable::Next).startsWith(QStringLiteral("rises")));
+}
+
+// Story: the Moon of the list set four minutes after the Moon of WSJT-X, and an operator thought that it was wrong.
+// REQ-TARGETS-961: The list shows the refraction with which each target rises and sets. The mount tracks with the same
+// refraction. The tooltip has the time without refraction.
+TEST_F(TargetsPageTest, SaysByWhichRefractionATargetRisesAndSets)
+{
+    using ephemeris::RefractionRule;
+    constexpr int kMoon = 1;
+    const targets::Target moon = targets::objectTargets()[kMoon];
+    const Site site{38.757_deg, -9.117_deg, 80.0};
+    StationStatus status = atSite();
+    targets::TargetPath path(moon, site);
+    const UtcTime sets = path.nextUp(status.utc).value().sets.value();
+    status.utc = sets - std::chrono::hours(1);
+    show(status);
+    EXPECT_EQ(cell(kMoon, TargetTable::Refraction), QStringLiteral("optical"));
+    EXPECT_EQ(cell(13, TargetTable::Refraction), QStringLiteral("radio")) << cell(13, TargetTable::Name).toStdString();
+    EXPECT_TRUE(cell(kMoon, TargetTable::Next).startsWith(QStringLiteral("sets ") + clockText(sets)));
+
+    path.setRule(RefractionRule::None);
+    const UtcTime geometric = path.nextUp(status.utc).value().sets.value();
+    EXPECT_GT(sets - geometric, std::chrono::minutes(2));
+    const auto help = [&] { return table().model()->index(kMoon, TargetTable::Next).data(Qt::ToolTipRole).toString(); };
+    EXPECT_EQ(help(), QStringLiteral("With optical refraction, as the mount tracks it.\nWithout refraction, as WSJT-X "
+                                     "shows it, it sets %1Z.")
+                          .arg(clockText(geometric)));
+
+    profile::Profile airless = *status.profile;
+    airless.orbit.refraction = RefractionRule::None;
+    status.profile = std::make_shared<const profile::Profile>(airless);
+    status.utc += std::chrono::seconds(1);
+    show(status);
+    EXPECT_EQ(cell(kMoon, TargetTable::Refraction), QStringLiteral("off"));
+    EXPECT_TRUE(cell(kMoon, TargetTable::Next).startsWith(QStringLiteral("sets ") + clockText(geometric)));
+    EXPECT_EQ(help(), QStringLiteral("Without refraction, as WSJT-X shows it."));
+}
+
+// REQ-TARGETS-962: Track is not enabled for a target that the station would refuse. The tooltip has the reason of the
+// station: the profile keeps the beam away from the Sun, or the target rises in more than half an hour.
+TEST_F(TargetsPageTest, OffersOnlyWhatTheStationTracks)
+{
+    StationStatus status = atSite();
+    show(status);
+    auto* const track = named<CommandButton>("Track selected");
+    for (int row = 0; row < table().model()->rowCount(); ++row) {
+        table().selectRow(row);
+        show(status);
+        const targets::Target target = targets::objectTargets()[std::size_t(row)];
+        targets::TargetPath path(target, {38.757_deg, -9.117_deg, 80.0});
+        const auto up = path.nextUp(status.utc);
+        const Result<> may = up ? targets::isSoon(target.name, up->rises, status.utc) : Result<>{};
+        const QString why = !up ? up.error().text : may ? QString() : may.error().text;
+        EXPECT_EQ(track->isEnabled(), why.isEmpty()) << target.name.toStdString();
+        EXPECT_TRUE(why.isEmpty() || track->toolTip().endsWith(why)) << track->toolTip().toStdString();
+    }
+    table().selectRow(0);
+    status.permissions.refuse(Action::TrackSun, QStringLiteral("the profile keeps the beam away from the Sun."));
+    show(status);
+    EXPECT_FALSE(track->isEnabled());
+    EXPECT_TRUE(track->toolTip().endsWith(QStringLiteral("keeps the beam away from the Sun.")));
 }
 
 // REQ-TARGETS-951: A typed target is tracked, with the same words as for boresightctl track. An invalid text is refused

@@ -2,6 +2,7 @@
 #include "ui/window/main_menu.h"
 
 #include "tests/ui/window_fixture.h"
+#include "ui/guide/guide_page.h"
 #include "ui/window/about_page.h"
 #include "ui/window/help_page.h"
 #include "ui/window/stop_button.h"
@@ -63,6 +64,21 @@ TEST_F(MainMenuTest, AltWithAnotherKeyDoesNotOpenIt)
     QTest::keyClick(&window, Qt::Key_Left, Qt::AltModifier);
     QTest::keyRelease(&window, Qt::Key_Alt);
     EXPECT_FALSE(menu().isVisible());
+}
+
+// Story: Alt+Right turned the page of the guide, Alt was released first, and the menu covered the page.
+// REQ-UI-903
+TEST_F(MainMenuTest, AltWithAShortcutDoesNotOpenIt)
+{
+    QTest::keyClick(&window, Qt::Key_F3);
+    ASSERT_TRUE(window.findChild<GuidePage*>()->isVisible());
+    for (const Qt::Key key : {Qt::Key_Right, Qt::Key_Left}) {
+        QTest::keyPress(&window, Qt::Key_Alt, Qt::AltModifier);
+        QTest::keyPress(&window, key, Qt::AltModifier);
+        QTest::keyRelease(&window, Qt::Key_Alt);
+        QTest::keyRelease(&window, key);
+        EXPECT_FALSE(menu().isVisible());
+    }
 }
 
 TEST_F(MainMenuTest, EachLineShowsItsKey)

@@ -91,27 +91,41 @@ TEST_F(WindowTest, TheHeaderSaysThatTheScheduleIsArmed)
     EXPECT_EQ(text("Target and its source"), QStringLiteral("no target"));
 }
 
-// REQ-UI-1440: The clock shows its error by its time source, and the effect on the sky for the tracked target. A clock
-// that no time source sets has a question mark and says what to do.
+// REQ-UI-1440: A line below the clock shows the error of the clock by its time source, and the effect on the sky for
+// the tracked target. For a clock that no time source sets it shows how far the target moves in a second, and the clock
+// has a question mark. The tooltip has the same in sentences, and what to do.
 TEST_F(WindowTest, TheClockSaysHowFarItIsOff)
 {
     StationStatus status = samples::operatorMoving();
     status.clock = {.synchronised = true, .error = Seconds(0.004)};
-    status.tracked = TrackedTarget{.name = QStringLiteral("ISS")};
-    status.azimuth.commandedRate = 6_deg_s;
-    status.elevation.commandedRate = AngularRate{};
-    status.elevation.actual = 60_deg;
     give(samples::update(status));
     EXPECT_EQ(text("UTC"), QStringLiteral("17:06:19Z"));
+    EXPECT_EQ(text("Error of the clock"), QStringLiteral("±4.0 ms"));
+    status.tracked = TrackedTarget{.name = QStringLiteral("ISS")};
+    give(samples::update(status));
+    EXPECT_EQ(text("Error of the clock"), QStringLiteral("±4.0 ms")) << "what stays needs no clock";
+    status.tracked->skyRate = 3_deg_s;
+    give(samples::update(status));
+    EXPECT_EQ(text("Error of the clock"), QStringLiteral("±4.0 ms = 0.012°"));
     EXPECT_EQ(
         named<ValueLabel>("UTC")->toolTip(),
         QStringLiteral("A time source sets the clock of the station. It reports an error of 4.0 ms. That is 0.012° "
                        "for ISS."));
+    status.clock.error = Seconds(1.25);
+    status.tracked->skyRate = AngularRate::fromDegrees(0.004);
+    give(samples::update(status));
+    EXPECT_EQ(text("Error of the clock"), QStringLiteral("±1.2 s = 0.005°")) << "the Moon";
     status.clock = {.synchronised = false, .error = {}};
     give(samples::update(status));
     EXPECT_EQ(text("UTC"), QStringLiteral("17:06:19Z?"));
     EXPECT_EQ(named<ValueLabel>("UTC")->tone(), Tone::Warning);
-    EXPECT_TRUE(named<ValueLabel>("UTC")->toolTip().endsWith(QStringLiteral("Set up NTP or GPS.")));
+    EXPECT_EQ(text("Error of the clock"), QStringLiteral("not set, 1 s = 0.004°"));
+    EXPECT_EQ(named<ValueLabel>("UTC")->toolTip(),
+              QStringLiteral("No time source sets the clock of the station. Set up NTP or GPS. One second off is "
+                             "0.004° for ISS."));
+    status.tracked.reset();
+    give(samples::update(status));
+    EXPECT_EQ(text("Error of the clock"), QStringLiteral("not set"));
 }
 
 TEST_F(WindowTest, TheClientListIsInTheTooltip)

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/targets/track_rules.h"
+
+#include "core/base/text.h"
+#include "core/base/time_of_day.h"
+#include "core/elements/julian_date.h"
+#include "core/units/duration_text.h"
+
+#include <cmath>
+#include <variant>
+
+namespace boresight::targets {
+
+namespace {
+
+using Days = std::chrono::duration<double, std::chrono::days::period>;
+
+}  // namespace
+
+Result<> isFresh(const Target& target, UtcTime now, double oldestDays)
+{
+    const auto* const elements = std::get_if<orbit::ElementSet>(&target.kind);
+    const double age = elements ? std::abs(Days(now - orbit::utcTime(elements->epoch)).count()) : 0.0;
+    return age <= oldestDays ? Result<>{}
+                             : failure(ErrorCode::Refused,
+                                       Text::tr("The elements of %1 are %2 days old. The setting oldest_days permits "
+                                                "%3. Load newer elements.")
+                                           .arg(target.name)
+                                           .arg(age, 0, 'f', 1)
+                                           .arg(oldestDays, 0, 'f', 0));
+}
+
+Result<> isSoon(const QString& name, UtcTime rises, UtcTime now)
+{
+    return rises - now <= kLongestWait
+               ? Result<>{}
+               : failure(ErrorCode::Refused,
+                         Text::tr("%1 rises at %2, in %3. Track it in the last %4 minutes before that.")
+                             .arg(name, timeOfDayText(rises), durationText(rises - now))
+                             .arg(kLongestWait.count()));
+}
+
+}  // namespace boresight::targets
