@@ -213,20 +213,52 @@
 <context>
     <name>ClockWords</name>
     <message>
-        <source>No time source sets the clock of the station. Satellites, Sun and Moon may be elsewhere: a satellite 420 km up moves 1° in a second. Set up NTP or GPS.</source>
-        <translation>Nenhuma fonte de tempo acerta o relógio da estação. Satélites, Sol e Lua podem estar noutro lugar: um satélite a 420 km de altura move-se 1° num segundo. Configure NTP ou GPS.</translation>
-    </message>
-    <message>
         <source>A time source sets the clock of the station.</source>
         <translation>Uma fonte de tempo acerta o relógio da estação.</translation>
     </message>
     <message>
-        <source>A time source sets the clock of the station. It reports an error of %1 ms.</source>
-        <translation>Uma fonte de tempo acerta o relógio da estação. Indica um erro de %1 ms.</translation>
-    </message>
-    <message>
         <source>%1 That is %2 for %3.</source>
         <translation>%1 São %2 para %3.</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>not set, 1 s = %1</source>
+        <translation>não acertado, 1 s = %1</translation>
+    </message>
+    <message>
+        <source>not set</source>
+        <translation>não acertado</translation>
+    </message>
+    <message>
+        <source>±%1 = %2</source>
+        <translation>±%1 = %2</translation>
+    </message>
+    <message>
+        <source>±%1</source>
+        <translation>±%1</translation>
+    </message>
+    <message>
+        <source>No time source sets the clock of the station. Set up NTP or GPS.</source>
+        <translation>Nenhuma fonte de tempo acerta o relógio da estação. Configure NTP ou GPS.</translation>
+    </message>
+    <message>
+        <source>%1 One second off is %2 for %3.</source>
+        <translation>%1 Um segundo de erro são %2 para %3.</translation>
+    </message>
+    <message>
+        <source>%1 A satellite 420 km up moves 1° in a second.</source>
+        <translation>%1 Um satélite a 420 km de altitude move-se 1° num segundo.</translation>
+    </message>
+    <message>
+        <source>A time source sets the clock of the station. It reports an error of %1.</source>
+        <translation>Uma fonte de tempo acerta o relógio da estação. Indica um erro de %1.</translation>
     </message>
 </context>
 <context>
@@ -503,28 +535,12 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
         <translation>ao sol %1Z a %2Z</translation>
     </message>
     <message>
-        <source>elements %1 days old: about %2 s or %3 off, more than half the beam</source>
-        <translation>elementos com %1 dias: erro de cerca de %2 s ou %3, mais de metade do feixe</translation>
-    </message>
-    <message>
-        <source>elements %1 days old: about %2 s or %3 off</source>
-        <translation>elementos com %1 dias: erro de cerca de %2 s ou %3</translation>
-    </message>
-    <message>
         <source>number %1, from %2 to %3</source>
         <translation>número %1, de %2 a %3</translation>
     </message>
     <message>
         <source>%1, from %2 to %3</source>
         <translation>%1, de %2 a %3</translation>
-    </message>
-    <message>
-        <source>elements %1 days old, more than half the beam off</source>
-        <translation>elementos com %1 dias, mais de meio feixe de erro</translation>
-    </message>
-    <message>
-        <source>elements %1 days old, %2 off</source>
-        <translation>elementos com %1 dias, %2 de erro</translation>
     </message>
     <message>
         <source>hidden for %1</source>
@@ -581,6 +597,22 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
     <message>
         <source>The azimuth turns less than 360°, so the mount does not follow all of the pass.</source>
         <translation>O azimute roda menos de 360°, por isso a montagem não segue toda a passagem.</translation>
+    </message>
+    <message>
+        <source>elements %1 days old: about %2 s or %3 off, more than half the beam of %4</source>
+        <translation>elementos com %1 dias: erro de cerca de %2 s ou %3, mais de metade do feixe de %4</translation>
+    </message>
+    <message>
+        <source>elements %1 days old: about %2 s or %3 off, beam %4</source>
+        <translation>elementos com %1 dias: erro de cerca de %2 s ou %3, feixe %4</translation>
+    </message>
+    <message>
+        <source>elements %1 d old: %2 s, %3 off, beam %4, too old</source>
+        <translation>elementos com %1 d: %2 s, erro %3, feixe %4, velhos demais</translation>
+    </message>
+    <message>
+        <source>elements %1 d old: %2 s, %3 off, beam %4</source>
+        <translation>elementos com %1 d: %2 s, erro %3, feixe %4</translation>
     </message>
 </context>
 <context>
@@ -4463,10 +4495,6 @@ até %1</translation>
         <translation>Prefixo dos tópicos</translation>
     </message>
     <message>
-        <source>Beginning of the topics &quot;state&quot; and &quot;availability&quot; that Boresight publishes.</source>
-        <translation>Início dos tópicos &quot;state&quot; e &quot;availability&quot; que o Boresight publica.</translation>
-    </message>
-    <message>
         <source>is the same as azimuth.id. Each controller needs its own id.</source>
         <translation>é igual a azimuth.id. Cada controlador precisa do seu id.</translation>
     </message>
@@ -7571,10 +7599,6 @@ até %1</translation>
         <translation>O relógio deste computador não está sincronizado, por isso o feixe pode falhar %1</translation>
     </message>
     <message>
-        <source>Synchronise the clock by NTP or GPS. A satellite 420 km up moves 1° in a second</source>
-        <translation>Sincronize o relógio por NTP ou GPS. Um satélite a 420 km de altura move-se 1° num segundo</translation>
-    </message>
-    <message>
         <source>This computer was suspended for %1 s</source>
         <translation>Este computador esteve suspenso durante %1 s</translation>
     </message>
@@ -9507,10 +9531,6 @@ até %1</translation>
         <translation>O local da montagem é desconhecido. Introduza-o na página Perfil.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no command. Known are: ELEVATION, AZIMUTH ELEVATION, +AZIMUTH +ELEVATION, bearing LOCATOR, bearing LOCATOR long, stop, park, ?</source>
-        <translation>&quot;%1&quot; não é um comando. São conhecidos: ELEVAÇÃO, AZIMUTE ELEVAÇÃO, +AZIMUTE +ELEVAÇÃO, bearing LOCATOR, bearing LOCATOR long, stop, park, ?</translation>
-    </message>
-    <message>
         <source>azimuth %1 is outside -3600°…3600°</source>
         <translation>o azimute %1 está fora de -3600°…3600°</translation>
     </message>
@@ -9921,6 +9941,106 @@ até %1</translation>
     <message>
         <source>Choose exactly the model that is on the port. Hamlib does not check it.</source>
         <translation>Escolha exatamente o modelo que está na porta. O Hamlib não o verifica.</translation>
+    </message>
+    <message>
+        <source>Synchronise the clock by NTP or GPS. %1 moves up to %2 in a second</source>
+        <translation>Sincronize o relógio por NTP ou GPS. %1 move-se até %2 num segundo</translation>
+    </message>
+    <message>
+        <source>Everybody who reaches the MQTT broker %1 can move the mount</source>
+        <translation>Quem alcançar o broker MQTT %1 pode mover a montagem</translation>
+    </message>
+    <message>
+        <source>Boresight obeys the commands of the broker</source>
+        <translation>O Boresight obedece aos comandos do broker</translation>
+    </message>
+    <message>
+        <source>Give the broker users and passwords, and enter those of Boresight on the page Profile (mqtt.user)</source>
+        <translation>Dê ao broker utilizadores e palavras-passe e introduza os do Boresight na página Perfil (mqtt.user)</translation>
+    </message>
+    <message>
+        <source>The broker kept this message, so it is old. Delete it there, and send commands without the retain flag.</source>
+        <translation>O broker guardou esta mensagem, portanto é antiga. Apague-a lá e envie comandos sem a marca retain.</translation>
+    </message>
+    <message>
+        <source>A command has at most %1 bytes.</source>
+        <translation>Um comando tem no máximo %1 bytes.</translation>
+    </message>
+    <message>
+        <source>More than %1 commands arrived in one second. Boresight ignores the rest.</source>
+        <translation>Chegaram mais de %1 comandos num segundo. O Boresight ignora os restantes.</translation>
+    </message>
+    <message>
+        <source>The profile permits only stopping and reading by MQTT (mqtt.commands).</source>
+        <translation>O perfil só permite parar e ler por MQTT (mqtt.commands).</translation>
+    </message>
+    <message>
+        <source>The connection to the broker began or was interrupted less than %1 s ago, so this command may be old. Send it again.</source>
+        <translation>A ligação ao broker começou ou foi interrompida há menos de %1 s, portanto este comando pode ser antigo. Envie-o de novo.</translation>
+    </message>
+    <message>
+        <source>the tracked part of the pass of %1 begins</source>
+        <translation>começa a parte seguida da passagem de %1</translation>
+    </message>
+    <message>
+        <source>the tracked part of the pass of %1 ends</source>
+        <translation>acaba a parte seguida da passagem de %1</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no command. Known are: ELEVATION, AZIMUTH ELEVATION, +AZIMUTH +ELEVATION, bearing LOCATOR, bearing LOCATOR long, stop, hold, park, ?</source>
+        <translation>&quot;%1&quot; não é um comando. Os comandos são: ELEVATION, AZIMUTH ELEVATION, +AZIMUTH +ELEVATION, bearing LOCATOR, bearing LOCATOR long, stop, hold, park, ?</translation>
+    </message>
+    <message>
+        <source>Beginning of the topics &quot;state&quot; and &quot;availability&quot; that Boresight publishes, and of &quot;command&quot; and &quot;stop&quot; that it reads.</source>
+        <translation>Início dos tópicos &quot;state&quot; e &quot;availability&quot; que o Boresight publica, e de &quot;command&quot; e &quot;stop&quot; que lê.</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>Comandos</translation>
+    </message>
+    <message>
+        <source>What the topics &quot;command&quot; and &quot;stop&quot; may do. &quot;off&quot;: nothing. &quot;stop&quot;: stop the mount and read its position. &quot;drive&quot;: move the mount, too. Everybody who may write to these topics of the broker has this right.</source>
+        <translation>O que os tópicos &quot;command&quot; e &quot;stop&quot; podem fazer. &quot;off&quot;: nada. &quot;stop&quot;: parar a montagem e ler a sua posição. &quot;drive&quot;: também mover a montagem. Quem puder escrever nestes tópicos do broker tem este direito.</translation>
+    </message>
+    <message>
+        <source>Home Assistant</source>
+        <translation>Home Assistant</translation>
+    </message>
+    <message>
+        <source>Whether Home Assistant finds the mount by itself. Needs mqtt.publish. The buttons for STOP and park appear as far as mqtt.commands permits them.</source>
+        <translation>Se o Home Assistant encontra a montagem sozinho. Precisa de mqtt.publish. Os botões de STOP e de estacionar aparecem na medida em que mqtt.commands os permite.</translation>
+    </message>
+    <message>
+        <source>Discovery prefix</source>
+        <translation>Prefixo de descoberta</translation>
+    </message>
+    <message>
+        <source>Beginning of the topics that Home Assistant searches, as in its MQTT options.</source>
+        <translation>Início dos tópicos que o Home Assistant procura, como nas suas opções de MQTT.</translation>
+    </message>
+    <message>
+        <source>needs mqtt.publish = &quot;on&quot;</source>
+        <translation>precisa de mqtt.publish = &quot;on&quot;</translation>
+    </message>
+    <message>
+        <source>the topic %1 is read for the sensor, for positions or for the wind already</source>
+        <translation>o tópico %1 já é lido para o sensor, para posições ou para o vento</translation>
+    </message>
+    <message>
+        <source>The broker refuses to let Boresight read the topic %1, so no command arrives there. Permit it in the access list of the broker.</source>
+        <translation>O broker recusa que o Boresight leia o tópico %1, portanto nenhum comando chega por ele. Permita-o na lista de acesso do broker.</translation>
+    </message>
+    <message>
+        <source>Boresight no longer reads commands by MQTT</source>
+        <translation>O Boresight deixou de ler comandos por MQTT</translation>
+    </message>
+    <message>
+        <source>the connection to the broker is lost</source>
+        <translation>perdeu-se a ligação ao broker</translation>
+    </message>
+    <message>
+        <source>the connection to the broker is another one</source>
+        <translation>a ligação ao broker é outra</translation>
     </message>
 </context>
 <context>
@@ -10616,10 +10736,6 @@ velocidade %1</translation>
         <translation>Seguida.</translation>
     </message>
     <message>
-        <source>Sets at %1.</source>
-        <translation>Põe-se às %1.</translation>
-    </message>
-    <message>
         <source>The mount stands still while WSJT-X transmits.</source>
         <translation>A montagem está parada enquanto o WSJT-X transmite.</translation>
     </message>
@@ -10630,10 +10746,6 @@ velocidade %1</translation>
     <message>
         <source>Moon below the horizon, parked.</source>
         <translation>Lua abaixo do horizonte, estacionada.</translation>
-    </message>
-    <message>
-        <source>Rises at %1.</source>
-        <translation>Nasce às %1.</translation>
     </message>
     <message>
         <source>File of WSJT-X</source>
@@ -10670,6 +10782,14 @@ velocidade %1</translation>
     <message>
         <source>Track the Moon with the data of WSJT-X. Boresight parks the mount while the Moon is below the horizon</source>
         <translation>Seguir a Lua com os dados do WSJT-X. O Boresight estaciona a montagem enquanto a Lua está abaixo do horizonte</translation>
+    </message>
+    <message>
+        <source>Sets at %1 without refraction.</source>
+        <translation>Põe-se às %1 sem refração.</translation>
+    </message>
+    <message>
+        <source>Rises at %1 without refraction.</source>
+        <translation>Nasce às %1 sem refração.</translation>
     </message>
 </context>
 <context>
@@ -13099,6 +13219,10 @@ trocar os motores</translation>
         <source>Schedule armed: %1 in %2</source>
         <translation>Agenda armada: %1 em %2</translation>
     </message>
+    <message>
+        <source>Error of the clock</source>
+        <translation>Erro do relógio</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::HelpPage</name>
@@ -14615,20 +14739,12 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
         <translation>Elementos</translation>
     </message>
     <message>
-        <source>AOS, when it rises above the horizon</source>
-        <translation>AOS, quando nasce acima do horizonte</translation>
-    </message>
-    <message>
         <source>how long until it rises</source>
         <translation>quanto falta até nascer</translation>
     </message>
     <message>
         <source>TCA, when it is highest</source>
         <translation>TCA, quando está mais alto</translation>
-    </message>
-    <message>
-        <source>LOS, when it sets</source>
-        <translation>LOS, quando se põe</translation>
     </message>
     <message>
         <source>from rise to set</source>
@@ -14653,6 +14769,14 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
     <message>
         <source>the highest elevation of the pass</source>
         <translation>a elevação mais alta da passagem</translation>
+    </message>
+    <message>
+        <source>AOS, when it rises above the horizon, without refraction</source>
+        <translation>AOS, quando nasce acima do horizonte, sem refração</translation>
+    </message>
+    <message>
+        <source>LOS, when it sets, without refraction</source>
+        <translation>LOS, quando se põe, sem refração</translation>
     </message>
 </context>
 <context>
@@ -16314,22 +16438,6 @@ Defina estes à mão, porque só o construtor da montagem conhece os valores:
 <context>
     <name>boresight::ui::ScheduleTable</name>
     <message>
-        <source>left out, too close to %1</source>
-        <translation>fica de fora, demasiado perto de %1</translation>
-    </message>
-    <message>
-        <source>left out, %1 is more important</source>
-        <translation>fica de fora, %1 é mais importante</translation>
-    </message>
-    <message>
-        <source>left out, %1 is up longer</source>
-        <translation>fica de fora, %1 está mais tempo visível</translation>
-    </message>
-    <message>
-        <source>left out, %1 rises first</source>
-        <translation>fica de fora, %1 nasce primeiro</translation>
-    </message>
-    <message>
         <source>tracked now</source>
         <translation>em seguimento</translation>
     </message>
@@ -16390,10 +16498,6 @@ Defina estes à mão, porque só o construtor da montagem conhece os valores:
         <translation>Ensaio: dentro de 3 dB durante %1 de %2 s</translation>
     </message>
     <message>
-        <source>left out, %1 has the lower catalogue number</source>
-        <translation>fica de fora, %1 tem o número de catálogo menor</translation>
-    </message>
-    <message>
         <source>interrupted: %1</source>
         <translation>interrompida: %1</translation>
     </message>
@@ -16431,6 +16535,38 @@ A menos de 3 dB: %4 s
         <source>nothing was measured</source>
         <translation>nada foi medido</translation>
     </message>
+    <message>
+        <source>left out</source>
+        <translation>omitida</translation>
+    </message>
+    <message>
+        <source>tracked in part</source>
+        <translation>seguida em parte</translation>
+    </message>
+    <message>
+        <source>%1, too close to %2</source>
+        <translation>%1, demasiado perto de %2</translation>
+    </message>
+    <message>
+        <source>%1, %2 is more important</source>
+        <translation>%1, %2 é mais importante</translation>
+    </message>
+    <message>
+        <source>%1, %2 is up longer</source>
+        <translation>%1, %2 está visível mais tempo</translation>
+    </message>
+    <message>
+        <source>%1, %2 rises first</source>
+        <translation>%1, %2 nasce primeiro</translation>
+    </message>
+    <message>
+        <source>%1, %2 has the lower catalogue number</source>
+        <translation>%1, %2 tem o número de catálogo mais baixo</translation>
+    </message>
+    <message>
+        <source>%1, part of the pass</source>
+        <translation>%1, parte da passagem</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::SelectedPass</name>
@@ -16457,6 +16593,10 @@ A menos de 3 dB: %4 s
     <message>
         <source>now %1</source>
         <translation>agora %1</translation>
+    </message>
+    <message>
+        <source>The station has no elements of this satellite any more.</source>
+        <translation>A estação já não tem elementos deste satélite.</translation>
     </message>
 </context>
 <context>
@@ -17516,6 +17656,46 @@ Em comparação com a montagem em uso:
         <source>up all day</source>
         <translation>sempre visível</translation>
     </message>
+    <message>
+        <source>optical</source>
+        <translation>ótica</translation>
+    </message>
+    <message>
+        <source>radio</source>
+        <translation>rádio</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>sem</translation>
+    </message>
+    <message>
+        <source>Refraction</source>
+        <translation>Refração</translation>
+    </message>
+    <message>
+        <source>Without refraction, as WSJT-X shows it.</source>
+        <translation>Sem refração, como o WSJT-X a mostra.</translation>
+    </message>
+    <message>
+        <source>With optical refraction, as the mount tracks it.</source>
+        <translation>Com refração ótica, como a montagem o segue.</translation>
+    </message>
+    <message>
+        <source>With radio refraction, as the mount tracks it.</source>
+        <translation>Com refração rádio, como a montagem o segue.</translation>
+    </message>
+    <message>
+        <source>Without refraction, as WSJT-X shows it, it does not rise within a day.</source>
+        <translation>Sem refração, como o WSJT-X a mostra, não nasce dentro de um dia.</translation>
+    </message>
+    <message>
+        <source>Without refraction, as WSJT-X shows it, it sets %1Z.</source>
+        <translation>Sem refração, como o WSJT-X a mostra, põe-se às %1Z.</translation>
+    </message>
+    <message>
+        <source>Without refraction, as WSJT-X shows it, it rises %1Z.</source>
+        <translation>Sem refração, como o WSJT-X a mostra, nasce às %1Z.</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::TargetsPage</name>
@@ -17594,6 +17774,10 @@ Um lugar entre as estrelas, J2000: radec 12:30:49.4,12:23:28
 Uma posição, graus e metros: place 38.757,-9.117,1200
 Um ficheiro com uma tabela, ou com um OEM: table /home/me/pass.csv
 Para onde outro rotor aponta, segundo o seu rotctld: rotctld:10.0.0.7:4533</translation>
+    </message>
+    <message>
+        <source>Select a target first.</source>
+        <translation>Selecione primeiro um alvo.</translation>
     </message>
 </context>
 <context>
