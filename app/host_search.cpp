@@ -12,7 +12,7 @@ namespace {
 
 using moteus::Register;
 
-ScannedDrive described(const survey::FoundController& found)
+ScannedDrive described(const drive_check::FoundController& found)
 {
     const auto uuid = found.known.uuid();
     return {.id = found.id,
@@ -22,10 +22,10 @@ ScannedDrive described(const survey::FoundController& found)
             .temperature = found.known.value(Register::Temperature)};
 }
 
-ScanResult resultOf(const QString& bus, const std::vector<survey::FoundController>& found)
+ScanResult resultOf(const QString& bus, const std::vector<drive_check::FoundController>& found)
 {
     ScanResult result{.bus = bus, .drives = {}, .problems = problems(found), .simulated = isSimulatedBus(bus)};
-    for (const survey::FoundController& one : found) {
+    for (const drive_check::FoundController& one : found) {
         result.drives.push_back(described(one));
     }
     if (found.empty()) {

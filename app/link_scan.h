@@ -2,15 +2,15 @@
 #pragma once
 
 #include "core/can/can_link.h"
-#include "core/survey/bus_scan.h"
+#include "core/drive_check/bus_scan.h"
 
 #include <QObject>
 #include <QTimer>
 
 #include <vector>
 
-// A scan of an open bus (core/survey/bus_scan.h) with its own timer: which controllers answer, and the condition of
-// each. Takes 1.3 seconds. Lives on the thread of its link.
+// A scan of an open bus (core/drive_check/bus_scan.h) with its own timer: which controllers answer, and the condition
+// of each. Takes 1.3 seconds. Lives on the thread of its link.
 namespace boresight::app {
 
 class LinkScan final : public QObject
@@ -23,7 +23,7 @@ public:
 
     void start();
     // Sorted by id.
-    [[nodiscard]] const std::vector<survey::FoundController>& controllers() const { return m_scan.controllers(); }
+    [[nodiscard]] const std::vector<drive_check::FoundController>& controllers() const { return m_scan.controllers(); }
 
 Q_SIGNALS:
     // `problem`: why the link could not send a query. Empty: no problem.
@@ -37,7 +37,7 @@ private:
     CanLink& m_link;
     QTimer m_timer;
     SystemClock m_clock;
-    survey::BusScan m_scan;
+    drive_check::BusScan m_scan;
 };
 
 }  // namespace boresight::app

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/survey/bus_scan.h"
+#include "core/drive_check/bus_scan.h"
 
 #include <QStringList>
 
@@ -11,7 +11,7 @@
 // The result of a scan of a bus, in words. Pure.
 namespace boresight::app {
 
-using survey::FoundController;
+using drive_check::FoundController;
 
 // One line per controller, every number with its unit. "?" stands for a value that was not reported. Lines end with LF.
 [[nodiscard]] std::string table(std::span<const FoundController> controllers);

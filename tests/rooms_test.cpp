@@ -92,7 +92,7 @@ const Rooms kSeenByTheWindow{"core/base",   "core/units",    "core/pointing", "c
                              "core/alarms", "core/messages", "core/elements", "core/orbit",
                              "core/passes", "core/gpredict", "core/schedule", "core/targets"};
 const Rooms kAboveTheDriver{"core/control", "core/sources", "core/motion", "core/mount",
-                            "core/north",   "core/tuning",  "core/night",  "core/witness"};
+                            "core/north",   "core/tuning",  "core/night",  "core/cross_check"};
 const Rooms kBelowPanels{"ui/kit", "ui/look", "ui/link", "ui/hold", "ui/sky"};
 
 TEST(Rooms, NoTwoKnowEachOther)
@@ -147,7 +147,7 @@ TEST(Rooms, OnlySomeKnowHowTheDrivesSpeak)
 {
     Rooms others = roomsOf("core");
     for (const char* const room :
-         {"core/moteus", "core/moteus_mount", "core/memory", "core/sim", "core/sim_bus", "core/survey"}) {
+         {"core/moteus", "core/moteus_mount", "core/journal", "core/sim", "core/sim_bus", "core/drive_check"}) {
         others.erase(room);
     }
     Rooms permitted = roomsOf("core");
@@ -159,12 +159,12 @@ TEST(Rooms, OnlySomeKnowHowTheDrivesSpeak)
 TEST(Rooms, OnlyTheirDriverKnowsTheCheckAndTheJournal)
 {
     Rooms others = roomsOf("core");
-    for (const char* const room : {"core/moteus_mount", "core/memory", "core/survey"}) {
+    for (const char* const room : {"core/moteus_mount", "core/journal", "core/drive_check"}) {
         others.erase(room);
     }
     Rooms permitted = roomsOf("core");
-    permitted.erase("core/memory");
-    permitted.erase("core/survey");
+    permitted.erase("core/journal");
+    permitted.erase("core/drive_check");
     EXPECT_THAT(wrong(others, permitted), IsEmpty());
 }
 
@@ -181,8 +181,8 @@ TEST(Rooms, TheControlKnowsNoKindOfRotator)
     Rooms permitted = roomsOf("core");
     for (const char* const room :
          {"core/moteus", "core/moteus_mount", "core/gs232", "core/gs232_mount", "core/rotctl", "core/rotctld_mount",
-          "core/rotator_box", "core/simple_mount", "core/survey", "core/memory", "core/can", "core/sim", "core/sim_bus",
-          "core/station", "core/perfect_mount"}) {
+          "core/rotator_box", "core/simple_mount", "core/drive_check", "core/journal", "core/can", "core/sim",
+          "core/sim_bus", "core/station", "core/perfect_mount"}) {
         permitted.erase(room);
     }
     EXPECT_THAT(wrong(kAboveTheDriver, permitted), IsEmpty());
@@ -305,7 +305,7 @@ TEST(Rooms, NobodyIsHandedTheProfileOrKeepsIt)
     EXPECT_THAT(linesWith("void setSettings("),
                 testing::UnorderedElementsAre(testing::StartsWith("core/moteus_mount/drive.h:"),
                                               testing::StartsWith("core/orientation/judge.h:"),
-                                              testing::StartsWith("core/witness/sensor_check.h:")));
+                                              testing::StartsWith("core/cross_check/sensor_check.h:")));
     EXPECT_THAT(linesWith("setProfile(", "ui"), IsEmpty());
     EXPECT_THAT(linesWith("profile::Profile& m_", "ui"), IsEmpty());
     // The edited profile, and those that it is compared with.

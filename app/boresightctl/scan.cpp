@@ -11,7 +11,7 @@
 namespace boresight::ctl {
 namespace {
 
-using survey::FoundController;
+using drive_check::FoundController;
 
 ExitStatus fail(const QString& text)
 {

@@ -44,7 +44,7 @@ std::vector<const AlarmEntry*> alarmCatalogue()
     };
     add(kDriveAlarms);
     add(kAxisAlarms);
-    add(kSurveyAlarms);
+    add(kDriveCheckAlarms);
     add(kRotatorAlarms);
     add(kStationAlarms);
     add(kPointingAlarms);

@@ -6,8 +6,8 @@
 #include "core/alarms/alarms_of_drives.h"
 #include "core/alarms/alarms_of_pointing.h"
 #include "core/alarms/alarms_of_rotators.h"
+#include "core/alarms/alarms_of_the_drive_check.h"
 #include "core/alarms/alarms_of_the_station.h"
-#include "core/alarms/alarms_of_the_survey.h"
 #include "core/alarms/alarms_of_the_window.h"
 
 #include <string_view>
@@ -41,7 +41,7 @@ template <class List>
 {
     const AlarmEntry* found = detail::findAlarm(kDriveAlarms, id);
     found = found != nullptr ? found : detail::findAlarm(kAxisAlarms, id);
-    found = found != nullptr ? found : detail::findAlarm(kSurveyAlarms, id);
+    found = found != nullptr ? found : detail::findAlarm(kDriveCheckAlarms, id);
     found = found != nullptr ? found : detail::findAlarm(kStationAlarms, id);
     found = found != nullptr ? found : detail::findAlarm(kRotatorAlarms, id);
     found = found != nullptr ? found : detail::findAlarm(kPointingAlarms, id);

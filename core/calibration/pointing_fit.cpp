@@ -47,7 +47,7 @@ public:
         }
         takeTerms(*choice);
         takeResiduals(*choice);
-        nameStrangers(*choice);
+        nameOutliers(*choice);
         hint();
         return m_fit;
     }
@@ -131,7 +131,7 @@ private:
         }
     }
 
-    void nameStrangers(const TermChoice& choice)
+    void nameOutliers(const TermChoice& choice)
     {
         std::size_t place = 0;
         for (std::size_t i = 0; i < m_given.size(); ++i) {

@@ -51,7 +51,7 @@ Result<> Arming::isReady() const
 
 Result<> Arming::admits(const Source& source) const
 {
-    return isReady().and_then([&] { return mayCommand(source); }).and_then([this] { return m_mount.fitness(); });
+    return isReady().and_then([&] { return mayCommand(source); }).and_then([this] { return m_mount.interlock(); });
 }
 
 Result<> Arming::mayCommand(const Source& source) const

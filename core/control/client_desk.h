@@ -4,7 +4,7 @@
 #include "core/alarms/event_log.h"
 #include "core/base/result.h"
 #include "core/control/arming.h"
-#include "core/control/client_lead.h"
+#include "core/control/client_control.h"
 #include "core/control/helm.h"
 #include "core/messages/request.h"
 #include "core/messages/station_status.h"
@@ -19,13 +19,13 @@ namespace boresight {
 class ClientDesk
 {
 public:
-    ClientDesk(Helm& helm, Arming& arming, ClientLead& lead, EventLog& log)
-        : m_helm(helm), m_arming(arming), m_lead(lead), m_log(log)
+    ClientDesk(Helm& helm, Arming& arming, ClientControl& clientControl, EventLog& log)
+        : m_helm(helm), m_arming(arming), m_clientControl(clientControl), m_log(log)
     {}
 
     Result<> ask(const request::TakeAuthority& wanted, const Source& by);
     Result<> ask(const request::GiveAuthority& wanted, const Source& by);
-    Result<> ask(const request::GiveLead& wanted, const Source& by);
+    Result<> ask(const request::GiveControl& wanted, const Source& by);
     Result<> ask(const request::SetReadOnly& wanted, const Source& by);
     // Only checks whether this is permitted. The Station owns the server and disconnects the client.
     Result<> ask(const request::Disconnect& wanted, const Source& by);
@@ -38,12 +38,12 @@ private:
     void letClientsMove();
     void endClientMotion();
     void endCalibrationMotion();
-    [[nodiscard]] QString leadObstacle(const ClientStatus& client) const;
+    [[nodiscard]] QString controlObstacle(const ClientStatus& client) const;
     [[nodiscard]] bool isWanting(const ClientStatus& client, const std::optional<SteadyTime>& lastMotion) const;
 
     Helm& m_helm;
     Arming& m_arming;
-    ClientLead& m_lead;
+    ClientControl& m_clientControl;
     EventLog& m_log;
 };
 

@@ -6,7 +6,7 @@
 #include "core/control/antenna_choice.h"
 #include "core/control/arming.h"
 #include "core/control/cable_guard.h"
-#include "core/control/client_lead.h"
+#include "core/control/client_control.h"
 #include "core/control/current_motion.h"
 #include "core/control/energy_meter.h"
 #include "core/control/slew_watch.h"
@@ -35,7 +35,7 @@ struct ControlParts
     const StandstillWatch& standstill;
     const CurrentMotion& current;
     const Arming& arming;
-    const ClientLead& lead;
+    const ClientControl& clientControl;
     const CableGuard& cable;
     const SunWatch& sun;
     const SlewWatch& slew;

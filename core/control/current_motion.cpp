@@ -14,7 +14,7 @@ void CurrentMotion::begin(Activity activity, const Source& source, const QString
 {
     const bool goesOn = continues(activity, source);
     if (!goesOn && activity != Activity::Jogging) {
-        ++m_errand;
+        ++m_motionId;
     }
     m_keepsWrap = m_keepsWrap && goesOn;
     m_activity = activity;

@@ -55,8 +55,8 @@ public:
     [[nodiscard]] const QString& text() const { return m_text; }
 
     // The motion id. It changes each time that the mount is sent somewhere or control is given away. A jog leaves it.
-    [[nodiscard]] std::uint64_t errand() const { return m_errand; }
-    void setErrand(std::uint64_t errand) { m_errand = errand; }
+    [[nodiscard]] std::uint64_t motionId() const { return m_motionId; }
+    void setMotionId(std::uint64_t motionId) { m_motionId = motionId; }
 
     // The place of the axes for the last point of a stream.
     void aim(const AxisPosition& point) { m_point = point; }
@@ -79,7 +79,7 @@ private:
 
     Activity m_activity = Activity::None;
     Source m_commander;
-    std::uint64_t m_errand = 0;
+    std::uint64_t m_motionId = 0;
     QString m_text;
     std::optional<AxisPosition> m_point;
     QString m_limitedReason;

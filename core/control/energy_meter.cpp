@@ -16,13 +16,13 @@ constexpr Seconds kEndsAfter{5.0};
 
 }  // namespace
 
-void EnergyMeter::look(const MountDriver& mount, bool moves, std::uint64_t errand, SteadyTime now)
+void EnergyMeter::look(const MountDriver& mount, bool moves, std::uint64_t motionId, SteadyTime now)
 {
-    if (m_running && (moves ? m_running->errand != errand : now - m_running->moved > kEndsAfter)) {
+    if (m_running && (moves ? m_running->motionId != motionId : now - m_running->moved > kEndsAfter)) {
         close();
     }
     if (moves && !m_running) {
-        m_running = Course{.errand = errand, .began = now};
+        m_running = Course{.motionId = motionId, .began = now};
     }
     take(mount, now);
     if (m_running && moves) {

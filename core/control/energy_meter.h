@@ -18,8 +18,8 @@ namespace boresight {
 class EnergyMeter
 {
 public:
-    // Once per tick. A new `errand` (motion id) begins a new motion.
-    void look(const MountDriver& mount, bool moves, std::uint64_t errand, SteadyTime now);
+    // Once per tick. A new `motion id` (motion id) begins a new motion.
+    void look(const MountDriver& mount, bool moves, std::uint64_t motionId, SteadyTime now);
 
     [[nodiscard]] PowerStatus status() const;
 
@@ -27,7 +27,7 @@ private:
     struct Course
     {
         MotionEnergy energy;
-        std::uint64_t errand = 0;
+        std::uint64_t motionId = 0;
         SteadyTime began{};
         SteadyTime moved{};                // when it last moved
         std::array<Seconds, 2> counted{};  // the time of each axis for which the power is known

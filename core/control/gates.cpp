@@ -86,7 +86,7 @@ Result<> Gates::mayPark(const Source& source) const
 Result<> Gates::mayCommand(const Source& source) const
 {
     return m_of.arming.mayCommand(source).and_then([&]() -> Result<> {
-        return source.kind == SourceKind::Client ? m_of.lead.admits(m_of.profile.rotctld, source, m_of.now)
+        return source.kind == SourceKind::Client ? m_of.clientControl.admits(m_of.profile.rotctld, source, m_of.now)
                                                  : Result<>{};
     });
 }
@@ -96,7 +96,7 @@ Result<> Gates::mayShellCommand() const
     static const std::string kThisComputer = "127.0.0.1";
     return m_of.arming.authority() == Authority::Operator
                ? Result<>{}
-               : m_of.lead.admitsHost(m_of.profile.rotctld, kThisComputer, m_of.now);
+               : m_of.clientControl.admitsHost(m_of.profile.rotctld, kThisComputer, m_of.now);
 }
 
 int Gates::farOutside(Axis axis) const
@@ -448,9 +448,9 @@ Result<> Gates::mayGiveControl() const
     return {};
 }
 
-Result<> Gates::mayGiveLead(std::uint64_t clientId) const
+Result<> Gates::mayGiveControlTo(std::uint64_t clientId) const
 {
-    return mayGiveControl().and_then([&] { return m_of.lead.mayBeGiven(m_of.profile.rotctld, clientId); });
+    return mayGiveControl().and_then([&] { return m_of.clientControl.mayBeGiven(m_of.profile.rotctld, clientId); });
 }
 
 // The axes that belong to a direction are others then: what follows directions would set off for them, and what is on

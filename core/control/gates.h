@@ -72,7 +72,7 @@ public:
     [[nodiscard]] Result<> mayHoldAtEnd() const;  // instead of the unwrapping that is ahead
     [[nodiscard]] Result<> mayClearTrim() const;  // there is one
     [[nodiscard]] Result<> mayGiveControl() const;
-    [[nodiscard]] Result<> mayGiveLead(std::uint64_t clientId) const;
+    [[nodiscard]] Result<> mayGiveControlTo(std::uint64_t clientId) const;
     // Whether other terms of the pointing model would leave the motion what it is.
     [[nodiscard]] Result<> mayChangePointing() const;
     // What Boresight tracks itself goes on with the beam of the other antenna.

@@ -315,7 +315,7 @@ void Helm::confirmStream(std::uint64_t clientId)
 {
     if (current().is(Activity::Streaming) && current().isForClient(clientId)) {
         m_of.motion.confirmStream(now());
-        m_of.lead.followed(clientId, now());
+        m_of.clientControl.followed(clientId, now());
     }
 }
 
@@ -340,7 +340,7 @@ void Helm::takeOver(const Source& by, Taking how)
         return;
     }
     if (m_of.arming.authority() == Authority::Clients) {
-        const QString from = m_of.lead.taken(now());
+        const QString from = m_of.clientControl.taken(now());
         m_of.log.add(
             Severity::Advisory, by,
             from.isEmpty()
@@ -365,7 +365,7 @@ void Helm::begin(Activity activity, const Source& by, const QString& what, const
                      LogKind::MotionStart);
     }
     if (by.kind == SourceKind::Client) {
-        m_of.lead.moved(by, now());
+        m_of.clientControl.moved(by, now());
     }
     m_of.current.begin(activity, by, what);
     m_of.mount.engage();

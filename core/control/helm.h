@@ -29,7 +29,7 @@ public:
         MountDriver& mount;
         CurrentMotion& current;
         Arming& arming;
-        ClientLead& lead;
+        ClientControl& clientControl;
         CableGuard& cable;
         FirstMovesGuard& firstMoves;
         SourceLog& log;
@@ -87,9 +87,9 @@ public:
     Result<> runAt(const AxisRates& rates, Activity activity, const Source& by, const QString& what);
 
     // The motion that has just begun was by hand: the source that moved the mount continues afterwards.
-    void keepErrand(std::uint64_t errand) { m_of.current.setErrand(errand); }
+    void keepMotionId(std::uint64_t motionId) { m_of.current.setMotionId(motionId); }
     // Control was given away: the motion of its source ends, although no other motion begins.
-    void nextErrand() { m_of.current.setErrand(current().errand() + 1); }
+    void nextMotionId() { m_of.current.setMotionId(current().motionId() + 1); }
     // What is tracked now stays on its wrap: at the end of the cable the mount waits there.
     void keepWrap(const Source& by);
     // What is added to the points of streams.

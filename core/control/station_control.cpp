@@ -53,7 +53,7 @@ StationControl::StationControl(const profile::InForce& profile, const Clock& clo
               .mount = m_mount,
               .current = m_current,
               .arming = m_arming,
-              .lead = m_lead,
+              .clientControl = m_clientControl,
               .cable = m_cable,
               .firstMoves = m_firstMoves,
               .log = m_sourceLog,
@@ -68,7 +68,7 @@ StationControl::StationControl(const profile::InForce& profile, const Clock& clo
                 .helm = m_helm,
                 .alarms = m_alarms,
                 .log = log}),
-      m_clientDesk(m_helm, m_arming, m_lead, log),
+      m_clientDesk(m_helm, m_arming, m_clientControl, log),
       m_mountDesk(mount, m_helm, log),
       m_targetAlarm(m_alarms),
       m_adviceAlarms(m_alarms),
@@ -96,7 +96,7 @@ ControlParts StationControl::parts() const
             .standstill = m_standstill,
             .current = m_current,
             .arming = m_arming,
-            .lead = m_lead,
+            .clientControl = m_clientControl,
             .cable = m_cable,
             .sun = m_region.sun(),
             .slew = m_slew,
@@ -171,7 +171,7 @@ Result<> StationControl::receive(const SourceReport& received)
 
 void StationControl::sourceGone(const Source& source)
 {
-    m_lead.gone(source);
+    m_clientControl.gone(source);
     for (const auto& one : m_sources) {
         one->gone(source);
     }
@@ -179,7 +179,7 @@ void StationControl::sourceGone(const Source& source)
 
 void StationControl::positionRead(std::uint64_t clientId)
 {
-    m_lead.read(clientId, m_now);
+    m_clientControl.read(clientId, m_now);
     for (const auto& one : m_sources) {
         one->positionRead(clientId);
     }
@@ -223,12 +223,12 @@ Result<> StationControl::handle(const request::Rearm&, const Source& source)
             return m_arming.rearm(source);
         });
     }
-    return m_lead.mayAct(m_profile->rotctld, source, m_now).and_then([&]() -> Result<> {
-        if (!faultLatched() && m_lead.waits(source.clientId)) {
-            m_lead.acted(source);
+    return m_clientControl.mayAct(m_profile->rotctld, source, m_now).and_then([&]() -> Result<> {
+        if (!faultLatched() && m_clientControl.waits(source.clientId)) {
+            m_clientControl.acted(source);
             return {};
         }
-        return m_arming.rearm(source).map([&] { m_lead.rearmed(source, m_now); });
+        return m_arming.rearm(source).map([&] { m_clientControl.rearmed(source, m_now); });
     });
 }
 
@@ -408,8 +408,8 @@ void StationControl::tick()
     releaseAntenna();
     // After the sources: what they have just begun ends here if it may not go on.
     watchFirstMoves();
-    // After the sources, too: fitness is asked of a motion, not of the source that wants it.
-    watchFitness();
+    // After the sources, too: interlock is asked of a motion, not of the source that wants it.
+    watchInterlock();
     // After the losses of this tick: one of them begins the re-arm again.
     finishRearm();
     // After whatever ends a motion, because the proof is one. It makes the wish that moveOn() carries out.
@@ -429,7 +429,7 @@ void StationControl::tick()
     // After the set-points, for the state that they made: the energy of this tick belongs to it.
     const StationState then = state();
     const bool moves = then == StationState::Slew || then == StationState::Track || then == StationState::Jog;
-    m_energy.look(m_mount, moves, m_current.errand(), now);
+    m_energy.look(m_mount, moves, m_current.motionId(), now);
     // After everything that raises or clears an alarm.
     m_alarms.tick();
     // Last: the mount is left when the set-points of this tick are at rest.
@@ -490,11 +490,11 @@ void StationControl::watchCable()
 }
 
 // A drive that is not as it should be any more is not moved on.
-void StationControl::watchFitness()
+void StationControl::watchInterlock()
 {
-    if (!m_mount.fitness() && moves() && !m_motion.atRest()) {
+    if (!m_mount.interlock() && moves() && !m_motion.atRest()) {
         m_log.add(Severity::Warning, QStringLiteral("station"),
-                  Text::tr("ends the motion: %1").arg(m_mount.fitness().error().text));
+                  Text::tr("ends the motion: %1").arg(m_mount.interlock().error().text));
         holdHere(Activity::Holding);
     }
 }

@@ -9,8 +9,8 @@
 #include "core/control/antenna_choice.h"
 #include "core/control/arming.h"
 #include "core/control/cable_guard.h"
+#include "core/control/client_control.h"
 #include "core/control/client_desk.h"
-#include "core/control/client_lead.h"
 #include "core/control/current_motion.h"
 #include "core/control/first_moves_guard.h"
 #include "core/control/gates.h"
@@ -60,7 +60,7 @@ public:
     // `readsOnly` by the profile.
     void clientCame(const Source& client, const std::string& host, bool readsOnly = false)
     {
-        m_lead.came(client, host, readsOnly);
+        m_clientControl.came(client, host, readsOnly);
     }
     // The source is gone for good: a `Move` of its own ends, a stream stops at its last point.
     void sourceGone(const Source& source);
@@ -68,7 +68,7 @@ public:
     void clientAsked(const Source& client)
     {
         m_asked = m_now;
-        m_lead.asked(client, m_now);
+        m_clientControl.asked(client, m_now);
     }
     // A client has read the measured position: if the running stream is its own, it is content until it sends a
     // point.
@@ -92,7 +92,7 @@ public:
     [[nodiscard]] bool followsClient() const { return m_current.commander().kind == SourceKind::Client && moves(); }
     // Another one each time that the mount is sent somewhere or given away; the operator's jogs and steps, Hold and
     // STOP leave it.
-    [[nodiscard]] std::uint64_t errand() const { return m_current.errand(); }
+    [[nodiscard]] std::uint64_t motionId() const { return m_current.motionId(); }
     // The operator enters the cable wrap of the axis, or has entered it. It may differ from the one before.
     [[nodiscard]] bool isTurnAsked(Axis axis) const { return m_mount.report(axis).wrapAsked; }
     [[nodiscard]] Authority authority() const { return m_arming.authority(); }
@@ -103,7 +103,7 @@ public:
     // Whether a shell of this computer may send the mount anywhere without taking the control from a client.
     [[nodiscard]] Result<> mayShellCommand() const { return gates().mayShellCommand(); }
     // Another client re-armed the drives; this one kept sending and has to act before it moves the mount.
-    [[nodiscard]] bool waitsSinceRearm(const Source& client) const { return m_lead.waits(client.clientId); }
+    [[nodiscard]] bool waitsSinceRearm(const Source& client) const { return m_clientControl.waits(client.clientId); }
     // Whether the beam can be pointed there from where it is, by all that is permitted.
     [[nodiscard]] Result<> reaches(const SkyPointing& direction) const { return m_helm.reaches(direction); }
     // The profile lets the beam at the Sun itself.
@@ -193,7 +193,7 @@ private:
     void stepProof();
     void stepSources();
     void releaseAntenna();
-    void watchFitness();
+    void watchInterlock();
     void watchRegion();
     void watchSun() { m_region.step(); }
     void watchCable();
@@ -211,7 +211,7 @@ private:
     Motion m_motion;
     StandstillWatch m_standstill;
     Arming m_arming;
-    ClientLead m_lead;
+    ClientControl m_clientControl;
     CableGuard m_cable;
     SlewWatch m_slew;
     EnergyMeter m_energy;

@@ -255,33 +255,34 @@ std::optional<DrivesStatus> StatusReport::drivesStatus() const
         return std::nullopt;
     }
     DrivesStatus status;
-    const Result<>& fitness = m_of.mount.fitness();
-    status.armingObstacle = fitness ? QString() : fitness.error().text;
+    const Result<>& interlock = m_of.mount.interlock();
+    status.armingObstacle = interlock ? QString() : interlock.error().text;
     service->describe(status);
     return status;
 }
 
 StationStatus StatusReport::status() const
 {
-    StationStatus status{.state = state(),
-                         .azimuth = axisStatus(Axis::Azimuth),
-                         .elevation = axisStatus(Axis::Elevation),
-                         .targetText = m_of.current.text(),
-                         .commander = m_of.current.commander(),
-                         .aimed = aimed(),
-                         .limited = !limitedReason().isEmpty(),
-                         .limitedReason = limitedReason(),
-                         .route = route(),
-                         .slew = m_of.slew.progress(m_of.now),
-                         .cableEnd = m_of.cable.end(),
-                         .authority = m_of.arming.authority(),
-                         .tookControl = m_of.arming.tookByAct() && m_of.lead.isWanted(m_of.profile.rotctld, m_of.now),
-                         .antenna = m_of.antenna.inUse().name,
-                         .chosenAntenna = m_of.antenna.chosen().name,
-                         .drives = drivesStatus(),
-                         .alarms = m_of.alarms.list(),
-                         .utc = m_of.clock.utc(),
-                         .tick = m_of.tick};
+    StationStatus status{
+        .state = state(),
+        .azimuth = axisStatus(Axis::Azimuth),
+        .elevation = axisStatus(Axis::Elevation),
+        .targetText = m_of.current.text(),
+        .commander = m_of.current.commander(),
+        .aimed = aimed(),
+        .limited = !limitedReason().isEmpty(),
+        .limitedReason = limitedReason(),
+        .route = route(),
+        .slew = m_of.slew.progress(m_of.now),
+        .cableEnd = m_of.cable.end(),
+        .authority = m_of.arming.authority(),
+        .tookControl = m_of.arming.tookByAct() && m_of.clientControl.isWanted(m_of.profile.rotctld, m_of.now),
+        .antenna = m_of.antenna.inUse().name,
+        .chosenAntenna = m_of.antenna.chosen().name,
+        .drives = drivesStatus(),
+        .alarms = m_of.alarms.list(),
+        .utc = m_of.clock.utc(),
+        .tick = m_of.tick};
     status.power = m_of.energy.status();
     addBeam(status, m_of.model.pointing());
     status.stopLatched = m_of.arming.stopLatched();

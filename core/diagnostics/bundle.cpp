@@ -71,7 +71,7 @@ std::vector<BundleFile> collect(const Snapshot& snapshot)
     addText(files, QStringLiteral("station.txt"), stationText(snapshot.status),
             QStringLiteral("State of the station, its axes, clients and alarms at that moment."));
     addText(files, QStringLiteral("drives.txt"), drivesText(snapshot.status),
-            QStringLiteral("Configuration of the drives as the survey read it, and the last crash-stop proofs."));
+            QStringLiteral("Configuration of the drives as the drive check read it, and the last crash-stop proofs."));
     addText(files, QStringLiteral("profile.toml"), profileText(inForce),
             QStringLiteral("The mount's settings that were in force."));
     if (!snapshot.status.waitingKeys.empty()) {

@@ -131,17 +131,17 @@ QString drivesText(const StationStatus& status)
         return joined({QStringLiteral("the mount has no drives that can be read")});
     }
     const DrivesStatus& drives = *status.drives;
-    QStringList lines{QStringLiteral("survey: %1")
-                          .arg(drives.survey == SurveyState::Done
+    QStringList lines{QStringLiteral("drive check: %1")
+                          .arg(drives.driveCheck == DriveCheckState::Done
                                    ? QStringLiteral("done")
-                                   : QStringLiteral("not done %1").arg(drives.surveyText))};
+                                   : QStringLiteral("not done %1").arg(drives.driveCheckText))};
     if (!drives.armingObstacle.isEmpty()) {
         lines << QStringLiteral("nothing may move: %1").arg(drives.armingObstacle);
     }
-    for (const Stranger& stranger : drives.strangers) {
+    for (const UnknownBoard& board : drives.unknownBoards) {
         lines << QStringLiteral("not in the profile: id %1, firmware %2, UUID %3")
-                     .arg(stranger.id)
-                     .arg(orUnknown(stranger.identity.firmware), orUnknown(stranger.identity.uuid));
+                     .arg(board.id)
+                     .arg(orUnknown(board.identity.firmware), orUnknown(board.identity.uuid));
     }
     lines << QString() << driveLines("azimuth", drives.azimuth, status.azimuth.turnKnown)
           << driveLines("elevation", drives.elevation, status.elevation.turnKnown);
@@ -179,7 +179,7 @@ QString stationText(const StationStatus& status)
         lines << QStringLiteral("client %1 %2, %3 commands/s, last: %4%5")
                      .arg(client.address, client.program)
                      .arg(client.commandsPerSecond, 0, 'f', 1)
-                     .arg(client.lastCommand, client.leading ? QStringLiteral(", leads") : QString());
+                     .arg(client.lastCommand, client.inControl ? QStringLiteral(", leads") : QString());
     }
     for (const Alarm& alarm : status.alarms) {
         QStringList sentences{alarm.what, alarm.action, alarm.remedy};

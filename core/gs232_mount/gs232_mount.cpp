@@ -36,7 +36,7 @@ Result<> fits(const profile::Profile& profile, const Capabilities& capabilities,
 
 Gs232Mount::Gs232Mount(const profile::InForce& profile, AlarmBoard& alarms, const AxisSet& axes)
     : BoxMount(profile, alarms, axes, kAxis),
-      m_fitness(fits(*profile, capabilities(), Axis::Azimuth).and_then([&] {
+      m_interlock(fits(*profile, capabilities(), Axis::Azimuth).and_then([&] {
           return fits(*profile, capabilities(), Axis::Elevation);
       })),
       m_talk(capabilities().has(Axis::Elevation) ? Question::Both : Question::Azimuth, profile->baud)
@@ -66,7 +66,7 @@ bool Gs232Mount::goTo(const RotatorTalk::Places& target)
             ? gs232::goTo({.azimuth = *target.azimuth, .elevation = target.elevation.value_or(Angle{})})
             : goToAzimuth(*target.azimuth);
     if (!command) {
-        return false;  // outside the count of the box, which fitness() reports
+        return false;  // outside the count of the box, which interlock() reports
     }
     m_talk.go(*command);
     return true;

@@ -20,13 +20,13 @@ public:
     [[nodiscard]] const BoxTalk& talk() const override { return m_talk; }
     [[nodiscard]] QString kind() const override;
     [[nodiscard]] QString kindInWords() const override;
-    [[nodiscard]] const Result<>& fitness() const override { return m_fitness; }
+    [[nodiscard]] const Result<>& interlock() const override { return m_interlock; }
 
 private:
     bool goTo(const RotatorTalk::Places& target) override;
     [[nodiscard]] QString remedyOfNoAnswer() const override;
 
-    Result<> m_fitness;
+    Result<> m_interlock;
     BoxTalk m_talk;
 };
 

@@ -26,12 +26,12 @@ struct BoardOnBus
 };
 
 // A board on the bus that is none of ours.
-struct Stranger
+struct UnknownBoard
 {
     int id = 0;
     DriveIdentity identity;
 
-    bool operator==(const Stranger&) const = default;
+    bool operator==(const UnknownBoard&) const = default;
 };
 
 }  // namespace boresight

@@ -19,7 +19,7 @@
 // of a StationStatus where the mount has such drives.
 namespace boresight {
 
-enum class SurveyState
+enum class DriveCheckState
 {
     NotDone,  // nobody answers, or the bus was lost since
     Running,  // scan, identification or reading
@@ -86,17 +86,17 @@ struct WatchedDrive
 
 struct DrivesStatus
 {
-    SurveyState survey = SurveyState::NotDone;
-    QString surveyText;               // while running: "reading servo.timeout_mode of azimuth"
-    QString armingObstacle;           // why nothing may move yet; empty when the drives are fit
-    bool released = false;            // the bus is left to other tools
-    bool switchedOn = false;          // a drive is under our orders: settings can not be written
-    bool fixable = false;             // Fix has something to write or to store
-    bool proofRunning = false;        // the crash-stop proof moves the mount
-    QString proofText;                // what it does now, or how it ended
-    std::vector<Stranger> strangers;  // boards that the profile does not know
-    std::vector<BoardOnBus> boards;   // all of them, by their ids
-    BoardWork boardWork;              // an id that is given to a board, until the boards change
+    DriveCheckState driveCheck = DriveCheckState::NotDone;
+    QString driveCheckText;                   // while running: "reading servo.timeout_mode of azimuth"
+    QString armingObstacle;                   // why nothing may move yet; empty when the drives are fit
+    bool released = false;                    // the bus is left to other tools
+    bool switchedOn = false;                  // a drive is under our orders: settings can not be written
+    bool fixable = false;                     // Fix has something to write or to store
+    bool proofRunning = false;                // the crash-stop proof moves the mount
+    QString proofText;                        // what it does now, or how it ended
+    std::vector<UnknownBoard> unknownBoards;  // boards that the profile does not know
+    std::vector<BoardOnBus> boards;           // all of them, by their ids
+    BoardWork boardWork;                      // an id that is given to a board, until the boards change
     BoardWork gearWork;
     DriveStatus azimuth;
     DriveStatus elevation;

@@ -119,7 +119,7 @@ struct TakeAuthority  // clients' motion is refused until GiveAuthority
 {};
 struct GiveAuthority
 {};
-struct GiveLead  // this client moves the mount from now on, and the operator gives control back
+struct GiveControl  // this client moves the mount from now on, and the operator gives control back
 {
     std::uint64_t clientId = 0;
 };
@@ -306,7 +306,7 @@ using AnyRequest =
                  request::Move, request::Step, request::Follow, request::Track, request::Nudge, request::ClearTrim,
                  request::Horizon, request::Hold, request::Stop, request::ResetStop, request::Park, request::Home,
                  request::Unwind, request::HoldAtEnd, request::Rearm, request::TakeAuthority, request::GiveAuthority,
-                 request::GiveLead, request::SetReadOnly, request::Disconnect, request::AcknowledgeAlarms,
+                 request::GiveControl, request::SetReadOnly, request::Disconnect, request::AcknowledgeAlarms,
                  request::AcknowledgeAlarm, request::ApplyProfile, request::Reconnect, request::ReadDrives,
                  request::FixDrives, request::AssignBoard, request::SetGear, request::SwitchOff, request::ReleaseBus,
                  request::TakeBus, request::ChooseTurn, request::ProveCrashStop, request::EndProof, request::ReadGains,

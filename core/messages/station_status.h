@@ -156,12 +156,12 @@ struct ClientStatus
     QString lastCommand;             // why it was refused, or what became of its target
     double commandsPerSecond = 0.0;  // over the last seconds
     bool driving = false;            // the mount follows its target now
-    bool leading = false;            // its motion commands are accepted, other clients' are not
+    bool inControl = false;          // its motion commands are accepted, other clients' are not
     bool readOnly = false;
-    bool locked = false;   // the one that the profile names
-    bool wanting = false;  // it goes on asking for motions, which are refused for another's lead
-    QString advice;        // what would make it work better; mostly empty
-    QString leadObstacle;  // why control cannot be given to it now, or need not; empty: it can
+    bool locked = false;      // the one that the profile names
+    bool wanting = false;     // it goes on asking for motions, which are refused for another's lead
+    QString advice;           // what would make it work better; mostly empty
+    QString controlObstacle;  // why control cannot be given to it now, or need not; empty: it can
 };
 
 // The MQTT broker, as far as somebody needs it: the sensor, or the publishing of the station's state.

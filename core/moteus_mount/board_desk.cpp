@@ -2,9 +2,9 @@
 #include "core/moteus_mount/board_desk.h"
 
 #include "core/base/text.h"
+#include "core/drive_check/identity_findings.h"
+#include "core/drive_check/protections.h"
 #include "core/moteus/describe.h"
-#include "core/survey/identity_findings.h"
-#include "core/survey/protections.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,14 +16,14 @@ namespace {
 const QString kBoardSource = QStringLiteral("drives");
 constexpr const char* kRatioKey = "motor_position.rotor_to_output_ratio";
 
-QString uuidOf(const survey::FoundController& board)
+QString uuidOf(const drive_check::FoundController& board)
 {
-    return survey::identityOf(board).uuid;
+    return drive_check::identityOf(board).uuid;
 }
 
-bool sharesItsId(const std::vector<survey::FoundController>& boards, const survey::FoundController& one)
+bool sharesItsId(const std::vector<drive_check::FoundController>& boards, const drive_check::FoundController& one)
 {
-    return one.isUnreadable() || std::ranges::count(boards, one.id, &survey::FoundController::id) > 1;
+    return one.isUnreadable() || std::ranges::count(boards, one.id, &drive_check::FoundController::id) > 1;
 }
 
 double wantedRatio(const profile::AxisSettings& axis)
@@ -34,7 +34,7 @@ double wantedRatio(const profile::AxisSettings& axis)
 // The gains refer to output turns and output torque. To keep the stiffness at the motor, the gains change with the
 // square of the change of the gear, and the limit of the integral changes with the change itself. Source:
 // motor_position and bldc_servo of the firmware.
-std::vector<survey::BoardSetting> gainsForGear(double change)
+std::vector<drive_check::BoardSetting> gainsForGear(double change)
 {
     const double square = change * change;
     return {{"servo.pid_position.kp", square},
@@ -65,9 +65,9 @@ Result<> BoardDesk::mayAssign(Axis axis) const
     if (!hasDrive(axis)) {
         return failure(ErrorCode::NotAvailable, Text::tr("This axis has no moteus drive."));
     }
-    const auto& boards = m_survey.boards();
+    const auto& boards = m_driveCheck.boards();
     if (boards.empty()) {
-        return refuse(Text::tr("No board answers. Connect the board of the %1.").arg(survey::axisText(axis)));
+        return refuse(Text::tr("No board answers. Connect the board of the %1.").arg(drive_check::axisText(axis)));
     }
     if (const auto shared = std::ranges::find_if(boards, [&](const auto& one) { return sharesItsId(boards, one); });
         shared != boards.end()) {
@@ -78,11 +78,12 @@ Result<> BoardDesk::mayAssign(Axis axis) const
     }
     if (boards.size() > 1) {
         return refuse(Text::tr("More than one board is connected. Leave only the board of the %1 connected.")
-                          .arg(survey::axisText(axis)));
+                          .arg(drive_check::axisText(axis)));
     }
     if (boards.front().id == m_profile->axis(axis).id) {
-        return refuse(
-            Text::tr("This board has the id %1 of the %2 already.").arg(boards.front().id).arg(survey::axisText(axis)));
+        return refuse(Text::tr("This board has the id %1 of the %2 already.")
+                          .arg(boards.front().id)
+                          .arg(drive_check::axisText(axis)));
     }
     return {};
 }
@@ -92,10 +93,10 @@ Result<> BoardDesk::maySetGear(Axis axis) const
     if (isRunning()) {
         return failure(ErrorCode::Busy, m_change.progress());
     }
-    if (m_survey.state() == SurveyState::Running || m_survey.state() == SurveyState::Fixing) {
+    if (m_driveCheck.state() == DriveCheckState::Running || m_driveCheck.state() == DriveCheckState::Fixing) {
         return failure(ErrorCode::Busy, Text::tr("Boresight is reading the drives. Wait a moment."));
     }
-    return gear(axis) && survey::onlyBoard(m_survey.boards(), m_profile->axis(axis).id) != nullptr
+    return gear(axis) && drive_check::onlyBoard(m_driveCheck.boards(), m_profile->axis(axis).id) != nullptr
                ? Result<>{}
                : failure(ErrorCode::NotAvailable,
                          Text::tr("The gear ratio in the drive is right, or it was not read."));
@@ -104,7 +105,7 @@ Result<> BoardDesk::maySetGear(Axis axis) const
 Result<> BoardDesk::admits(const request::AssignBoard& wanted) const
 {
     return mayAssign(wanted.axis).and_then([&]() -> Result<> {
-        return uuidOf(m_survey.boards().front()) == wanted.board
+        return uuidOf(m_driveCheck.boards().front()) == wanted.board
                    ? Result<>{}
                    : failure(ErrorCode::Refused,
                              Text::tr("The connected board is not the board that you confirmed. Check it again."));
@@ -118,7 +119,7 @@ Result<> BoardDesk::admits(const request::SetGear& wanted) const
 
 void BoardDesk::begin(const request::AssignBoard& wanted, SteadyTime now)
 {
-    const survey::FoundController& board = m_survey.boards().front();
+    const drive_check::FoundController& board = m_driveCheck.boards().front();
     const int id = m_profile->axis(wanted.axis).id;
     m_isGear = false;
     m_done = Text::tr(
@@ -141,7 +142,7 @@ void BoardDesk::begin(const request::AssignBoard& wanted, SteadyTime now)
 void BoardDesk::begin(const request::SetGear& wanted, SteadyTime now)
 {
     const profile::AxisSettings& axis = m_profile->axis(wanted.axis);
-    const survey::FoundController* const board = survey::onlyBoard(m_survey.boards(), axis.id);
+    const drive_check::FoundController* const board = drive_check::onlyBoard(m_driveCheck.boards(), axis.id);
     if (board == nullptr) {
         return;  // admits() has refused this case
     }
@@ -149,18 +150,18 @@ void BoardDesk::begin(const request::SetGear& wanted, SteadyTime now)
     m_done = Text::tr(
                  "The gear ratio of the %1 drive is %2 now. Boresight read it back and stored it, with the gains that "
                  "depend on it. Press Fix next to write limits and speeds. Then check the tuning.")
-                 .arg(survey::axisText(wanted.axis), numberText(ratio));
+                 .arg(drive_check::axisText(wanted.axis), numberText(ratio));
     m_geared = wanted.axis;
     m_isGear = true;
-    m_log.add(
-        Severity::Warning, kBoardSource,
-        Text::tr("writing the gear ratio %1 into the %2 drive").arg(numberText(ratio), survey::axisText(wanted.axis)));
+    m_log.add(Severity::Warning, kBoardSource,
+              Text::tr("writing the gear ratio %1 into the %2 drive")
+                  .arg(numberText(ratio), drive_check::axisText(wanted.axis)));
     m_change.begin({.board = board->known.uuid(),
                     .id = axis.id,
                     .newId = axis.id,
                     .key = kRatioKey,
                     .value = ratio,
-                    .scaled = gainsForGear(m_survey.facts(wanted.axis)->rotorToOutputRatio / ratio),
+                    .scaled = gainsForGear(m_driveCheck.facts(wanted.axis)->rotorToOutputRatio / ratio),
                     .what = Text::tr("the gear ratio")},
                    now);
 }
@@ -195,9 +196,9 @@ std::optional<GearCorrection> BoardDesk::gear(Axis axis) const
     if (!hasDrive(axis)) {
         return std::nullopt;
     }
-    const auto lines = m_survey.protections(axis);
+    const auto lines = m_driveCheck.protections(axis);
     const auto line = std::ranges::find(lines, QLatin1String(kRatioKey), &ProtectionLine::key);
-    const auto& facts = m_survey.facts(axis);
+    const auto& facts = m_driveCheck.facts(axis);
     if (line == lines.end() || line->verdict != Verdict::Dangerous || !facts) {
         return std::nullopt;
     }
@@ -215,13 +216,13 @@ std::optional<GearCorrection> BoardDesk::gear(Axis axis) const
 void BoardDesk::fill(DrivesStatus& drives) const
 {
     drives.boards.clear();
-    for (const survey::FoundController& board : m_survey.boards()) {
-        const bool shared = sharesItsId(m_survey.boards(), board);
+    for (const drive_check::FoundController& board : m_driveCheck.boards()) {
+        const bool shared = sharesItsId(m_driveCheck.boards(), board);
         drives.boards.push_back({.id = board.id, .uuid = uuidOf(board), .shared = shared});
     }
     const auto& outcome = m_change.outcome();
     // When all boards have been read, the advice which board to connect next is out of date.
-    const bool over = !m_isGear && m_survey.state() == SurveyState::Done;
+    const bool over = !m_isGear && m_driveCheck.state() == DriveCheckState::Done;
     const QString ended = !outcome || over ? QString() : *outcome ? m_done : outcome->error().text;
     BoardWork& work = m_isGear ? drives.gearWork : drives.boardWork;
     work.running = isRunning();

@@ -2,12 +2,12 @@
 #pragma once
 
 #include "core/alarms/event_log.h"
+#include "core/drive_check/board_change.h"
+#include "core/drive_check/drive_check.h"
 #include "core/messages/drives_status.h"
 #include "core/messages/permissions.h"
 #include "core/messages/request.h"
 #include "core/profile/in_force.h"
-#include "core/survey/board_change.h"
-#include "core/survey/drive_survey.h"
 
 #include <string>
 #include <vector>
@@ -20,8 +20,8 @@ namespace boresight {
 class BoardDesk
 {
 public:
-    BoardDesk(const profile::InForce& profile, const survey::DriveSurvey& survey, AxisSet axes, EventLog& log)
-        : m_profile(profile), m_survey(survey), m_axes(axes), m_log(log)
+    BoardDesk(const profile::InForce& profile, const drive_check::DriveCheck& driveCheck, AxisSet axes, EventLog& log)
+        : m_profile(profile), m_driveCheck(driveCheck), m_axes(axes), m_log(log)
     {}
 
     [[nodiscard]] Result<> admits(const request::AssignBoard& wanted) const;
@@ -51,10 +51,10 @@ private:
     void finish();
 
     const profile::InForce& m_profile;
-    const survey::DriveSurvey& m_survey;
+    const drive_check::DriveCheck& m_driveCheck;
     AxisSet m_axes;
     EventLog& m_log;
-    survey::BoardChange m_change;
+    drive_check::BoardChange m_change;
     QString m_done;                // the message after success
     bool m_isGear = false;         // the last work wrote a gear
     std::optional<Axis> m_geared;  // the axis whose gear is being written

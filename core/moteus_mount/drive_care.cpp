@@ -14,53 +14,53 @@ namespace {
 // After this time of silence of all drives the drive check runs, which reports the silence.
 constexpr std::chrono::seconds kSilencePatience{1};
 
-survey::KnownBoards knownBoards(const memory::MountMemory& memory)
+drive_check::KnownBoards knownBoards(const journal::MountJournal& journal)
 {
-    survey::KnownBoards known;
+    drive_check::KnownBoards known;
     for (std::size_t i = 0; i < known.size(); ++i) {
-        known[i] = memory.turns[i] ? memory.turns[i]->drive : QString();
+        known[i] = journal.turns[i] ? journal.turns[i]->drive : QString();
     }
     return known;
 }
 
-Severity severityOf(survey::FindingWeight weight)
+Severity severityOf(drive_check::FindingWeight weight)
 {
     switch (weight) {
-        case survey::FindingWeight::Advice:
+        case drive_check::FindingWeight::Advice:
             return Severity::Advisory;
-        case survey::FindingWeight::Warning:
+        case drive_check::FindingWeight::Warning:
             return Severity::Warning;
-        case survey::FindingWeight::Blocking:
+        case drive_check::FindingWeight::Blocking:
             break;
     }
     return Severity::Alarm;
 }
 
 // Null for a silence: each drive has its own alarm for that.
-const AlarmEntry* entryOf(survey::FindingKind kind)
+const AlarmEntry* entryOf(drive_check::FindingKind kind)
 {
     switch (kind) {
-        case survey::FindingKind::NobodyAnswers:
+        case drive_check::FindingKind::NobodyAnswers:
             return nullptr;
-        case survey::FindingKind::Missing:
+        case drive_check::FindingKind::Missing:
             return &alarmEntry("drives.missing");
-        case survey::FindingKind::SharedId:
+        case drive_check::FindingKind::SharedId:
             return &alarmEntry("drives.shared-id");
-        case survey::FindingKind::Stranger:
+        case drive_check::FindingKind::UnknownBoard:
             return &alarmEntry("drives.foreign-board");
-        case survey::FindingKind::Swapped:
+        case drive_check::FindingKind::Swapped:
             return &alarmEntry("drives.swapped");
-        case survey::FindingKind::OtherBoard:
+        case drive_check::FindingKind::OtherBoard:
             return &alarmEntry("drives.other-board");
-        case survey::FindingKind::RegisterMap:
+        case drive_check::FindingKind::RegisterMap:
             return &alarmEntry("drives.register-map");
-        case survey::FindingKind::Unread:
+        case drive_check::FindingKind::Unread:
             return &alarmEntry("drives.unread");
-        case survey::FindingKind::NotStored:
+        case drive_check::FindingKind::NotStored:
             return &alarmEntry("drives.not-stored");
-        case survey::FindingKind::Dangerous:
+        case drive_check::FindingKind::Dangerous:
             return &alarmEntry("drives.dangerous");
-        case survey::FindingKind::Advised:
+        case drive_check::FindingKind::Advised:
             return &alarmEntry("drives.advised");
     }
     return nullptr;
@@ -72,23 +72,23 @@ DriveCare::DriveCare(const profile::InForce& profile, MoteusMount& mount, AlarmB
     : m_mount(mount),
       m_alarms(alarms),
       m_log(log),
-      m_survey(profile, knownBoards(mount.memory()), mount.axes()),
-      m_boards(profile, m_survey, mount.axes(), log),
+      m_driveCheck(profile, knownBoards(mount.journal()), mount.axes()),
+      m_boards(profile, m_driveCheck, mount.axes(), log),
       m_watched(profile, alarms),
-      m_gains{survey::AxisGains(Axis::Azimuth, profile->azimuth.id),
-              survey::AxisGains(Axis::Elevation, profile->elevation.id)}
+      m_gains{drive_check::AxisGains(Axis::Azimuth, profile->azimuth.id),
+              drive_check::AxisGains(Axis::Elevation, profile->elevation.id)}
 {}
 
 void DriveCare::take(const CanFrame& frame)
 {
-    m_survey.take(frame);
+    m_driveCheck.take(frame);
     m_boards.take(frame);
     m_watched.take(frame);
     const Result<moteus::Reply> reply = moteus::decodeReply(frame);
     if (!reply || reply->destination != moteus::kDiagnosticHostId) {
         return;
     }
-    for (survey::AxisGains& gains : m_gains) {
+    for (drive_check::AxisGains& gains : m_gains) {
         gains.take(*reply);
     }
 }
@@ -100,7 +100,7 @@ std::vector<CanFrame> DriveCare::tick(SteadyTime now)
         m_watched.rest();
         return {};
     }
-    auto frames = m_boards.isRunning() ? changeBoard(now) : m_survey.frames(now);
+    auto frames = m_boards.isRunning() ? changeBoard(now) : m_driveCheck.frames(now);
     std::ranges::copy(m_watched.frames(now), std::back_inserter(frames));
     tendGains(now, frames);
     tellMount();
@@ -114,16 +114,16 @@ void DriveCare::tendGains(SteadyTime now, std::vector<CanFrame>& frames)
 {
     bool countsAnew = false;
     for (const Axis axis : m_mount.axes()) {
-        survey::AxisGains& gains = m_gains[index(axis)];
-        const auto& facts = m_survey.facts(axis);
-        if (m_boards.isRunning() || m_survey.state() != SurveyState::Done || !facts) {
+        drive_check::AxisGains& gains = m_gains[index(axis)];
+        const auto& facts = m_driveCheck.facts(axis);
+        if (m_boards.isRunning() || m_driveCheck.state() != DriveCheckState::Done || !facts) {
             gains.interrupt(Text::tr("The drive check interrupted the reading. Read the gains again."));
             continue;
         }
         if (!gains.isOf(facts->uuid)) {
             gains.forget();
         }
-        if (!m_survey.isAsking(axis)) {
+        if (!m_driveCheck.isAsking(axis)) {
             if (const auto frame = gains.frame(now)) {
                 frames.push_back(*frame);
             }
@@ -137,7 +137,7 @@ void DriveCare::tendGains(SteadyTime now, std::vector<CanFrame>& frames)
         }
     }
     if (countsAnew) {
-        m_survey.begin(now);
+        m_driveCheck.begin(now);
     }
 }
 
@@ -154,7 +154,7 @@ std::vector<CanFrame> DriveCare::changeBoard(SteadyTime now)
         m_gains[index(*axis)].startOver();
     }
     if (ended) {
-        m_survey.begin(now);
+        m_driveCheck.begin(now);
     }
     return frames;
 }
@@ -171,10 +171,10 @@ void DriveCare::watchConnection(SteadyTime now)
         m_answering[index(axis)] = answers;
     }
     if (went) {
-        m_survey.forget();
+        m_driveCheck.forget();
     }
     if (came) {
-        m_survey.begin(now);
+        m_driveCheck.begin(now);
     }
     watchSilence(now);
 }
@@ -187,24 +187,25 @@ void DriveCare::watchSilence(SteadyTime now)
         m_silentSince.reset();
     } else if (!m_silentSince) {
         m_silentSince = now;
-    } else if (now - *m_silentSince >= kSilencePatience && !m_survey.isUnderWay()) {
-        m_survey.begin(now);
+    } else if (now - *m_silentSince >= kSilencePatience && !m_driveCheck.isUnderWay()) {
+        m_driveCheck.begin(now);
     }
 }
 
 void DriveCare::tellMount()
 {
-    m_survey.setKnownBoards(knownBoards(m_mount.memory()));
-    const bool writes = m_boards.isRunning() || std::ranges::any_of(m_gains, &survey::AxisGains::isWriting);
-    m_mount.setFitness(writes ? mayTouch() : m_survey.fitToMove());
+    m_driveCheck.setKnownBoards(knownBoards(m_mount.journal()));
+    const bool writes = m_boards.isRunning() || std::ranges::any_of(m_gains, &drive_check::AxisGains::isWriting);
+    m_mount.setInterlock(writes ? mayTouch() : m_driveCheck.fitToMove());
     for (const Axis axis : m_mount.axes()) {
-        if (m_survey.rebootsSeen(axis) != std::exchange(m_rebootsTold[index(axis)], m_survey.rebootsSeen(axis))) {
+        if (m_driveCheck.rebootsSeen(axis) !=
+            std::exchange(m_rebootsTold[index(axis)], m_driveCheck.rebootsSeen(axis))) {
             m_mount.driveRestarted(axis);
             m_gains[index(axis)].forget();
         }
-        m_mount.learn(axis, m_survey.facts(axis));
+        m_mount.learn(axis, m_driveCheck.facts(axis));
         if (m_mount.needsOrigin(axis) && !m_gains[index(axis)].isBusy()) {
-            m_survey.readOrigin(axis);
+            m_driveCheck.readOrigin(axis);
         }
     }
 }
@@ -212,7 +213,7 @@ void DriveCare::tellMount()
 void DriveCare::tellFindings()
 {
     std::vector<AlarmKey> told;
-    for (const survey::Finding& finding : m_survey.findings()) {
+    for (const drive_check::Finding& finding : m_driveCheck.findings()) {
         if (const AlarmEntry* const entry = entryOf(finding.kind); entry != nullptr) {
             told.push_back(entry->of(finding.about));
             m_alarms.raise(told.back(), severityOf(finding.weight), {finding.what, finding.remedy});
@@ -229,7 +230,7 @@ void DriveCare::tellFindings()
 
 void DriveCare::tellChanges()
 {
-    for (const survey::Change& change : m_survey.takeChanges()) {
+    for (const drive_check::Change& change : m_driveCheck.takeChanges()) {
         if (change.written) {
             m_log.add(Severity::Advisory, QStringLiteral("drives"), Text::tr("written: %1").arg(change.text));
         } else {
@@ -243,10 +244,10 @@ Result<> DriveCare::mayTouch() const
     if (m_boards.isRunning()) {
         return failure(ErrorCode::Busy, Text::tr("Boresight is changing a board. Wait a moment."));
     }
-    if (m_survey.state() == SurveyState::Fixing) {
+    if (m_driveCheck.state() == DriveCheckState::Fixing) {
         return failure(ErrorCode::Refused, Text::tr("the drives' settings are being written: wait until that is done"));
     }
-    if (std::ranges::any_of(m_gains, &survey::AxisGains::isBusy)) {
+    if (std::ranges::any_of(m_gains, &drive_check::AxisGains::isBusy)) {
         return failure(ErrorCode::Busy, Text::tr("Boresight is reading or writing the gains. Wait until that ends."));
     }
     return {};
@@ -255,7 +256,7 @@ Result<> DriveCare::mayTouch() const
 Result<> DriveCare::mayRead() const
 {
     return mayTouch().and_then([this]() -> Result<> {
-        return m_survey.state() == SurveyState::Running
+        return m_driveCheck.state() == DriveCheckState::Running
                    ? failure(ErrorCode::Busy, Text::tr("the drives are being read"))
                    : Result<>{};
     });
@@ -263,12 +264,12 @@ Result<> DriveCare::mayRead() const
 
 Result<> DriveCare::mayFix() const
 {
-    return mayRead().and_then([this] { return m_survey.mayFix(); }).and_then([this] { return mayStoreAll(); });
+    return mayRead().and_then([this] { return m_driveCheck.mayFix(); }).and_then([this] { return mayStoreAll(); });
 }
 
 Result<> DriveCare::mayStoreAll() const
 {
-    return std::ranges::any_of(m_gains, &survey::AxisGains::isOnTrial)
+    return std::ranges::any_of(m_gains, &drive_check::AxisGains::isOnTrial)
                ? failure(
                      ErrorCode::Refused,
                      Text::tr("New gains are on trial. This would store them, too. Store them or put them back first."))
@@ -283,7 +284,7 @@ Result<> DriveCare::mayChangeBoard() const
 Result<> DriveCare::mayTune(Axis axis) const
 {
     return m_mount.mayBeTuned(axis).and_then([this] { return mayTouch(); }).and_then([&]() -> Result<> {
-        return m_survey.state() == SurveyState::Done && m_survey.facts(axis)
+        return m_driveCheck.state() == DriveCheckState::Done && m_driveCheck.facts(axis)
                    ? Result<>{}
                    : failure(ErrorCode::Refused, Text::tr("The drive check has not read this drive yet."));
     });
@@ -348,15 +349,15 @@ Result<> DriveCare::carryOut(const Request& request, SteadyTime now)
 {
     Result<> done = std::visit(Overloaded{[&](const request::ReadDrives&) -> Result<> {
                                               m_boards.forgetOutcome();
-                                              m_survey.begin(now);
+                                              m_driveCheck.begin(now);
                                               return {};
                                           },
                                           [&](const request::FixDrives&) {
                                               m_boards.forgetOutcome();
-                                              return m_survey.fix(now);
+                                              return m_driveCheck.fix(now);
                                           },
                                           [this](const request::ReadGains& wanted) -> Result<> {
-                                              m_gains[index(wanted.axis)].read(m_survey.facts(wanted.axis)->uuid);
+                                              m_gains[index(wanted.axis)].read(m_driveCheck.facts(wanted.axis)->uuid);
                                               return {};
                                           },
                                           [this](const request::SetGain& wanted) -> Result<> {
@@ -418,10 +419,10 @@ void DriveCare::judgeGains(Permissions& may) const
 
 void DriveCare::fill(DrivesStatus& drives) const
 {
-    drives.survey = m_survey.state();
-    drives.surveyText = m_survey.progress();
-    drives.fixable = m_survey.isFixable();
-    drives.strangers = m_survey.strangers();
+    drives.driveCheck = m_driveCheck.state();
+    drives.driveCheckText = m_driveCheck.progress();
+    drives.fixable = m_driveCheck.isFixable();
+    drives.unknownBoards = m_driveCheck.unknownBoards();
     m_boards.fill(drives);
     drives.watched = m_watched.status();
     for (const Axis axis : m_mount.axes()) {
@@ -431,10 +432,10 @@ void DriveCare::fill(DrivesStatus& drives) const
 
 void DriveCare::fill(Axis axis, DriveStatus& drive) const
 {
-    if (const auto& facts = m_survey.facts(axis)) {
+    if (const auto& facts = m_driveCheck.facts(axis)) {
         drive.identity = facts->identity;
     }
-    const auto lines = m_survey.protections(axis);
+    const auto lines = m_driveCheck.protections(axis);
     drive.protections.assign(lines.begin(), lines.end());
     drive.gains = m_gains[index(axis)].status();
 }

@@ -4,14 +4,14 @@
 #include "core/alarms/alarm_board.h"
 #include "core/alarms/event_log.h"
 #include "core/base/can_frame.h"
+#include "core/drive_check/axis_gains.h"
+#include "core/drive_check/drive_check.h"
 #include "core/messages/permissions.h"
 #include "core/messages/request.h"
 #include "core/moteus_mount/board_desk.h"
 #include "core/moteus_mount/moteus_mount.h"
 #include "core/moteus_mount/watched_boards.h"
 #include "core/profile/in_force.h"
-#include "core/survey/axis_gains.h"
-#include "core/survey/drive_survey.h"
 
 #include <vector>
 
@@ -28,7 +28,7 @@ public:
     void take(const CanFrame& frame);
     void profileChanged(const profile::Profile& before, const profile::Profile& after)
     {
-        m_survey.profileChanged(before, after);
+        m_driveCheck.profileChanged(before, after);
     }
     // After the tick of the control. Returns the frames to send beside those of the mount.
     [[nodiscard]] std::vector<CanFrame> tick(SteadyTime now);
@@ -66,10 +66,10 @@ private:
     MoteusMount& m_mount;
     AlarmBoard& m_alarms;
     EventLog& m_log;
-    survey::DriveSurvey m_survey;
+    drive_check::DriveCheck m_driveCheck;
     BoardDesk m_boards;
     WatchedBoards m_watched;
-    std::array<survey::AxisGains, 2> m_gains;
+    std::array<drive_check::AxisGains, 2> m_gains;
     std::array<int, 2> m_rebootsTold{};
     std::array<bool, 2> m_answering{};
     std::optional<SteadyTime> m_silentSince;  // silence of all drives, while we use the bus

@@ -6,9 +6,9 @@
 #include "core/can/fdcanusb_link.h"
 #include "core/can/socketcan_link.h"
 #include "core/can/unusable_link.h"
+#include "core/drive_check/protections.h"
 #include "core/moteus_mount/moteus_connection.h"
 #include "core/sim_bus/simulated_link.h"
-#include "core/survey/protections.h"
 
 #include <algorithm>
 
@@ -19,11 +19,12 @@ namespace {
 // Writes the settings that Fix would write.
 void protect(sim::DriveConfig& drive, const profile::Profile& profile, Axis axis)
 {
-    for (const survey::Protection& protection : survey::protectionsOf(profile, axis)) {
+    for (const drive_check::Protection& protection : drive_check::protectionsOf(profile, axis)) {
         const auto found = sim::configText(drive, protection.key);
-        const survey::Reading reading{.state = survey::Reading::State::Read, .text = found.value_or(std::string())};
-        if (found && protection.remedy && survey::judged(protection, reading).verdict != Verdict::Right) {
-            (void)sim::setConfigText(drive, protection.key, survey::settingText(*protection.remedy));
+        const drive_check::Reading reading{.state = drive_check::Reading::State::Read,
+                                           .text = found.value_or(std::string())};
+        if (found && protection.remedy && drive_check::judged(protection, reading).verdict != Verdict::Right) {
+            (void)sim::setConfigText(drive, protection.key, drive_check::settingText(*protection.remedy));
         }
     }
 }

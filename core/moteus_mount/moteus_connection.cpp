@@ -52,7 +52,7 @@ MoteusConnection::MoteusConnection(std::unique_ptr<CanLink> link, const MountSta
       m_log(log),
       m_alarms(alarms),
       m_simulated(start.simulation != Simulation::Off),
-      m_memoryFile(start.stateDir, QString::fromStdString(profile->mount.name), this),
+      m_journalFile(start.stateDir, QString::fromStdString(profile->mount.name), this),
       m_mount(profile, clock, log, alarms, remembered(start), start.axes),
       m_care(profile, m_mount, alarms, log),
       m_link(std::move(link))
@@ -79,15 +79,15 @@ TurnKeeper::Start MoteusConnection::remembered(const MountStart& start)
     if (m_simulated) {
         return {.trustFirstContact = true};
     }
-    m_claim = m_memoryFile.claim();
+    m_claim = m_journalFile.claim();
     if (!m_claim) {
         return {};
     }
-    memory::LoadedMemory loaded = m_memoryFile.load();
+    journal::LoadedJournal loaded = m_journalFile.load();
     if (!loaded.problem.isEmpty()) {
         m_log.add(Severity::Warning, kJournalSource, loaded.problem);
     }
-    TurnKeeper::Start known{.memory = std::move(loaded.memory), .problem = std::move(loaded.problem)};
+    TurnKeeper::Start known{.journal = std::move(loaded.journal), .problem = std::move(loaded.problem)};
     if (start.standingAt) {
         known.standingAt = {start.standingAt->place.azimuth, start.standingAt->place.elevation};
         known.looked = start.standingAt->looked;
@@ -97,9 +97,9 @@ TurnKeeper::Start MoteusConnection::remembered(const MountStart& start)
 
 void MoteusConnection::watchJournal()
 {
-    connect(&m_memoryFile, &memory::MemoryFile::saveFailed, this,
+    connect(&m_journalFile, &journal::JournalFile::saveFailed, this,
             [this](const QString& reason) { m_alarms.raise(alarmEntry("journal.not-stored"), {reason}); });
-    connect(&m_memoryFile, &memory::MemoryFile::saved, this,
+    connect(&m_journalFile, &journal::JournalFile::saved, this,
             [this] { m_alarms.clear(alarmEntry("journal.not-stored")); });
 }
 
@@ -155,8 +155,8 @@ void MoteusConnection::send()
         m_mount.framesTaken();
     }
     m_mount.framesSent();
-    if (m_mount.takeMemoryChange() && !m_simulated && m_claim) {
-        m_memoryFile.save(m_mount.memory());
+    if (m_mount.takeJournalChange() && !m_simulated && m_claim) {
+        m_journalFile.save(m_mount.journal());
     }
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/can/can_link.h"
-#include "core/memory/memory_file.h"
+#include "core/journal/journal_file.h"
 #include "core/moteus_mount/drive_care.h"
 #include "core/moteus_mount/moteus_mount.h"
 #include "core/mount/mount_connection.h"
@@ -49,7 +49,7 @@ private:
     AlarmBoard& m_alarms;
     // A simulated mount starts with the program and is where its drives report it. So it needs no position journal.
     const bool m_simulated;
-    memory::MemoryFile m_memoryFile;
+    journal::JournalFile m_journalFile;
     Result<> m_claim;  // of the position journal
     MoteusMount m_mount;
     DriveCare m_care;

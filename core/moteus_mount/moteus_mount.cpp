@@ -46,7 +46,7 @@ MoteusMount::MoteusMount(const profile::InForce& profile, const Clock& clock, Ev
       m_turnWatch(m_turns, m_drives, m_watches, alarms),
       m_stall(m_drives, m_watches, m_turns, alarms, log),
       m_proof(m_drives, m_turns, m_turnWatch, log),
-      m_fitness(failure(ErrorCode::Refused, Text::tr("the drives have not been checked yet"))),
+      m_interlock(failure(ErrorCode::Refused, Text::tr("the drives have not been checked yet"))),
       m_started(clock.now()),
       m_now(m_started)
 {}
@@ -105,7 +105,7 @@ std::optional<QString> MoteusMount::identity(Axis axis) const
 
 QString MoteusMount::lastIdentity(Axis axis) const
 {
-    const auto& turn = memory().turns[index(axis)];
+    const auto& turn = journal().turns[index(axis)];
     return has(axis) && turn ? turn->drive : QString();
 }
 
@@ -181,7 +181,7 @@ void MoteusMount::describe(DrivesStatus& status) const
         drive.readings = readingsOf(m_drives.drive(axis), m_now);
         drive.registers = registersText(m_drives.drive(axis));
         drive.turnQuestion = readable() ? m_turns.question(axis, m_drives.drive(axis)) : std::nullopt;
-        drive.crashStop = memory().crashStops[index(axis)];
+        drive.crashStop = journal().crashStops[index(axis)];
     }
 }
 
@@ -222,7 +222,7 @@ void MoteusMount::keepTurns(const MountSituation& known, MountFindings& found)
 void MoteusMount::resumeAfterStall(const MountSituation& known, MountFindings& found)
 {
     const bool hindered = m_proof.running() || known.closing || m_busLeft || known.stopLatched || known.faultLatched ||
-                          !m_fitness || !m_turnWatch.allKnown();
+                          !m_interlock || !m_turnWatch.allKnown();
     m_stall.resume(m_profile->control.afterStall == profile::AfterStall::Resume && !hindered, m_now);
     if (const auto missing = m_stall.finish(known.faultLatched, m_now)) {
         stopFor(missing->first, missing->second, found);

@@ -51,8 +51,8 @@ public:
     void setSilenceAdvice(const QString& advice) { m_silences.setAdvice(advice); }
 
     // The result of the drive check.
-    void setFitness(const Result<>& fitness) { m_fitness = fitness; }
-    void learn(Axis axis, const std::optional<survey::DriveFacts>& facts) { m_turnWatch.learn(axis, facts); }
+    void setInterlock(const Result<>& interlock) { m_interlock = interlock; }
+    void learn(Axis axis, const std::optional<drive_check::DriveFacts>& facts) { m_turnWatch.learn(axis, facts); }
     [[nodiscard]] bool needsOrigin(Axis axis) const { return m_turnWatch.needsOrigin(axis); }
     void driveRestarted(Axis axis);  // it was power-cycled while we watched it
     void countsAnew(Axis axis);      // its encoder counts from a new zero, after a change of its settings
@@ -60,8 +60,8 @@ public:
     void expectAnotherCount(Axis axis) { m_drives.drive(axis).forgetPlace(); }
 
     // The position journal.
-    [[nodiscard]] const memory::MountMemory& memory() const { return m_turns.memory(); }
-    [[nodiscard]] bool takeMemoryChange() { return m_turns.takeChange(); }
+    [[nodiscard]] const journal::MountJournal& journal() const { return m_turns.journal(); }
+    [[nodiscard]] bool takeJournalChange() { return m_turns.takeChange(); }
     // How far a sensor on the antenna saw the azimuth turn.
     void setCourse(const std::optional<SensorCourse>& course) { m_turns.setCourse(course); }
 
@@ -72,7 +72,7 @@ public:
     [[nodiscard]] QString lastIdentity(Axis axis) const override;
     [[nodiscard]] AxisReport report(Axis axis) const override;
     [[nodiscard]] Result<> available() const override;
-    [[nodiscard]] const Result<>& fitness() const override { return m_fitness; }
+    [[nodiscard]] const Result<>& interlock() const override { return m_interlock; }
     [[nodiscard]] MountService* service() override { return this; }
     [[nodiscard]] const MountService* service() const override { return this; }
     void observe(SteadyTime now) override;
@@ -116,7 +116,7 @@ private:
     [[nodiscard]] AxisPosition heldPlace() const;
     [[nodiscard]] AxisHand handOf(const Drive& drive, Axis axis) const;
     // The reports of the drives can be used: their gear and safety settings are right, or are still being read.
-    [[nodiscard]] bool readable() const { return m_fitness || m_fitness.error().code == ErrorCode::Busy; }
+    [[nodiscard]] bool readable() const { return m_interlock || m_interlock.error().code == ErrorCode::Busy; }
 
     const profile::InForce& m_profile;
     const Clock& m_clock;
@@ -131,7 +131,7 @@ private:
     StallGuard m_stall;
     ProofRun m_proof;
     std::optional<CrashStopProof> m_nextProof;
-    Result<> m_fitness;
+    Result<> m_interlock;
     std::array<tracking::Setpoint, 2> m_setpoints{};  // as last commanded
     std::array<bool, 2> m_ignoringBounds{};
     bool m_busLeft = false;

@@ -3,8 +3,8 @@
 
 #include "core/base/numbers.h"
 #include "core/base/text.h"
-#include "core/memory/places.h"
-#include "core/memory/power_proof.h"
+#include "core/journal/places.h"
+#include "core/journal/power_proof.h"
 #include "core/units/degrees_text.h"
 
 #include <algorithm>
@@ -37,9 +37,9 @@ Angle nearestOf(const std::vector<Angle>& candidates, Angle angle)
     return *std::ranges::min_element(candidates, {}, [angle](Angle one) { return abs(one - angle).radians(); });
 }
 
-// True for a position beyond the bounds of the drive, which may lie at half their margin (survey/protections.cpp). A
-// drive that is on and is set to such a position pulls the axis to the nearer bound without a ramp, or lets the axis go
-// with a fault.
+// True for a position beyond the bounds of the drive, which may lie at half their margin (drive_check/protections.cpp).
+// A drive that is on and is set to such a position pulls the axis to the nearer bound without a ramp, or lets the axis
+// go with a fault.
 bool beyondBounds(Angle place, const TravelRange& travel, const profile::Profile& profile)
 {
     const Angle margin = profile.control.driveLimitMargin * 0.5;
@@ -63,12 +63,12 @@ TurnKeeper::TurnKeeper(const profile::InForce& profile, const Clock& clock, Even
       m_clock(clock),
       m_log(log),
       m_start(std::move(start)),
-      m_placeUsedBefore(m_start.memory.placeUsed && m_start.looked <= *m_start.memory.placeUsed)
+      m_placeUsedBefore(m_start.journal.placeUsed && m_start.looked <= *m_start.journal.placeUsed)
 {}
 
-std::optional<memory::TurnRecord>& TurnKeeper::record(Axis axis)
+std::optional<journal::TurnRecord>& TurnKeeper::record(Axis axis)
 {
-    return m_start.memory.turns[index(axis)];
+    return m_start.journal.turns[index(axis)];
 }
 
 void TurnKeeper::forget(Axis axis, const std::optional<QString>& doubt)
@@ -84,12 +84,12 @@ void TurnKeeper::forget(Axis axis, const std::optional<QString>& doubt)
     }
 }
 
-bool TurnKeeper::isFresh(Axis axis, const survey::DriveFacts& facts) const
+bool TurnKeeper::isFresh(Axis axis, const drive_check::DriveFacts& facts) const
 {
     return facts.origin.asked > state(axis).since;
 }
 
-bool TurnKeeper::needsOrigin(Axis axis, const survey::DriveFacts& facts) const
+bool TurnKeeper::needsOrigin(Axis axis, const drive_check::DriveFacts& facts) const
 {
     const Phase phase = state(axis).phase;
     const bool old =
@@ -99,10 +99,10 @@ bool TurnKeeper::needsOrigin(Axis axis, const survey::DriveFacts& facts) const
 
 // Only the origin shows a small step of the reported position, or a step while this computer stood still. A single
 // reading can be false, so a second one must report the same.
-void TurnKeeper::watchOrigin(Axis axis, const survey::DriveFacts& facts)
+void TurnKeeper::watchOrigin(Axis axis, const drive_check::DriveFacts& facts)
 {
     State& mine = state(axis);
-    const survey::OriginReading& read = facts.origin;
+    const drive_check::OriginReading& read = facts.origin;
     if (!read.origin || !isFresh(axis, facts)) {
         return;
     }
@@ -116,24 +116,24 @@ void TurnKeeper::watchOrigin(Axis axis, const survey::DriveFacts& facts)
     }
 }
 
-bool TurnKeeper::isSameOrigin(Axis axis, const survey::DriveFacts& facts, const moteus::CountOrigin& one) const
+bool TurnKeeper::isSameOrigin(Axis axis, const drive_check::DriveFacts& facts, const moteus::CountOrigin& one) const
 {
-    return memory::isSameOrigin(one, *facts.origin.origin, period(axis, facts), m_profile->axis(axis).geometry);
+    return journal::isSameOrigin(one, *facts.origin.origin, period(axis, facts), m_profile->axis(axis).geometry);
 }
 
-Angle TurnKeeper::period(Axis axis, const survey::DriveFacts& facts) const
+Angle TurnKeeper::period(Axis axis, const drive_check::DriveFacts& facts) const
 {
-    return memory::ambiguity(m_profile->axis(axis).geometry, facts.rotorToOutputRatio, facts.outputEncoder);
+    return journal::ambiguity(m_profile->axis(axis).geometry, facts.rotorToOutputRatio, facts.outputEncoder);
 }
 
 // The boards are interchanged: the journal of one axis is no evidence for the other.
-bool TurnKeeper::ofTheOtherAxis(Axis axis, const survey::DriveFacts& facts) const
+bool TurnKeeper::ofTheOtherAxis(Axis axis, const drive_check::DriveFacts& facts) const
 {
-    const auto& other = m_start.memory.turns[1 - index(axis)];
+    const auto& other = m_start.journal.turns[1 - index(axis)];
     return other && other->drive == facts.uuid;
 }
 
-void TurnKeeper::judge(Axis axis, const survey::DriveFacts& facts, Drive& drive, SteadyTime now)
+void TurnKeeper::judge(Axis axis, const drive_check::DriveFacts& facts, Drive& drive, SteadyTime now)
 {
     State& mine = state(axis);
     if (!drive.report() || !drive.place() || !drive.answering(now) || ofTheOtherAxis(axis, facts)) {
@@ -183,8 +183,8 @@ void TurnKeeper::watchJog(Axis axis, const Drive& drive)
     }
 }
 
-memory::DriveFrame TurnKeeper::frame(Axis axis, const survey::DriveFacts& facts, const Drive& drive,
-                                     SteadyTime now) const
+journal::DriveFrame TurnKeeper::frame(Axis axis, const drive_check::DriveFacts& facts, const Drive& drive,
+                                      SteadyTime now) const
 {
     return {.drive = facts.uuid,
             .reported = drive.place()->position,
@@ -195,23 +195,23 @@ memory::DriveFrame TurnKeeper::frame(Axis axis, const survey::DriveFacts& facts,
             .period = period(axis, facts)};
 }
 
-void TurnKeeper::judgeAnew(Axis axis, const survey::DriveFacts& facts, Drive& drive, SteadyTime now)
+void TurnKeeper::judgeAnew(Axis axis, const drive_check::DriveFacts& facts, Drive& drive, SteadyTime now)
 {
     const pointing::AxisGeometry& geometry = m_profile->axis(axis).geometry;
-    const memory::DriveFrame met = frame(axis, facts, drive, now);
+    const journal::DriveFrame met = frame(axis, facts, drive, now);
     const bool trusted = m_profile->axis(axis).powerUpPosition == profile::PowerUpPosition::Trusted ||
                          (m_start.trustFirstContact && !record(axis));
     const auto doubt = state(axis).doubt;
-    const memory::Evidence evidence{.record = record(axis),
-                                    .recordProblem = record(axis) ? QString() : m_start.problem,
-                                    .sensorHeading = m_sensor[index(axis)],
-                                    .now = m_clock.utc(),
-                                    .host = memory::hostTime(m_clock),
-                                    .trusted = trusted,
-                                    .doubt = doubt};
-    const memory::Judgement judgement = memory::reconcile(met, evidence, geometry);
+    const journal::Evidence evidence{.record = record(axis),
+                                     .recordProblem = record(axis) ? QString() : m_start.problem,
+                                     .sensorHeading = m_sensor[index(axis)],
+                                     .now = m_clock.utc(),
+                                     .host = journal::hostTime(m_clock),
+                                     .trusted = trusted,
+                                     .doubt = doubt};
+    const journal::Judgement judgement = journal::reconcile(met, evidence, geometry);
     const auto entered = takeEnteredPlace(axis);
-    if (const auto* const certain = std::get_if<memory::Certain>(&judgement)) {
+    if (const auto* const certain = std::get_if<journal::Certain>(&judgement)) {
         settle(axis, certain->angle, met.period, drive, QStringLiteral("station"), certain->why);
         return;
     }
@@ -226,7 +226,7 @@ std::optional<Angle> TurnKeeper::takeEnteredPlace(Axis axis)
 {
     const auto place = std::exchange(m_start.standingAt[index(axis)], std::nullopt);
     if (place && enteredPlaceCounts()) {
-        m_start.memory.placeUsed = m_start.looked;
+        m_start.journal.placeUsed = m_start.looked;
         m_changed = true;
     }
     return place;
@@ -307,7 +307,7 @@ std::optional<TurnQuestion> TurnKeeper::question(Axis axis, const Drive& drive) 
         return std::nullopt;
     }
     TurnQuestion question = mine.question;
-    question.evidence.back() = memory::sensorSentence(m_sensor[index(axis)]);  // may have changed since
+    question.evidence.back() = journal::sensorSentence(m_sensor[index(axis)]);  // may have changed since
     question.movedSince = drive.phase() == Drive::Phase::Referencing ? Angle{} : movedSince(axis, drive);
     if (question.candidates.empty()) {
         addTurning(axis, question);
@@ -316,7 +316,7 @@ std::optional<TurnQuestion> TurnKeeper::question(Axis axis, const Drive& drive) 
     // The present candidates: by jogging, one may have come inside the stops and another may have left them.
     const pointing::AxisGeometry& geometry = m_profile->axis(axis).geometry;
     question.candidates =
-        memory::placesAround(geometry.toAxis(drive.place()->position), question.period, geometry.travel);
+        journal::placesAround(geometry.toAxis(drive.place()->position), question.period, geometry.travel);
     if (question.proposed) {
         const Angle wandered = *question.proposed + question.movedSince;
         question.proposed = sameAmong(question.candidates, wandered, question.period);
@@ -327,9 +327,9 @@ std::optional<TurnQuestion> TurnKeeper::question(Axis axis, const Drive& drive) 
 
 void TurnKeeper::addTurning(Axis axis, TurnQuestion& question) const
 {
-    const auto place = axis == Axis::Azimuth ? memory::placeBySensor(m_anchor, m_course) : std::nullopt;
+    const auto place = axis == Axis::Azimuth ? journal::placeBySensor(m_anchor, m_course) : std::nullopt;
     if (place) {
-        memory::addSensorTurning(question, *place);
+        journal::addSensorTurning(question, *place);
     }
 }
 
@@ -363,11 +363,11 @@ Result<> TurnKeeper::choose(Axis axis, Angle angle, Drive& drive, const QString&
         }
     }
     const TravelRange& travel = m_profile->axis(axis).geometry.travel;
-    if (place < travel.min - memory::kBeyondTravel || place > travel.max + memory::kBeyondTravel) {
+    if (place < travel.min - journal::kBeyondTravel || place > travel.max + journal::kBeyondTravel) {
         return failure(ErrorCode::OutOfRange,
                        Text::tr("%1 is outside the travel (%2 to %3) by more than %4. Enter the angle of the axis.")
                            .arg(degreesText(place), degreesText(travel.min), degreesText(travel.max),
-                                degreesText(memory::kBeyondTravel)));
+                                degreesText(journal::kBeyondTravel)));
     }
     if (drive.report()->mode != moteus::Mode::Stopped && beyondBounds(place, travel, *m_profile)) {
         return failure(ErrorCode::Refused,
@@ -395,7 +395,7 @@ void TurnKeeper::settle(Axis axis, Angle angle, Angle period, Drive& drive, cons
     drive.reference(place, near);
 }
 
-void TurnKeeper::note(Axis axis, const survey::DriveFacts& facts, const Drive& drive, bool moving, SteadyTime now)
+void TurnKeeper::note(Axis axis, const drive_check::DriveFacts& facts, const Drive& drive, bool moving, SteadyTime now)
 {
     State& mine = state(axis);
     if (mine.phase != Phase::Known || !drive.place() || !drive.answering(now)) {
@@ -403,17 +403,17 @@ void TurnKeeper::note(Axis axis, const survey::DriveFacts& facts, const Drive& d
     }
     const Angle angle = m_profile->axis(axis).geometry.toAxis(drive.place()->position);
     if (axis == Axis::Azimuth) {
-        m_anchor = m_course ? std::optional(memory::CourseAnchor{.axis = angle, .course = *m_course}) : m_anchor;
+        m_anchor = m_course ? std::optional(journal::CourseAnchor{.axis = angle, .course = *m_course}) : m_anchor;
     }
-    const memory::DriveFrame here = frame(axis, facts, drive, now);
+    const journal::DriveFrame here = frame(axis, facts, drive, now);
     auto& last = record(axis);
     const bool turned = !last || last->drive != facts.uuid || last->moving != moving || last->origin != here.origin;
     const SteadyTime::duration sinceNoted = mine.noted ? now - *mine.noted : SteadyTime::duration::max();
-    const Angle step = moving ? std::max(kWorthNoting, memory::journalStep(here.period)) : kWorthNoting;
+    const Angle step = moving ? std::max(kWorthNoting, journal::journalStep(here.period)) : kWorthNoting;
     const bool elsewhere = last && abs(last->angle - angle) > step && sinceNoted >= kMovingPeriod;
     if (turned || !mine.noted || elsewhere || sinceNoted >= kRestingPeriod) {
-        last = memory::recordOf(here, angle, m_profile->axis(axis).geometry, moving, m_clock.utc(),
-                                memory::hostTime(m_clock));
+        last = journal::recordOf(here, angle, m_profile->axis(axis).geometry, moving, m_clock.utc(),
+                                 journal::hostTime(m_clock));
         mine.noted = now;
         m_changed = true;
     }
@@ -421,7 +421,7 @@ void TurnKeeper::note(Axis axis, const survey::DriveFacts& facts, const Drive& d
 
 void TurnKeeper::keep(Axis axis, const CrashStop& stop)
 {
-    m_start.memory.crashStops[index(axis)] = stop;
+    m_start.journal.crashStops[index(axis)] = stop;
     m_changed = true;
 }
 

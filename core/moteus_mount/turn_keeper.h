@@ -2,13 +2,13 @@
 #pragma once
 
 #include "core/alarms/event_log.h"
-#include "core/memory/course_anchor.h"
-#include "core/memory/mount_memory.h"
-#include "core/memory/reconcile.h"
+#include "core/drive_check/drive_check.h"
+#include "core/journal/course_anchor.h"
+#include "core/journal/mount_journal.h"
+#include "core/journal/reconcile.h"
 #include "core/messages/turn_question.h"
 #include "core/moteus_mount/drive_pair.h"
 #include "core/profile/in_force.h"
-#include "core/survey/drive_survey.h"
 
 #include <array>
 #include <optional>
@@ -25,7 +25,7 @@ class TurnKeeper
 public:
     struct Start
     {
-        memory::MountMemory memory;
+        journal::MountJournal journal;
         QString problem;  // why there is no journal, or only an old one: "the journal file is missing"
         // True for the simulated mount: the first reported position is the right one.
         bool trustFirstContact = false;
@@ -43,7 +43,7 @@ public:
     // not prove the wrap. Empty if it may.
     void forget(Axis axis, const std::optional<QString>& doubt = std::nullopt);
     // Judges the wrap from what is known about the drive, and writes the answer into the drive. Call each tick.
-    void judge(Axis axis, const survey::DriveFacts& facts, Drive& drive, SteadyTime now);
+    void judge(Axis axis, const drive_check::DriveFacts& facts, Drive& drive, SteadyTime now);
     // Success if the operator is being asked about the axis and its drive can accept an answer now.
     [[nodiscard]] Result<> mayChoose(Axis axis, const Drive& drive) const;
     // The operator has looked: the axis is near `angle`. Refused if the direction that the drive reports contradicts
@@ -65,11 +65,11 @@ public:
 
     // The origin of the drive's count must be read (again). Without it nothing can be proved. And a tool that sets the
     // position of a drive whose wrap is known changes the origin.
-    [[nodiscard]] bool needsOrigin(Axis axis, const survey::DriveFacts& facts) const;
+    [[nodiscard]] bool needsOrigin(Axis axis, const drive_check::DriveFacts& facts) const;
     // Records in the journal where an axis with a known wrap is.
-    void note(Axis axis, const survey::DriveFacts& facts, const Drive& drive, bool moving, SteadyTime now);
+    void note(Axis axis, const drive_check::DriveFacts& facts, const Drive& drive, bool moving, SteadyTime now);
     void keep(Axis axis, const CrashStop& stop);
-    [[nodiscard]] const memory::MountMemory& memory() const { return m_start.memory; }
+    [[nodiscard]] const journal::MountJournal& journal() const { return m_start.journal; }
     // True once after the position journal changed and must be saved.
     [[nodiscard]] bool takeChange() { return std::exchange(m_changed, false); }
 
@@ -94,26 +94,27 @@ private:
         SteadyTime notBefore{};                                     // when the next judgement may be made
         moteus::HomeState homeState = moteus::HomeState::Relative;  // while the wrap is known
         std::optional<moteus::CountOrigin> origin{};                // while the wrap is known. Empty: not read yet
-        survey::OriginReading other{};                              // the last reading, if it differs from `origin`
+        drive_check::OriginReading other{};                         // the last reading, if it differs from `origin`
     };
 
     [[nodiscard]] State& state(Axis axis) { return m_states[index(axis)]; }
     [[nodiscard]] const State& state(Axis axis) const { return m_states[index(axis)]; }
-    [[nodiscard]] std::optional<memory::TurnRecord>& record(Axis axis);
-    [[nodiscard]] memory::DriveFrame frame(Axis axis, const survey::DriveFacts& facts, const Drive& drive,
-                                           SteadyTime now) const;
-    [[nodiscard]] bool isFresh(Axis axis, const survey::DriveFacts& facts) const;
-    [[nodiscard]] bool ofTheOtherAxis(Axis axis, const survey::DriveFacts& facts) const;
-    void judgeAnew(Axis axis, const survey::DriveFacts& facts, Drive& drive, SteadyTime now);
+    [[nodiscard]] std::optional<journal::TurnRecord>& record(Axis axis);
+    [[nodiscard]] journal::DriveFrame frame(Axis axis, const drive_check::DriveFacts& facts, const Drive& drive,
+                                            SteadyTime now) const;
+    [[nodiscard]] bool isFresh(Axis axis, const drive_check::DriveFacts& facts) const;
+    [[nodiscard]] bool ofTheOtherAxis(Axis axis, const drive_check::DriveFacts& facts) const;
+    void judgeAnew(Axis axis, const drive_check::DriveFacts& facts, Drive& drive, SteadyTime now);
     void ask(Axis axis, const TurnQuestion& question, const Drive& drive);
     [[nodiscard]] std::optional<Angle> takeEnteredPlace(Axis axis);
     [[nodiscard]] Result<> enteredPlaceCounts() const;
     [[nodiscard]] bool chooseAsEntered(Axis axis, Angle place, Drive& drive);
     void countFromTheMiddle(Axis axis, Drive& drive);
     void watchJog(Axis axis, const Drive& drive);
-    void watchOrigin(Axis axis, const survey::DriveFacts& facts);
-    [[nodiscard]] bool isSameOrigin(Axis axis, const survey::DriveFacts& facts, const moteus::CountOrigin& one) const;
-    [[nodiscard]] Angle period(Axis axis, const survey::DriveFacts& facts) const;
+    void watchOrigin(Axis axis, const drive_check::DriveFacts& facts);
+    [[nodiscard]] bool isSameOrigin(Axis axis, const drive_check::DriveFacts& facts,
+                                    const moteus::CountOrigin& one) const;
+    [[nodiscard]] Angle period(Axis axis, const drive_check::DriveFacts& facts) const;
     void becomeKnown(Axis axis, const Drive& drive);
     void settle(Axis axis, Angle angle, Angle period, Drive& drive, const QString& source, const QString& why);
     [[nodiscard]] MotorTurns tolerance(Axis axis, Angle period) const;
@@ -129,7 +130,7 @@ private:
     std::array<State, 2> m_states;
     std::array<std::optional<Angle>, 2> m_sensor;
     std::optional<SensorCourse> m_course;
-    std::optional<memory::CourseAnchor> m_anchor;  // of the azimuth
+    std::optional<journal::CourseAnchor> m_anchor;  // of the azimuth
     bool m_changed = false;
 };
 

@@ -3,10 +3,10 @@
 
 #include "core/alarms/alarm_board.h"
 #include "core/base/clock.h"
+#include "core/drive_check/drive_check.h"
 #include "core/moteus_mount/drive_pair.h"
 #include "core/moteus_mount/drive_watch.h"
 #include "core/moteus_mount/turn_keeper.h"
-#include "core/survey/drive_survey.h"
 
 #include <algorithm>
 #include <array>
@@ -24,8 +24,8 @@ public:
     {}
 
     // What the drive check knows about a drive. Empty: nothing, and the wrap is then judged again later.
-    void learn(Axis axis, const std::optional<survey::DriveFacts>& facts) { m_facts[index(axis)] = facts; }
-    [[nodiscard]] const std::optional<survey::DriveFacts>& facts(Axis axis) const { return m_facts[index(axis)]; }
+    void learn(Axis axis, const std::optional<drive_check::DriveFacts>& facts) { m_facts[index(axis)] = facts; }
+    [[nodiscard]] const std::optional<drive_check::DriveFacts>& facts(Axis axis) const { return m_facts[index(axis)]; }
     // The origin of the drive's count must be read again.
     [[nodiscard]] bool needsOrigin(Axis axis) const;
     // The drive was power-cycled while we watched it, or may be another one.
@@ -55,7 +55,7 @@ private:
     DrivePair& m_drives;
     std::array<DriveWatch, 2>& m_watches;
     AlarmBoard& m_alarms;
-    std::array<std::optional<survey::DriveFacts>, 2> m_facts;
+    std::array<std::optional<drive_check::DriveFacts>, 2> m_facts;
     std::array<bool, 2> m_answered{};
     bool m_wereKnown = false;
 };

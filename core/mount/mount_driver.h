@@ -41,7 +41,7 @@ public:
     // Why the mount is not queried now although it has no fault: the bus is released to other tools.
     [[nodiscard]] virtual Result<> available() const = 0;
     // Why the mount must not be moved: its own safety settings are wrong.
-    [[nodiscard]] virtual const Result<>& fitness() const = 0;
+    [[nodiscard]] virtual const Result<>& interlock() const = 0;
     // Null if the mount has no functions but moving.
     [[nodiscard]] virtual MountService* service() = 0;
     [[nodiscard]] virtual const MountService* service() const = 0;

@@ -23,10 +23,10 @@ Result<> PairedMount::available() const
     return of(Axis::Azimuth).available().and_then([this] { return of(Axis::Elevation).available(); });
 }
 
-const Result<>& PairedMount::fitness() const
+const Result<>& PairedMount::interlock() const
 {
-    const Result<>& first = of(Axis::Azimuth).fitness();
-    return first ? of(Axis::Elevation).fitness() : first;
+    const Result<>& first = of(Axis::Azimuth).interlock();
+    return first ? of(Axis::Elevation).interlock() : first;
 }
 
 MountService* PairedMount::service()

@@ -128,7 +128,7 @@ Result<> NightDesk::arm(const Source& by, Severity severity, const QString& word
             m_policyUsed = true;
             m_armed = true;
             m_why.clear();
-            m_errand = m_control.errand();
+            m_motionId = m_control.motionId();
             m_handledUntil = {};
             m_control.alarms().clear(alarmEntry("schedule.disarmed"));
             m_log.add(severity, by.name, words);
@@ -235,7 +235,7 @@ std::optional<NightDesk::Interruption> NightDesk::interruption() const
     if (m_control.authority() == Authority::Clients) {
         return because(schedule::PassEnd::Manual, Text::tr("control was given to the clients"));
     }
-    if (m_control.errand() != m_errand) {
+    if (m_control.motionId() != m_motionId) {
         return because(schedule::PassEnd::Manual, Text::tr("another command moved the mount"));
     }
     const bool isOver = m_tracked && m_clock.utc() + kAboutToSet >= m_tracked->ends();
@@ -254,7 +254,7 @@ void NightDesk::waitOutWind()
     if (why.isEmpty()) {
         return;
     }
-    m_errand = m_control.errand();
+    m_motionId = m_control.motionId();
     if (m_tracked && !m_control.obeys(scheduleSource())) {
         m_log.add(Severity::Warning, scheduleSource().name,
                   Text::tr("loses the pass of %1: %2").arg(m_tracked->pass().name, why));
@@ -433,7 +433,7 @@ void NightDesk::restBetween()
 Result<> NightDesk::ask(const Request& request)
 {
     const Result<> answer = m_control.request(request, scheduleSource());
-    m_errand = m_control.errand();
+    m_motionId = m_control.motionId();
     return answer;
 }
 

@@ -104,7 +104,7 @@ private:
     bool m_armed = false;
     bool m_policyUsed = false;  // or somebody has acted since the start
     QString m_why;              // why the schedule was disarmed
-    std::uint64_t m_errand = 0;
+    std::uint64_t m_motionId = 0;
     UtcTime m_handledUntil{};  // passes that end before are over
     sources::SteeredUtc m_utc;
     std::optional<TrackedPass> m_tracked;

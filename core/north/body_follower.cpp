@@ -128,7 +128,7 @@ Result<> BodyFollower::follow(Body body, ephemeris::Refraction refraction, bool 
         })
         .map([&] {
             m_following = true;
-            m_errand = m_control.errand();
+            m_motionId = m_control.motionId();
         });
 }
 

@@ -42,7 +42,7 @@ public:
     // elsewhere or left beside the body.
     [[nodiscard]] std::optional<ephemeris::Body> body() const
     {
-        return m_control.errand() == m_errand ? m_body : std::nullopt;
+        return m_control.motionId() == m_motionId ? m_body : std::nullopt;
     }
     [[nodiscard]] ephemeris::Refraction refraction() const { return m_refraction; }
     // The refraction of the next measurement: for light or for radio.
@@ -69,7 +69,7 @@ private:
     EventLog& m_log;
     SkyBodies m_bodies;
     std::optional<ephemeris::Body> m_body;
-    std::uint64_t m_errand = 0;  // the motion id of the control when the mount was sent there
+    std::uint64_t m_motionId = 0;  // the motion id of the control when the mount was sent there
     ephemeris::Refraction m_refraction = ephemeris::Refraction::Light;
     calibration::SkyOffset m_offset;
     std::optional<SkyPointing> m_place;  // of the body, when the last point was sent

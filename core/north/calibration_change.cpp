@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/north/calibration_change.h"
 
-#include "core/witness/sensor_curve.h"
+#include "core/cross_check/sensor_curve.h"
 
 namespace boresight {
 

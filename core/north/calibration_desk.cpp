@@ -2,7 +2,7 @@
 #include "core/north/calibration_desk.h"
 
 #include "core/base/text.h"
-#include "core/witness/sensor_curve.h"
+#include "core/cross_check/sensor_curve.h"
 
 namespace boresight {
 

@@ -3,9 +3,9 @@
 
 #include "core/base/text.h"
 #include "core/calibration/fit_words.h"
+#include "core/cross_check/sensor_curve.h"
 #include "core/profile/setting.h"
 #include "core/units/degrees_text.h"
-#include "core/witness/sensor_curve.h"
 
 #include <QStringList>
 

@@ -3,7 +3,7 @@
 
 #include "core/base/text.h"
 #include "core/control/calibration_source.h"
-#include "core/witness/sensor_curve.h"
+#include "core/cross_check/sensor_curve.h"
 
 #include <algorithm>
 

@@ -2,9 +2,9 @@
 #include "core/north/model_changes.h"
 
 #include "core/base/text.h"
+#include "core/cross_check/sensor_curve.h"
 #include "core/north/same_terms.h"
 #include "core/profile/setting.h"
-#include "core/witness/sensor_curve.h"
 
 namespace boresight {
 namespace {

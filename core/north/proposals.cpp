@@ -2,8 +2,8 @@
 #include "core/north/proposals.h"
 
 #include "core/base/text.h"
+#include "core/cross_check/sensor_curve.h"
 #include "core/north/same_terms.h"
-#include "core/witness/sensor_curve.h"
 
 #include <utility>
 

@@ -3,8 +3,8 @@
 
 #include "core/base/text.h"
 #include "core/calibration/compass_swing.h"
+#include "core/cross_check/sensor_check.h"
 #include "core/units/degrees_text.h"
-#include "core/witness/sensor_check.h"
 
 #include <algorithm>
 #include <cmath>

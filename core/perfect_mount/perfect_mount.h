@@ -21,7 +21,7 @@ public:
     [[nodiscard]] QString lastIdentity(Axis /*axis*/) const override { return {}; }
     [[nodiscard]] AxisReport report(Axis axis) const override;
     [[nodiscard]] Result<> available() const override { return {}; }
-    [[nodiscard]] const Result<>& fitness() const override { return m_fitness; }
+    [[nodiscard]] const Result<>& interlock() const override { return m_interlock; }
     [[nodiscard]] MountService* service() override { return nullptr; }
     [[nodiscard]] const MountService* service() const override { return nullptr; }
     void observe(SteadyTime now) override { m_now = now; }
@@ -39,7 +39,7 @@ public:
 private:
     Capabilities m_capabilities;
     std::array<QString, 2> m_names;
-    Result<> m_fitness;
+    Result<> m_interlock;
     std::array<tracking::Setpoint, 2> m_setpoints{};
     std::array<bool, 2> m_begins{};  // starts to follow, but takeFollowing() was not called yet
     bool m_wanted = false;           // engage() was called, and the axes do not follow yet

@@ -221,7 +221,7 @@ std::vector<Problem> crossCheck(const Profile& profile)
     if (profile.jog.slow > profile.jog.normal || profile.jog.normal > profile.jog.fast) {
         problems.push_back({"jog.normal_deg_s", Text::tr("must lie between jog.slow_deg_s and jog.fast_deg_s")});
     }
-    if (profile.rotctld.lead == Lead::Locked && profile.rotctld.lockedTo.empty()) {
+    if (profile.rotctld.control == ControlRule::Locked && profile.rotctld.lockedTo.empty()) {
         problems.push_back({"rotctld.locked_to", Text::tr("is needed while rotctld.lead is \"locked\"")});
     }
     checkBroker(problems, profile);

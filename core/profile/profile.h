@@ -286,7 +286,7 @@ enum class DumpState
 };
 
 // Which of several clients moves the mount. Reading and stopping are open to all.
-enum class Lead
+enum class ControlRule
 {
     First,  // keeps the lead until it has sent no motion command for 10 s, or left
     Last,   // whoever sent the newest command, as Hamlib does
@@ -297,7 +297,7 @@ struct RotctldSettings
 {
     ListenAddress listen;
     std::vector<std::string> allow;  // addresses and networks ("10.0.0.0/8"); empty: whoever can reach the port
-    Lead lead = Lead::First;
+    ControlRule control = ControlRule::First;
     std::string lockedTo;  // the address of the one client that may move the mount, while `lead` is Locked
     OutsideLimits outsideLimits = OutsideLimits::Nearest;
     AzimuthConvention azimuth = AzimuthConvention::ZeroTo360;

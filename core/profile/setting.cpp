@@ -273,7 +273,7 @@ void addClients(std::vector<Setting>& list)
          QT_TRANSLATE_NOOP("Text",
                            "Which client moves the mount: the \"first\" until it has sent no motion command for 10 s, "
                            "the latest (\"last\", as Hamlib), or the one that control is \"locked\" to.")},
-        [](auto& p) -> auto& { return p.rotctld.lead; }));
+        [](auto& p) -> auto& { return p.rotctld.control; }));
     list.push_back(textual(
         "rotctld.locked_to", Applies::Now,
         {QT_TRANSLATE_NOOP("Text", "Locked to"),

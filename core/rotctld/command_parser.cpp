@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/rotctld/command_parser.h"
 
-#include "core/rotctld/stranger.h"
+#include "core/rotctld/foreign_protocol.h"
 
 #include <algorithm>
 
@@ -136,9 +136,9 @@ std::optional<Event> CommandParser::openLine(std::string_view& input)
         return std::nullopt;
     }
     const std::string_view line = input.substr(0, input.find('\n') + 1);  // the whole input when there is no LF
-    if (const auto protocol = strangerIn(line.empty() ? input : line)) {
-        m_stranger = *protocol;
-        return Event::Stranger;
+    if (const auto protocol = foreignProtocolIn(line.empty() ? input : line)) {
+        m_foreignProtocol = *protocol;
+        return Event::Foreign;
     }
     for (const CommandSpec& spec : commandTable()) {
         const std::size_t length = spec.name.size();
@@ -306,8 +306,8 @@ Event CommandParser::odd()
     m_state = State::Ignore;
     m_comment = false;
     m_doubtful = true;
-    const Event stranger = checkStranger();
-    return stranger == Event::Stranger ? stranger : Event::Odd;
+    const Event foreignProtocol = checkForeignProtocol();
+    return foreignProtocol == Event::Foreign ? foreignProtocol : Event::Odd;
 }
 
 Event CommandParser::ignore(std::string_view& input)
@@ -320,22 +320,22 @@ Event CommandParser::ignore(std::string_view& input)
         return Event::NeedMore;
     }
     m_binaryBytes += isBinary(byte) ? 1 : 0;
-    const Event event = byte == '\n' || m_binaryBytes > kMaxBinaryBytes ? checkStranger() : Event::NeedMore;
+    const Event event = byte == '\n' || m_binaryBytes > kMaxBinaryBytes ? checkForeignProtocol() : Event::NeedMore;
     if (byte == '\n') {
         startLine();
     }
     return event;
 }
 
-Event CommandParser::checkStranger()
+Event CommandParser::checkForeignProtocol()
 {
     if (m_binaryBytes > kMaxBinaryBytes) {
-        m_stranger = "binary data";
-        return Event::Stranger;
+        m_foreignProtocol = "binary data";
+        return Event::Foreign;
     }
-    const auto protocol = strangerIn(m_lineHead);
-    m_stranger = protocol.value_or("");
-    return protocol ? Event::Stranger : Event::NeedMore;
+    const auto protocol = foreignProtocolIn(m_lineHead);
+    m_foreignProtocol = protocol.value_or("");
+    return protocol ? Event::Foreign : Event::NeedMore;
 }
 
 Event CommandParser::skipLine()
@@ -345,7 +345,7 @@ Event CommandParser::skipLine()
     }
     m_state = State::Ignore;
     m_comment = false;
-    return checkStranger();
+    return checkForeignProtocol();
 }
 
 Event CommandParser::finish()

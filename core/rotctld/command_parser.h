@@ -43,7 +43,7 @@ public:
         NeedMore,  // all input was read
         Command,   // see command()
         Odd,       // an unknown command; the rest of its line will be ignored
-        Stranger,  // this is another protocol: see stranger()
+        Foreign,   // this is another protocol: see foreignProtocol()
         TooLong    // no line feed in kMaxLineLength bytes
     };
 
@@ -55,7 +55,7 @@ public:
     [[nodiscard]] Event skipLine();
 
     [[nodiscard]] const Command& command() const { return m_command; }
-    [[nodiscard]] std::string_view stranger() const { return m_stranger; }
+    [[nodiscard]] std::string_view foreignProtocol() const { return m_foreignProtocol; }
     [[nodiscard]] std::string_view lineHead() const { return m_lineHead; }
     // A command is incomplete.
     [[nodiscard]] bool midCommand() const { return m_state != State::Idle && m_state != State::Ignore; }
@@ -90,7 +90,7 @@ private:
     Event begin(const CommandSpec& spec, Spelling spelling);
     Event complete();
     Event odd();
-    Event checkStranger();
+    Event checkForeignProtocol();
     void addToArgument(char byte);
     void clearPrefix();
 
@@ -98,7 +98,7 @@ private:
     Command m_command;
     std::string m_name;
     std::string m_lineHead;  // first bytes of the line, to detect foreign protocols
-    std::string_view m_stranger;
+    std::string_view m_foreignProtocol;
     std::size_t m_lineLength = 0;
     std::size_t m_binaryBytes = 0;  // unprintable bytes outside arguments since the last command
     bool m_comment = false;

@@ -4,7 +4,7 @@
 #include "core/base/control_characters.h"
 #include "core/base/text.h"
 #include "core/rotctld/command_parser.h"
-#include "core/rotctld/stranger.h"
+#include "core/rotctld/foreign_protocol.h"
 
 #include <utility>
 
@@ -17,8 +17,8 @@ constexpr std::string_view kLineEnds = "\r\n";
 // protocol.
 bool speaksOtherwise(std::string_view line)
 {
-    const auto stranger = strangerIn(line);
-    return stranger && (*stranger == "HTTP" || *stranger == "TLS");
+    const auto foreignProtocol = foreignProtocolIn(line);
+    return foreignProtocol && (*foreignProtocol == "HTTP" || *foreignProtocol == "TLS");
 }
 
 }  // namespace

@@ -67,8 +67,8 @@ bool Session::step(std::string& reply)
         case Event::Odd:
             unknown(rest);
             break;
-        case Event::Stranger:
-            endAsStranger();
+        case Event::Foreign:
+            endAsForeign();
             break;
         case Event::TooLong:
             drop(Text::tr("sent %1 bytes without a line end").arg(QString::number(kMaxLineLength)));
@@ -87,9 +87,9 @@ bool Session::resume(std::string& reply)
     return true;
 }
 
-void Session::endAsStranger()
+void Session::endAsForeign()
 {
-    drop(Text::tr("is not a rotctld client (%1)").arg(toQString(m_parser.stranger())));
+    drop(Text::tr("is not a rotctld client (%1)").arg(toQString(m_parser.foreignProtocol())));
 }
 
 void Session::drop(const QString& reason)
@@ -146,9 +146,9 @@ void Session::failed(const Error& error, std::string& reply, std::size_t replySt
     if (error.code == ErrorCode::InvalidInput || error.code == ErrorCode::NotAvailable) {
         odd(Text::tr("\"%1\" refused: %2").arg(m_habits.lastCommand(), boresight::printable(error.text)));
     }
-    if (m_parser.skipLine() == Event::Stranger) {
+    if (m_parser.skipLine() == Event::Foreign) {
         reply.resize(replyStart);
-        endAsStranger();
+        endAsForeign();
     }
 }
 

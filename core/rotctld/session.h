@@ -40,7 +40,7 @@ private:
     void run(std::string& reply);
     void failed(const Error& error, std::string& reply, std::size_t replyStart);
     void drop(const QString& reason);
-    void endAsStranger();
+    void endAsForeign();
     Result<> execute(const Command& command, ReplyWriter& writer, QString& became);
     Result<> pause(const Command& command);
     void unknown(std::string_view restOfLine);

@@ -47,7 +47,7 @@ Result<> axisFits(const profile::Profile& profile, const RotatorState& state, Ax
 }  // namespace
 
 RotctldMount::RotctldMount(const profile::InForce& profile, AlarmBoard& alarms, const AxisSet& axes)
-    : BoxMount(profile, alarms, axes, kAxis), m_fitness(fits())
+    : BoxMount(profile, alarms, axes, kAxis), m_interlock(fits())
 {}
 
 QString RotctldMount::kindInWords() const
@@ -76,7 +76,7 @@ void RotctldMount::observe(SteadyTime now)
     BoxMount::observe(now);
     if (const auto& state = m_talk.state(); state && state != m_checked) {
         m_checked = state;
-        m_fitness = fits();
+        m_interlock = fits();
     }
     m_talk.standsAt(standing());
 }

@@ -22,7 +22,7 @@ public:
     [[nodiscard]] const RotctldTalk& talk() const override { return m_talk; }
     [[nodiscard]] QString kind() const override { return QStringLiteral("rotctld"); }
     [[nodiscard]] QString kindInWords() const override;
-    [[nodiscard]] const Result<>& fitness() const override { return m_fitness; }
+    [[nodiscard]] const Result<>& interlock() const override { return m_interlock; }
     void observe(SteadyTime now) override;
     [[nodiscard]] MountFindings supervise(const MountSituation& known) override;
 
@@ -35,8 +35,8 @@ private:
     [[nodiscard]] AxisPosition permitted(const AxisPosition& place) const;
 
     RotctldTalk m_talk;
-    std::optional<RotatorState> m_checked;  // the limits that m_fitness is based on
-    Result<> m_fitness;
+    std::optional<RotatorState> m_checked;  // the limits that m_interlock is based on
+    Result<> m_interlock;
 };
 
 }  // namespace boresight::rotctl

@@ -39,7 +39,7 @@ public:
     [[nodiscard]] QString lastIdentity(Axis /*axis*/) const override { return {}; }
     [[nodiscard]] AxisReport report(Axis axis) const override;
     [[nodiscard]] Result<> available() const override { return {}; }
-    [[nodiscard]] const Result<>& fitness() const override { return m_fitness; }
+    [[nodiscard]] const Result<>& interlock() const override { return m_interlock; }
     [[nodiscard]] MountService* service() override { return nullptr; }
     [[nodiscard]] const MountService* service() const override { return nullptr; }
     void observe(SteadyTime now) override;
@@ -61,7 +61,7 @@ private:
     SimpleBox& m_box;
     Capabilities m_capabilities;
     std::array<QString, 2> m_names;
-    Result<> m_fitness;
+    Result<> m_interlock;
     std::optional<AxisPosition> m_place;            // as last reported
     std::array<std::optional<Angle>, 2> m_ordered;  // the last target of each axis, since it follows set-points
     std::optional<SteadyTime> m_heard;

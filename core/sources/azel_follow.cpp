@@ -87,7 +87,7 @@ void AzelFollow::step(SteadyTime now)
         forget();  // somebody has ended it, or moves the mount
         return;
     }
-    if (current.errand() != m_followed->errand) {
+    if (current.motionId() != m_followed->motionId) {
         end(Severity::Advisory, Text::tr("ends the tracking, because control was given away"));
         return;
     }
@@ -168,7 +168,7 @@ Result<> AzelFollow::drive(SteadyTime now, UtcTime utc)
                                                                : stand();
     return driven.map([&] {
         m_followed->phase = phase;
-        m_followed->errand = helm().current().errand();
+        m_followed->motionId = helm().current().motionId();
     });
 }
 

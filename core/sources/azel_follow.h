@@ -33,7 +33,7 @@ private:
     };
     struct Followed
     {
-        std::uint64_t errand = 0;
+        std::uint64_t motionId = 0;
         AzelPhase phase = AzelPhase::Off;
         bool isUp = false;
         std::optional<UtcTime> next = {};  // it sets, or rises

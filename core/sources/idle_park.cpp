@@ -48,14 +48,14 @@ bool IdlePark::isIdle() const
 // For whoever waits for the mount, as the schedule between two passes, this is no motion of somebody else.
 void IdlePark::park()
 {
-    const std::uint64_t errand = helm().current().errand();
+    const std::uint64_t motionId = helm().current().motionId();
     const ControlParts view = helm().view();
     const AxisPosition place = Gates(view).park();
     const QString what = Text::tr("park at %1 after %2 min without a command")
                              .arg(helm().directionText(place), QString::number(view.profile.parkAfter, 'g', 4));
     const Result<> parked = helm().goTo(place, Activity::Parking, idleSource(), what);
     if (parked) {
-        helm().keepErrand(errand);
+        helm().keepMotionId(motionId);
     } else {
         helm().note(Severity::Warning, Text::tr("does not park when idle: %1").arg(parked.error().text));
     }

@@ -80,7 +80,7 @@ Result<> PositionFollow::ask(const request::FollowPosition&, const Source& by)
         m_followed = Followed{.site = view.profile.site.place()};
         Result<> driven = follow(view.now);
         if (driven) {
-            m_followed->errand = helm().current().errand();
+            m_followed->motionId = helm().current().motionId();
             helm().clearAlarm(alarmEntry("position.ended"));
         } else {
             m_followed.reset();
@@ -99,7 +99,7 @@ void PositionFollow::step(SteadyTime now)
         forget();  // somebody has ended it, or moves the mount
         return;
     }
-    if (current.errand() != m_followed->errand) {
+    if (current.motionId() != m_followed->motionId) {
         end(Severity::Advisory, Text::tr("ends the tracking, because control was given away"));
         return;
     }

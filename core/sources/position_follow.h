@@ -28,7 +28,7 @@ private:
     struct Followed
     {
         Site site;  // of the mount
-        std::uint64_t errand = 0;
+        std::uint64_t motionId = 0;
         std::optional<SkyPointing> direction = {};  // the last one
         std::optional<AxisPosition> place = {};     // of the axes for it: chooses the turn of the next
     };

@@ -61,7 +61,7 @@ Result<> RotatorFollow::ask(const request::FollowRotator& wanted, const Source& 
         Result<> driven = follow(true);
         if (driven) {
             m_found.reset();
-            m_followed->errand = helm().current().errand();
+            m_followed->motionId = helm().current().motionId();
             helm().clearAlarm(alarmEntry("followed.ended"));
             return driven;
         }
@@ -83,7 +83,7 @@ void RotatorFollow::step(SteadyTime now)
         m_followed.reset();  // somebody has ended it, or moves the mount
         return;
     }
-    if (current.errand() != m_followed->errand) {
+    if (current.motionId() != m_followed->motionId) {
         m_followed.reset();
         helm().end(Severity::Advisory, Text::tr("ends the tracking, because control was given away"));
         return;

@@ -37,7 +37,7 @@ private:
         Reading last;
         bool isNew = false;    // the mount was not sent there yet
         QString trouble = {};  // why it is followed no more
-        std::uint64_t errand = 0;
+        std::uint64_t motionId = 0;
     };
 
     [[nodiscard]] Result<> takeReport(const RotatorReport& report);

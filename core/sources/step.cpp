@@ -16,9 +16,9 @@ Result<> Step::ask(const request::Step& wanted, const Source& by)
 {
     const AxisPosition from = helm().heading();
     const AxisPosition place{.azimuth = from.azimuth + wanted.azimuth, .elevation = from.elevation + wanted.elevation};
-    const std::uint64_t errand = helm().current().errand();
+    const std::uint64_t motionId = helm().current().motionId();
     return helm().goTo(place, Activity::Pointing, by, Text::tr("step to %1").arg(helm().directionText(place))).map([&] {
-        helm().keepErrand(errand);  // by hand, like a jog
+        helm().keepMotionId(motionId);  // by hand, like a jog
     });
 }
 

@@ -160,7 +160,7 @@ Result<> TargetTrack::begin(Tracked tracked)
             helm().note(Severity::Advisory, Text::tr("tracks %1 from now on").arg(tracked.target.name));
         }
         tracked.place = place;
-        tracked.errand = helm().current().errand();
+        tracked.motionId = helm().current().motionId();
         m_tracked = std::move(tracked);
         helm().clearAlarm(alarmEntry("track.no-orbit"));
     });
@@ -240,7 +240,7 @@ void TargetTrack::step(SteadyTime)
         forget();  // somebody has ended it, or moves the mount
         return;
     }
-    if (current.errand() != m_tracked->errand) {
+    if (current.motionId() != m_tracked->motionId) {
         end(Severity::Advisory, Text::tr("ends the tracking, because control was given away"));
         return;
     }

@@ -35,7 +35,7 @@ private:
         AngularRate skyRate = {};                // now, or at its rise
         AngularRate fastest = {};                // of its way
         std::optional<AxisPosition> place = {};  // of the axes, the last one: chooses the turn of the next
-        std::uint64_t errand = 0;
+        std::uint64_t motionId = 0;
         bool isUp = false;
 
         [[nodiscard]] Result<SkyPointing> at(UtcTime utc);

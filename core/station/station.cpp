@@ -22,7 +22,7 @@ constexpr std::chrono::seconds kReopenPeriod{1};
 // Who starts the program and asks for the position at once shall get one, if there is one to be had: where no drive
 // answers there is none, and drives that answer are checked first.
 constexpr std::chrono::milliseconds kStartPatience{500};
-constexpr std::chrono::seconds kSurveyPatience{6};
+constexpr std::chrono::seconds kDriveCheckPatience{6};
 
 Source operatorSource()
 {
@@ -203,7 +203,7 @@ void Station::tellStart()
     const MountDriver& mount = m_mount->driver();
     const auto answers = [&mount](Axis axis) { return mount.capabilities().has(axis) && mount.report(axis).answers; };
     const bool drives = std::ranges::any_of(kAxes, answers);
-    const auto patience = drives ? std::chrono::milliseconds(kSurveyPatience) : kStartPatience;
+    const auto patience = drives ? std::chrono::milliseconds(kDriveCheckPatience) : kStartPatience;
     if (!m_startTold && (m_control.measured() || m_clock.now() - m_opened > patience)) {
         m_startTold = true;
         Q_EMIT started(m_server.address(), {});
@@ -228,7 +228,7 @@ void Station::tick()
     m_tuning.tick();
     m_night.tick();
     m_control.tick();
-    m_tables.tick(m_control.errand(), m_clock.now());
+    m_tables.tick(m_control.motionId(), m_clock.now());
     m_follow.tick();
     if (m_transmit.isWanted()) {
         m_transmit.tick(m_control.status());

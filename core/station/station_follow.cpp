@@ -62,7 +62,7 @@ void StationFollow::find(const QString& name, Then then)
         answer(tl::unexpected(rotctld.error()));
         return;
     }
-    m_errand = m_control.errand();
+    m_motionId = m_control.motionId();
     m_wanted = new rotctl::FollowedRotctld(*rotctld, m_clock.now(), this);
     connect(m_wanted, &rotctl::FollowedRotctld::read, this, &StationFollow::takeFirst);
 }
@@ -106,10 +106,10 @@ void StationFollow::close()
     drop(m_followed);
 }
 
-// Whatever else moved the mount meanwhile has another errand.
+// Whatever else moved the mount meanwhile has another motion id.
 void StationFollow::tick()
 {
-    if (m_wanted && m_control.errand() != m_errand) {
+    if (m_wanted && m_control.motionId() != m_motionId) {
         forget();
     }
     if (m_wanted) {

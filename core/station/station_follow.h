@@ -46,8 +46,8 @@ private:
     const Clock& m_clock;
     rotctl::FollowedRotctld* m_followed = nullptr;  // both belong to this
     rotctl::FollowedRotctld* m_wanted = nullptr;
-    Then m_then;                 // empty: nobody waits
-    std::uint64_t m_errand = 0;  // of the mount, when it was asked for
+    Then m_then;                   // empty: nobody waits
+    std::uint64_t m_motionId = 0;  // of the mount, when it was asked for
 };
 
 }  // namespace boresight

@@ -52,7 +52,7 @@ private:
     const profile::InForce& m_profile;
     int m_speedLevel = 2;  // of 1…4, as Hamlib's dummy starts
     // Lines that clients can cause at will; each kind has a share of its own, so that none hides another.
-    LogThrottle m_remarks;      // dropped clients, strangers, odd commands
+    LogThrottle m_remarks;      // dropped clients, foreign protocols, odd commands
     LogThrottle m_refusals;     // refused commands
     LogThrottle m_commands;     // accepted commands
     StreamLog m_points;         // accepted positions of a stream

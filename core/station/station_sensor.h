@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/cross_check/sensor_watch.h"
 #include "core/station/sensor_factory.h"
 #include "core/station/station_broker.h"
-#include "core/witness/sensor_watch.h"
 
 #include <QObject>
 #include <QThreadPool>

@@ -48,13 +48,13 @@ void StationTables::noticed(const Request& request)
     }
 }
 
-void StationTables::tick(std::uint64_t errand, SteadyTime now)
+void StationTables::tick(std::uint64_t motionId, SteadyTime now)
 {
     if (!m_then) {
         return;
     }
-    m_asked = m_asked.value_or(Asked{.errand = errand, .when = now});
-    if (m_asked->errand != errand) {
+    m_asked = m_asked.value_or(Asked{.motionId = motionId, .when = now});
+    if (m_asked->motionId != motionId) {
         forget();
     } else if (now - m_asked->when >= kLongestReading) {
         answer(

@@ -36,15 +36,15 @@ public:
     void read(const QString& path, Then then);
     // The mount was asked for something else meanwhile, which must not end when a file is read: who waits is refused.
     void noticed(const Request& request);
-    // Each tick: whatever else moved the mount or stopped it meanwhile has another errand.
-    void tick(std::uint64_t errand, SteadyTime now);
+    // Each tick: whatever else moved the mount or stopped it meanwhile has another motion id.
+    void tick(std::uint64_t motionId, SteadyTime now);
     // Who waits is refused.
     void forget();
 
 private:
     struct Asked
     {
-        std::uint64_t errand = 0;
+        std::uint64_t motionId = 0;
         SteadyTime when;
     };
 

@@ -1035,7 +1035,7 @@ até %1</translation>
     </message>
 </context>
 <context>
-    <name>SurveyWords</name>
+    <name>DriveCheckWords</name>
     <message>
         <source>The bus is released to other tools</source>
         <translation>O barramento está entregue a outras ferramentas</translation>

@@ -11,8 +11,8 @@
 namespace boresight::app {
 namespace {
 
+using drive_check::FoundController;
 using moteus::Register;
-using survey::FoundController;
 
 // A bus that records the queries.
 class WatchedLink final : public CanLink

@@ -149,7 +149,7 @@ struct Part
     void (*again)(Desk&);  // every 200 ms
 };
 
-constexpr Part kParts[] = {{"connect and survey", 4000, [](Desk& desk) { desk.start(); }, [](Desk&) {}},
+constexpr Part kParts[] = {{"connect and check the drives", 4000, [](Desk& desk) { desk.start(); }, [](Desk&) {}},
                            {"scan", 4000, [](Desk& desk) { desk.ask(request::ReadDrives{}); }, [](Desk&) {}},
                            {"move, all panels", 7000,
                             [](Desk& desk) { desk.ask(request::PointAxes{{.azimuth = 100_deg, .elevation = 45_deg}}); },

@@ -52,7 +52,7 @@ sim::PairSettings unbalanced(const AxisPosition& start)
 profile::Profile lastMoves()
 {
     profile::Profile profile = anyPort();
-    profile.rotctld.lead = profile::Lead::Last;
+    profile.rotctld.control = profile::ControlRule::Last;
     return profile;
 }
 

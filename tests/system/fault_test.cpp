@@ -73,7 +73,7 @@ TEST_F(FaultTest, ASilentBusStopsTheMountAndNothingMovesWhenItIsBack)
     EXPECT_LT(rig.farthestFrom(stopped), 0.1_deg);
 
     end(cut);
-    EXPECT_TRUE(rig.runUntil([this] { return rig.ready(); }, Seconds(5.0))) << "the drives are surveyed anew";
+    EXPECT_TRUE(rig.runUntil([this] { return rig.ready(); }, Seconds(5.0))) << "the drives are checked again";
     EXPECT_EQ(client->ask("p\n", 2).find("RPRT"), std::string::npos) << "the connection has outlived the silence";
     expectNothingMovesFor(Seconds(10.0), "RPRT -9\n");
     EXPECT_EQ(rig.status().state, StationState::Fault);

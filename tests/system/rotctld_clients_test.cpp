@@ -64,8 +64,8 @@ TEST_F(ClientsTest, OnlyTheDriverMovesTheAntenna)
     EXPECT_NEAR(azimuth(), 200.0, 0.1);
     EXPECT_EQ(reversals, 0);
     EXPECT_EQ(std::lround(std::stod(other->ask("p\n", 2))), 200) << "reading is open to all";
-    EXPECT_TRUE(statusOf(0).leading && statusOf(0).driving && !statusOf(0).wanting);
-    EXPECT_TRUE(statusOf(1).wanting && !statusOf(1).leading && !statusOf(1).driving);
+    EXPECT_TRUE(statusOf(0).inControl && statusOf(0).driving && !statusOf(0).wanting);
+    EXPECT_TRUE(statusOf(1).wanting && !statusOf(1).inControl && !statusOf(1).driving);
     EXPECT_TRUE(rig.logSays(QStringLiteral("P 160.00 40.00 refused: rotctld 127.0.0.1:")));
 }
 
@@ -107,7 +107,7 @@ TEST_F(ClientsTest, TheOperatorGivesControlAndTakesIt)
 {
     EXPECT_EQ(bothAsk(2), std::pair(kDone, kRefused));
     const std::uint64_t otherId = statusOf(1).id;
-    EXPECT_EQ(rig.ask(request::GiveLead{.clientId = otherId}), "");
+    EXPECT_EQ(rig.ask(request::GiveControl{.clientId = otherId}), "");
     EXPECT_EQ(bothAsk(2), std::pair(kRefused, kDone));
     EXPECT_EQ(rig.ask(request::TakeAuthority{}), "");
     EXPECT_EQ(bothAsk(15), std::pair(kRefused, kRefused));
@@ -143,14 +143,14 @@ TEST_F(ClientsTest, AProgramThatConnectsForEachCommandKeepsTheLead)
 TEST(ClientsByProfile, LastAsHamlibAndLocked)
 {
     profile::Profile profile = anyPort();
-    profile.rotctld.lead = profile::Lead::Last;
+    profile.rotctld.control = profile::ControlRule::Last;
     SimulatedStation last(profile);
     const auto one = last.connect();
     const auto other = last.connect();
     EXPECT_EQ(one->ask("P 10 20\n"), kDone);
     EXPECT_EQ(other->ask("P 20 20\n"), kDone);
 
-    profile.rotctld.lead = profile::Lead::Locked;
+    profile.rotctld.control = profile::ControlRule::Locked;
     profile.rotctld.lockedTo = "127.0.0.1";
     SimulatedStation here(profile);
     const auto local = here.connect();
@@ -173,7 +173,7 @@ TEST(ClientsByProfile, TheRuleAndWhoMayConnectChangeWhileRunning)
     ASSERT_EQ(one->ask("P 10 20\n"), kDone);
     EXPECT_EQ(other->ask("P 20 20\n"), kRefused);
     profile::Profile profile = *rig.status().profile;
-    profile.rotctld.lead = profile::Lead::Last;
+    profile.rotctld.control = profile::ControlRule::Last;
     ASSERT_EQ(rig.ask(request::ApplyProfile{profile}), "");
     EXPECT_EQ(other->ask("P 20 20\n"), kDone);
     profile.rotctld.allow = {"10.0.0.0/8"};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/system/soak.h"
 
-#include "core/memory/memory_file.h"
+#include "core/journal/journal_file.h"
 #include "core/moteus/codec.h"
 #include "core/moteus_mount/moteus_connection.h"
 #include "tests/fakes/text_of.h"
@@ -134,7 +134,7 @@ void Soak::end()
 {
     m_client.reset();
     m_station.reset();
-    memory::MemoryFile file(m_stateDir.path(), QString::fromStdString(m_profile.mount.name));
+    journal::JournalFile file(m_stateDir.path(), QString::fromStdString(m_profile.mount.name));
     m_journal = file.load();
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/memory/memory_file.h"
+#include "core/journal/journal_file.h"
 #include "core/mount/entered_place.h"
 #include "core/sim_bus/simulated_link.h"
 #include "core/station/station.h"
@@ -72,7 +72,7 @@ public:
     [[nodiscard]] const sim::ReplyCounts& saidByDrives() { return m_bus.pair().replyCounts(); }
     [[nodiscard]] StationStatus status() const { return m_station->status(); }
     [[nodiscard]] AxisPosition truth();
-    [[nodiscard]] const memory::LoadedMemory& journal() const { return m_journal; }  // as the last program left it
+    [[nodiscard]] const journal::LoadedJournal& journal() const { return m_journal; }  // as the last program left it
 
 private:
     class LentLink;
@@ -105,7 +105,7 @@ private:
     SoakFindings m_findings;
     std::vector<Answer> m_answers;
     StationStatus m_shown;  // by the last update
-    memory::LoadedMemory m_journal;
+    journal::LoadedJournal m_journal;
     std::uint16_t m_port = 0;
 
     bool m_troubles = false;

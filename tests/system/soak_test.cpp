@@ -94,7 +94,7 @@ TEST(Soak, EndsAsItBegan)
     const AxisPosition truth = soak.truth();
     for (const Axis axis : kAxes) {
         const Angle real = axis == Axis::Azimuth ? truth.azimuth : truth.elevation;
-        const auto& record = soak.journal().memory.turns[index(axis)];
+        const auto& record = soak.journal().journal.turns[index(axis)];
         ASSERT_TRUE(record.has_value()) << soak.journal().problem.toStdString();
         EXPECT_NEAR(record->angle.degrees(), real.degrees(), 0.2) << "the journal tells the turn";
         EXPECT_FALSE(record->moving);

@@ -158,8 +158,8 @@ StationStatus factoryDrives()
 StationStatus reading()
 {
     StationStatus status = factoryDrives();
-    status.drives->survey = SurveyState::Running;
-    status.drives->surveyText = QStringLiteral("reading servo.timeout_mode of elevation");
+    status.drives->driveCheck = DriveCheckState::Running;
+    status.drives->driveCheckText = QStringLiteral("reading servo.timeout_mode of elevation");
     status.drives->armingObstacle = QStringLiteral("the drives are being read");
     status.permissions = withoutMotion(status.drives->armingObstacle);
     for (const Action action : {Action::ReadDrives, Action::FixDrives, Action::SetAzimuth, Action::SetElevation}) {
@@ -193,7 +193,7 @@ StationStatus released()
     dropTarget(status);
     status.drives->released = true;
     status.drives->switchedOn = false;
-    status.drives->survey = SurveyState::NotDone;
+    status.drives->driveCheck = DriveCheckState::NotDone;
     return status;
 }
 

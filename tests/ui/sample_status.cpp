@@ -143,7 +143,7 @@ StationStatus idle()
     status.listening = QStringLiteral("127.0.0.1:4533");
     status.utc = kUtc;
     status.drives.emplace();
-    status.drives->survey = SurveyState::Done;
+    status.drives->driveCheck = DriveCheckState::Done;
     status.drives->switchedOn = true;
     status.drives->azimuth = drive(Axis::Azimuth);
     status.drives->elevation = drive(Axis::Elevation);
@@ -350,9 +350,9 @@ StationStatus fighting()
         .lastCommand = QStringLiteral("P 339.50 57.00"),
         .commandsPerSecond = 1.3,
         .driving = true,
-        .leading = true,
+        .inControl = true,
         .advice = QStringLiteral("This Gpredict updates only every 10°. Set Threshold to 0.1 in its Antenna Control."),
-        .leadObstacle = QStringLiteral("it has control")};
+        .controlObstacle = QStringLiteral("it has control")};
     status.clients[1] = {.id = 2,
                          .address = QStringLiteral("192.168.100.109:50112"),
                          .program = QStringLiteral("CQRLOG"),

@@ -52,9 +52,9 @@ QString help(const ClientStatus& client)
 QStringList roleWords()
 {
     QStringList words;
-    for (const ClientStatus& one :
-         {ClientStatus{.readOnly = true}, ClientStatus{.driving = true}, ClientStatus{.driving = true, .leading = true},
-          ClientStatus{.leading = true}, ClientStatus{.wanting = true}, ClientStatus{}}) {
+    for (const ClientStatus& one : {ClientStatus{.readOnly = true}, ClientStatus{.driving = true},
+                                    ClientStatus{.driving = true, .inControl = true}, ClientStatus{.inControl = true},
+                                    ClientStatus{.wanting = true}, ClientStatus{}}) {
         ClientStatus locked = one;
         locked.locked = true;
         words << roleWord(one) << roleWord(locked);
@@ -65,7 +65,8 @@ QStringList roleWords()
 QString roleWord(const ClientStatus& client)
 {
     QString word = client.readOnly ? ClientModel::tr("read-only")
-                   : client.leading ? (client.driving ? ClientModel::tr("● in control") : ClientModel::tr("in control"))
+                   : client.inControl
+                       ? (client.driving ? ClientModel::tr("● in control") : ClientModel::tr("in control"))
                    : client.driving ? ClientModel::tr("● moves the mount")
                    : client.wanting ? ClientModel::tr("▲ waiting")
                                     : QString();

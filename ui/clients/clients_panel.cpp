@@ -166,13 +166,13 @@ QWidget* ClientsPanel::makeGpredict()
 
 void ClientsPanel::connectButtons()
 {
-    connect(m_first, &ChoiceButton::clicked, this, [this] { choose(profile::Lead::First, {}); });
-    connect(m_last, &ChoiceButton::clicked, this, [this] { choose(profile::Lead::Last, {}); });
+    connect(m_first, &ChoiceButton::clicked, this, [this] { choose(profile::ControlRule::First, {}); });
+    connect(m_last, &ChoiceButton::clicked, this, [this] { choose(profile::ControlRule::Last, {}); });
     connect(m_locked, &ChoiceButton::clicked, this, &ClientsPanel::lock);
     connect(m_lock, &QPushButton::clicked, this, &ClientsPanel::lock);
     connect(m_give, &QPushButton::clicked, this, [this] {
         if (const ClientStatus* const client = selected()) {
-            m_give->ask(request::GiveLead{.clientId = client->id});
+            m_give->ask(request::GiveControl{.clientId = client->id});
         }
     });
     connect(m_readOnly, &QPushButton::clicked, this, [this] {
@@ -217,16 +217,16 @@ void ClientsPanel::showStatus(const StationStatus& status)
 void ClientsPanel::showRules()
 {
     const profile::RotctldSettings& rules = m_status.profile->rotctld;
-    m_first->setChecked(rules.lead == profile::Lead::First);
-    m_last->setChecked(rules.lead == profile::Lead::Last);
-    m_locked->setChecked(rules.lead == profile::Lead::Locked);
+    m_first->setChecked(rules.control == profile::ControlRule::First);
+    m_last->setChecked(rules.control == profile::ControlRule::Last);
+    m_locked->setChecked(rules.control == profile::ControlRule::Locked);
     const QString locked = QString::fromStdString(rules.lockedTo);
-    m_locked->setText(rules.lead == profile::Lead::Locked ? tr("Locked to\n%1").arg(locked) : tr("Locked"));
+    m_locked->setText(rules.control == profile::ControlRule::Locked ? tr("Locked to\n%1").arg(locked) : tr("Locked"));
     const QString reason = whyNoChange();
     for (ChoiceButton* const button : {m_first, m_last}) {
         button->setEnabled(reason.isEmpty());
     }
-    m_locked->setEnabled(reason.isEmpty() && (selected() != nullptr || rules.lead == profile::Lead::Locked));
+    m_locked->setEnabled(reason.isEmpty() && (selected() != nullptr || rules.control == profile::ControlRule::Locked));
 }
 
 void ClientsPanel::showAccess()
@@ -270,7 +270,7 @@ void ClientsPanel::showBroker()
 void ClientsPanel::showSelected()
 {
     const ClientStatus* const client = selected();
-    m_give->setBlocked(client == nullptr ? whyNoClient(client) : client->leadObstacle);
+    m_give->setBlocked(client == nullptr ? whyNoClient(client) : client->controlObstacle);
     m_disconnect->setBlocked(whyNoClient(client));
     m_readOnly->setBlocked(whyNoClient(client));
     const bool readOnly = client != nullptr && client->readOnly;
@@ -309,14 +309,14 @@ QString ClientsPanel::whyNoChange() const
 void ClientsPanel::lock()
 {
     if (const ClientStatus* const client = selected()) {
-        choose(profile::Lead::Locked, boresight::hostOf(client->address.toStdString()));
+        choose(profile::ControlRule::Locked, boresight::hostOf(client->address.toStdString()));
     }
 }
 
-void ClientsPanel::choose(profile::Lead lead, const std::string& lockedTo)
+void ClientsPanel::choose(profile::ControlRule lead, const std::string& lockedTo)
 {
     m_draft.edit([&](profile::Profile& profile) {
-        profile.rotctld.lead = lead;
+        profile.rotctld.control = lead;
         profile.rotctld.lockedTo = lockedTo;
     });
     if (m_draft.hasEdits()) {

@@ -43,7 +43,7 @@ private:
     void showAccess();
     void showBroker();
     void showSelected();
-    void choose(profile::Lead lead, const std::string& lockedTo);
+    void choose(profile::ControlRule lead, const std::string& lockedTo);
     void lock();
     void copySettings() const;
     [[nodiscard]] const ClientStatus* selected() const;

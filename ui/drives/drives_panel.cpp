@@ -7,7 +7,7 @@
 #include "ui/kit/decimal_box.h"
 #include "ui/kit/format.h"
 #include "ui/kit/value_label.h"
-#include "ui/link/survey_words.h"
+#include "ui/link/drive_check_words.h"
 
 #include <QGridLayout>
 
@@ -54,10 +54,10 @@ QDoubleSpinBox* makeRate(QWidget* parent)
 }
 
 // "Also on the bus, not in the profile: id 5 (3f2a9c1d…e811, 1.1.0)".
-QString strangersText(const std::vector<Stranger>& strangers)
+QString unknownBoardsText(const std::vector<UnknownBoard>& unknownBoards)
 {
     QStringList boards;
-    for (const Stranger& one : strangers) {
+    for (const UnknownBoard& one : unknownBoards) {
         boards << DrivesPanel::tr("id %1 (%2, %3)")
                       .arg(one.id)
                       .arg(shortened(one.identity.uuid), known(one.identity.firmware));
@@ -90,8 +90,8 @@ Sentence crashStopSentence(const DriveStatus& drive)
 
 DrivesPanel::DrivesPanel(RequestDesk& desk, QWidget* parent)
     : AskingPanel(desk, parent),
-      m_strangers(new ValueLabel(tr("Unknown boards on the bus"), fonts::label(), {}, this)),
-      m_survey(new ValueLabel(tr("Drive check"), fonts::label(), {}, this)),
+      m_unknownBoards(new ValueLabel(tr("Unknown boards on the bus"), fonts::label(), {}, this)),
+      m_driveCheck(new ValueLabel(tr("Drive check"), fonts::label(), {}, this)),
       m_arming(new ValueLabel(tr("May the mount move"), fonts::label(), {}, this)),
       m_proof(new ValueLabel(tr("Crash-stop test"), fonts::label(), {}, this)),
       m_notice(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
@@ -109,13 +109,13 @@ void DrivesPanel::build()
     auto* const column = new QVBoxLayout(&controls());
     column->setContentsMargins(6, 6, 6, 6);
     column->setSpacing(6);
-    for (ValueLabel* const line : {m_survey, m_arming, m_proof, m_notice}) {
+    for (ValueLabel* const line : {m_driveCheck, m_arming, m_proof, m_notice}) {
         line->setStretching(true);
     }
     m_arming->setLines(2);
     m_proof->setLines(2);
     auto* const state = new QGridLayout;
-    state->addWidget(m_survey, 0, 0);
+    state->addWidget(m_driveCheck, 0, 0);
     state->addWidget(m_arming, 1, 0);
     state->addWidget(m_release, 0, 1, 2, 1);
     state->setColumnStretch(0, 1);
@@ -161,8 +161,8 @@ QWidget* DrivesPanel::makeIdentities()
         }
     }
     grid->setColumnStretch(column, 1);
-    m_strangers->setStretching(true);
-    grid->addWidget(m_strangers, 3, 0, 1, column + 1);
+    m_unknownBoards->setStretching(true);
+    grid->addWidget(m_unknownBoards, 3, 0, 1, column + 1);
     return box;
 }
 
@@ -196,10 +196,10 @@ void DrivesPanel::showStatus(const StationStatus& status)
     for (const Axis axis : kAxes) {
         showDrive(axis);
     }
-    const QString strangers = strangersText(drivesOf(status).strangers);
-    m_strangers->setValue(strangers, Tone::Warning, strangers.isEmpty() ? Symbol::None : Symbol::Warning);
-    const Sentence survey = surveySentence(drivesOf(status));
-    m_survey->setValue(survey.text, survey.tone, survey.symbol);
+    const QString unknownBoards = unknownBoardsText(drivesOf(status).unknownBoards);
+    m_unknownBoards->setValue(unknownBoards, Tone::Warning, unknownBoards.isEmpty() ? Symbol::None : Symbol::Warning);
+    const Sentence driveCheck = driveCheckSentence(drivesOf(status));
+    m_driveCheck->setValue(driveCheck.text, driveCheck.tone, driveCheck.symbol);
     const Sentence arming = armingSentence(drivesOf(status));
     m_arming->setValue(arming.text, arming.tone, arming.symbol);
     const bool released = drivesOf(status).released;

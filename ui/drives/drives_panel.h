@@ -41,8 +41,8 @@ private:
     StationStatus m_status;
     std::array<Identity, 2> m_identities;       // by axis
     std::array<ValueLabel*, 2> m_crashStops{};  // by axis
-    ValueLabel* m_strangers;
-    ValueLabel* m_survey;
+    ValueLabel* m_unknownBoards;
+    ValueLabel* m_driveCheck;
     ValueLabel* m_arming;
     ValueLabel* m_proof;
     ValueLabel* m_notice;

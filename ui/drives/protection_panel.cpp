@@ -6,7 +6,7 @@
 #include "ui/kit/command_button.h"
 #include "ui/kit/read_table.h"
 #include "ui/kit/value_label.h"
-#include "ui/link/survey_words.h"
+#include "ui/link/drive_check_words.h"
 
 #include <QHeaderView>
 #include <QTableView>
@@ -29,7 +29,7 @@ ProtectionPanel::ProtectionPanel(RequestDesk& desk, QWidget* parent)
     : AskingPanel(desk, parent),
       m_model(new ProtectionModel(this)),
       m_table(makeTable()),
-      m_survey(new ValueLabel(tr("Drive check"), fonts::label(), {}, this)),
+      m_driveCheck(new ValueLabel(tr("Drive check"), fonts::label(), {}, this)),
       m_reason(new ValueLabel(tr("Why the selected setting matters"), fonts::label(), {}, this)),
       m_notice(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
       m_read(new CommandButton(tr("Read again"), tr("Find the boards on the bus and read all settings again"), desk,
@@ -75,13 +75,13 @@ void ProtectionPanel::build()
         }
         return row;
     };
-    for (ValueLabel* const line : {m_survey, m_reason, m_notice}) {
+    for (ValueLabel* const line : {m_driveCheck, m_reason, m_notice}) {
         line->setStretching(true);
     }
-    m_survey->setLines(2);
+    m_driveCheck->setLines(2);
     m_reason->setLines(4);
     m_notice->setCollapsing(true);
-    column->addWidget(m_survey);
+    column->addWidget(m_driveCheck);
     column->addWidget(m_table, 1);
     column->addWidget(m_reason);
     column->addLayout(rowOf({m_read, m_gear, m_fix}));
@@ -117,7 +117,7 @@ void ProtectionPanel::showStatus(const StationStatus& status)
 {
     m_status = status;
     m_model->show(drivesOf(status));
-    showSurvey(drivesOf(status));
+    showDriveCheck(drivesOf(status));
     m_read->setBlocked(status.permissions.reason(Action::ReadDrives));
     m_fix->setBlocked(status.permissions.reason(Action::FixDrives));
     const std::optional<Axis> wrong = axisOfWrongGear(drivesOf(status));
@@ -132,18 +132,18 @@ void ProtectionPanel::showStatus(const StationStatus& status)
 
 // An obstacle to motion has priority over the progress of the reading. When the table is long there is no other place
 // for both.
-void ProtectionPanel::showSurvey(const DrivesStatus& drives)
+void ProtectionPanel::showDriveCheck(const DrivesStatus& drives)
 {
     const BoardWork& work = drives.gearWork;
     if (work.running || (work.failed && axisOfWrongGear(drives))) {
-        m_survey->setValue(work.text, work.failed ? Tone::Warning : Tone::Advisory,
-                           work.failed ? Symbol::Warning : Symbol::Advisory);
+        m_driveCheck->setValue(work.text, work.failed ? Tone::Warning : Tone::Advisory,
+                               work.failed ? Symbol::Warning : Symbol::Advisory);
         return;
     }
-    const bool busy = drives.survey == SurveyState::Running || drives.survey == SurveyState::Fixing;
-    const Sentence line =
-        !busy && !drives.released && !drives.armingObstacle.isEmpty() ? armingSentence(drives) : surveySentence(drives);
-    m_survey->setValue(line.text, line.tone, line.symbol);
+    const bool busy = drives.driveCheck == DriveCheckState::Running || drives.driveCheck == DriveCheckState::Fixing;
+    const Sentence line = !busy && !drives.released && !drives.armingObstacle.isEmpty() ? armingSentence(drives)
+                                                                                        : driveCheckSentence(drives);
+    m_driveCheck->setValue(line.text, line.tone, line.symbol);
 }
 
 void ProtectionPanel::showReason()

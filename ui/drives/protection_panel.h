@@ -27,7 +27,7 @@ public:
 private:
     void build();
     QTableView* makeTable();
-    void showSurvey(const DrivesStatus& drives);
+    void showDriveCheck(const DrivesStatus& drives);
     void showReason();
     void fix();
     void setGear();
@@ -37,7 +37,7 @@ private:
     StationStatus m_status;
     ProtectionModel* m_model;
     QTableView* m_table;
-    ValueLabel* m_survey;
+    ValueLabel* m_driveCheck;
     ValueLabel* m_reason;
     ValueLabel* m_notice;
     CommandButton* m_read;

@@ -77,7 +77,7 @@ void GuideBoards::build()
 
 bool GuideBoards::isNeeded(const StationStatus& status)
 {
-    if (!status.drives || status.drives->released || status.drives->survey == SurveyState::Done) {
+    if (!status.drives || status.drives->released || status.drives->driveCheck == DriveCheckState::Done) {
         return false;
     }
     const DrivesStatus& drives = *status.drives;

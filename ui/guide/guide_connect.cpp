@@ -10,8 +10,8 @@
 #include "ui/kit/format.h"
 #include "ui/kit/push_button.h"
 #include "ui/kit/value_label.h"
+#include "ui/link/drive_check_words.h"
 #include "ui/link/host_desk.h"
-#include "ui/link/survey_words.h"
 
 #include <QListWidget>
 #include <QPlainTextEdit>
@@ -59,7 +59,7 @@ QStringList linesOfDrives(const StationStatus& status)
                 lines << line(status, axis);
             }
         }
-        for (const Stranger& one : status.drives->strangers) {
+        for (const UnknownBoard& one : status.drives->unknownBoards) {
             lines << GuideConnect::tr("id %1: not in the profile").arg(one.id);
         }
     }
@@ -280,7 +280,7 @@ std::vector<int> GuideConnect::idsFound() const
         return !driveOf(m_status, axis).present || freshness(axisOf(m_status, axis).age) == Freshness::NoData;
     });
     if (selectedBus() == busInUse() && ownSilent) {
-        std::ranges::transform(drivesOf(m_status).strangers, std::back_inserter(ids), &Stranger::id);
+        std::ranges::transform(drivesOf(m_status).unknownBoards, std::back_inserter(ids), &UnknownBoard::id);
     } else if (m_result && m_result->bus == selectedBus()) {
         std::ranges::transform(m_result->drives, std::back_inserter(ids), &ScannedDrive::id);
     }
@@ -293,7 +293,7 @@ void GuideConnect::showFound()
     if (!m_choice->isListed()) {
         lines = m_choice->words(m_use->obstacle());
     } else if (selectedBus() == busInUse()) {
-        lines << (m_status.drives ? tr("In use. %1.").arg(surveySentence(*m_status.drives).text)
+        lines << (m_status.drives ? tr("In use. %1.").arg(driveCheckSentence(*m_status.drives).text)
                                   : tr("In use. This rotator has no boards that can be listed."));
         lines << tagged(linesOfDrives(m_status), isSimulated(selectedBus()));
     } else if (selectedBus() == m_scanning) {

@@ -53,14 +53,15 @@ std::set<GuideStep> stepsIn(const QString& text)
 
 bool everyDriveAnswers(const StationStatus& status)
 {
-    const bool read = !status.drives || (!status.drives->released && status.drives->survey == SurveyState::Done);
+    const bool read =
+        !status.drives || (!status.drives->released && status.drives->driveCheck == DriveCheckState::Done);
     return status.state != StationState::Disconnected && read;
 }
 
 bool isBeingRead(const StationStatus& status)
 {
-    const SurveyState survey = drivesOf(status).survey;
-    return survey == SurveyState::Running || survey == SurveyState::Fixing;
+    const DriveCheckState driveCheck = drivesOf(status).driveCheck;
+    return driveCheck == DriveCheckState::Running || driveCheck == DriveCheckState::Fixing;
 }
 
 QString whyNotConnected(const StationStatus& status)

@@ -54,7 +54,7 @@ bool isTurnKnown(const StationStatus& status, Axis axis)
 
 bool isTurnAwaited(const StationStatus& status, Axis axis)
 {
-    const bool reading = drivesOf(status).survey == SurveyState::Running;
+    const bool reading = drivesOf(status).driveCheck == DriveCheckState::Running;
     return reading && !isTurnKnown(status, axis) && !driveOf(status, axis).turnQuestion;
 }
 

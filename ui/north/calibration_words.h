@@ -3,7 +3,7 @@
 
 #include "core/messages/calibration_status.h"
 #include "core/messages/station_status.h"
-#include "ui/link/survey_words.h"
+#include "ui/link/drive_check_words.h"
 
 #include <QString>
 

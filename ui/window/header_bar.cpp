@@ -158,7 +158,7 @@ QString controlHelp(const StationStatus& status)
         if (!client.program.isEmpty()) {
             text += QLatin1Char(' ') + client.program;
         }
-        if (client.leading) {
+        if (client.inControl) {
             text += HeaderBar::tr(", in control");
         }
         if (!client.lastCommand.isEmpty()) {
@@ -219,7 +219,7 @@ QString whoControls(const StationStatus& status)
     if (status.authority == Authority::Operator) {
         return HeaderBar::tr("you");
     }
-    const auto leader = std::ranges::find_if(status.clients, &ClientStatus::leading);
+    const auto leader = std::ranges::find_if(status.clients, &ClientStatus::inControl);
     if (leader == status.clients.end()) {
         return HeaderBar::tr("clients");
     }

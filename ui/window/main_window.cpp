@@ -3,8 +3,8 @@
 
 #include "ui/charts/charts_panel.h"
 #include "ui/charts/strip_charts.h"
+#include "ui/clients/control_prompt.h"
 #include "ui/clients/hand_back_prompt.h"
-#include "ui/clients/lead_prompt.h"
 #include "ui/jog/gamepad.h"
 #include "ui/jog/jog_panel.h"
 #include "ui/jog/places_bar.h"
@@ -89,7 +89,7 @@ MainWindow::MainWindow(const Clock& clock, const WindowSettings& settings, QWidg
       m_places(new PlacesBar(m_draft, m_desk, settings.recentGoTos, this)),
       m_side(new GuideRoom(*m_panels, m_last, m_draft, m_desk, m_host, settings.guide, this)),
       m_lastCommand(new ValueLabel(tr("Last line of the log"), fonts::label(), {}, this)),
-      m_leadBar(new LeadPrompt(m_desk, this)),
+      m_controlBar(new ControlPrompt(m_desk, this)),
       m_handBackBar(new HandBackPrompt(m_desk, this)),
       m_pickBar(new PickPrompt(m_desk, this)),
       m_closeBar(new ClosePrompt(this)),
@@ -216,7 +216,7 @@ QWidget* MainWindow::makeSide(QWidget& ground)
 void MainWindow::addPrompts()
 {
     m_plotCell->addWidget(m_pickBar, 0, 0, Qt::AlignHCenter | Qt::AlignBottom);
-    m_plotCell->addWidget(m_leadBar, 0, 0, Qt::AlignLeft | Qt::AlignBottom);
+    m_plotCell->addWidget(m_controlBar, 0, 0, Qt::AlignLeft | Qt::AlignBottom);
     m_plotCell->addWidget(m_handBackBar, 0, 0, Qt::AlignHCenter | Qt::AlignBottom);
     m_plotCell->addWidget(m_closeBar, 0, 0, Qt::AlignHCenter | Qt::AlignTop);
     connect(m_closeBar, &ClosePrompt::confirmed, this, &MainWindow::closeRequested);
@@ -297,7 +297,7 @@ void MainWindow::showStatus(const StationStatus& status)
     m_panels->showStatus(status);
     m_places->showStatus(status);
     m_side->showStatus(status);
-    m_leadBar->showStatus(status);
+    m_controlBar->showStatus(status);
     m_handBackBar->showStatus(status);
     if (!isMoving(status)) {
         m_closeBar->withdraw();

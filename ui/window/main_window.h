@@ -31,7 +31,7 @@ class GuideRoom;
 class HeaderBar;
 class HandBackPrompt;
 class HelpPage;
-class LeadPrompt;
+class ControlPrompt;
 class MainMenu;
 class ManualWindow;
 class PanelTabs;
@@ -129,7 +129,7 @@ private:
     PlacesBar* m_places;
     GuideRoom* m_side;
     ValueLabel* m_lastCommand;
-    LeadPrompt* m_leadBar;
+    ControlPrompt* m_controlBar;
     HandBackPrompt* m_handBackBar;
     PickPrompt* m_pickBar;
     ClosePrompt* m_closeBar;

@@ -33,7 +33,7 @@ struct ArmingRig
 
     void makeReady()
     {
-        mount.setFitness({});
+        mount.setInterlock({});
         run(Seconds(0.2));
     }
 
@@ -108,9 +108,9 @@ TEST(Arming, WaitsForBothDrivesAndTheirFitness)
     rig.elevation.silent = false;
     rig.run(Seconds(0.2));
     EXPECT_EQ(rig.refusal(), "the drives have not been checked yet");
-    rig.mount.setFitness(failure(ErrorCode::Refused, QStringLiteral("servo.timeout_mode is 12")));
+    rig.mount.setInterlock(failure(ErrorCode::Refused, QStringLiteral("servo.timeout_mode is 12")));
     EXPECT_EQ(rig.refusal(), "servo.timeout_mode is 12");
-    rig.mount.setFitness({});
+    rig.mount.setInterlock({});
     EXPECT_TRUE(rig.arming.admits(kOperator));
     EXPECT_TRUE(rig.arming.admits(kClient));
 }

@@ -84,7 +84,7 @@ void switchedOff(StationRig& rig)
 void unfit(StationRig& rig)
 {
     standing(rig);
-    rig.mount.setFitness(failure(ErrorCode::Refused, QStringLiteral("the drives are being read")));
+    rig.mount.setInterlock(failure(ErrorCode::Refused, QStringLiteral("the drives are being read")));
 }
 
 void unconfirmed(StationRig& rig)
@@ -437,22 +437,22 @@ TEST(Permissions, AClientIsToldWhyControlCannotBeGivenToIt)
     const auto obstacle = [&rig](std::uint64_t id) {
         ClientStatus client{.id = id};
         rig.control.describe(client, std::nullopt);
-        return client.leadObstacle.toStdString();
+        return client.controlObstacle.toStdString();
     };
     EXPECT_EQ(obstacle(1), "");
-    ASSERT_TRUE(rig.ask(request::GiveLead{.clientId = 1}));
+    ASSERT_TRUE(rig.ask(request::GiveControl{.clientId = 1}));
     EXPECT_EQ(obstacle(1), "it has control");
     EXPECT_EQ(obstacle(2), "");
     // Story: the reason named the newest client. A client that connects later has no control before it sends a target.
-    rig.profile.rotctld.lead = profile::Lead::Last;
+    rig.profile.rotctld.control = profile::ControlRule::Last;
     rig.setProfile(rig.profile);
     EXPECT_EQ(obstacle(2), "the client that sent last has control");
-    rig.profile.rotctld.lead = profile::Lead::Locked;
+    rig.profile.rotctld.control = profile::ControlRule::Locked;
     rig.profile.rotctld.lockedTo = "10.0.0.7";
     rig.setProfile(rig.profile);
-    EXPECT_EQ(obstacle(2), textOf(rig.ask(request::GiveLead{.clientId = 2}).error()));
+    EXPECT_EQ(obstacle(2), textOf(rig.ask(request::GiveControl{.clientId = 2}).error()));
     ASSERT_TRUE(rig.ask(request::Stop{}));
-    EXPECT_EQ(obstacle(2), textOf(rig.ask(request::GiveLead{.clientId = 2}).error()));
+    EXPECT_EQ(obstacle(2), textOf(rig.ask(request::GiveControl{.clientId = 2}).error()));
 }
 
 }  // namespace

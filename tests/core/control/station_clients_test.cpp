@@ -161,14 +161,14 @@ TEST_F(StationClients, TheOperatorGivesControlToOne)
 {
     ASSERT_TRUE(rig.point(80.0, 30.0));
     rig.run(Seconds(2.0));
-    ASSERT_TRUE(rig.ask(request::GiveLead{.clientId = 2}));
+    ASSERT_TRUE(rig.ask(request::GiveControl{.clientId = 2}));
     EXPECT_EQ(rig.lastLog(), "gives control to rotctld 2");
     EXPECT_EQ(rig.state(), StationState::Hold) << "the other one's motion ends";
     EXPECT_FALSE(rig.point(80.0, 30.0));
     EXPECT_TRUE(rig.point(20.0, 30.0, kOtherClient));
-    EXPECT_TRUE(status(kOtherClient).leading);
+    EXPECT_TRUE(status(kOtherClient).inControl);
     EXPECT_TRUE(status(kOtherClient).driving);
-    EXPECT_FALSE(status(kClient).leading);
+    EXPECT_FALSE(status(kClient).inControl);
 }
 
 TEST_F(StationClients, GivingControlGivesTheAuthorityBack)
@@ -176,11 +176,11 @@ TEST_F(StationClients, GivingControlGivesTheAuthorityBack)
     ASSERT_TRUE(rig.point(80.0, 30.0));
     ASSERT_TRUE(rig.ask(request::Jog{{.azimuth = 1_deg_s}}));
     EXPECT_FALSE(rig.point(80.0, 30.0));
-    ASSERT_TRUE(rig.ask(request::GiveLead{.clientId = 1}));
+    ASSERT_TRUE(rig.ask(request::GiveControl{.clientId = 1}));
     EXPECT_EQ(rig.control.status().authority, Authority::Clients);
     EXPECT_TRUE(rig.point(80.0, 30.0));
     ASSERT_TRUE(rig.ask(request::Stop{}));
-    EXPECT_EQ(text(rig.ask(request::GiveLead{.clientId = 1})), "STOP is latched. Reset STOP first.");
+    EXPECT_EQ(text(rig.ask(request::GiveControl{.clientId = 1})), "STOP is latched. Reset STOP first.");
     EXPECT_EQ(rig.control.status().authority, Authority::Operator);
 }
 
@@ -210,7 +210,7 @@ TEST_F(StationClients, ReadOnlyEndsItsMotionAndRefusesTheNext)
 
 TEST_F(StationClients, OnlyTheOperatorDecidesAboutClients)
 {
-    EXPECT_FALSE(rig.ask(request::GiveLead{.clientId = 2}, kOtherClient));
+    EXPECT_FALSE(rig.ask(request::GiveControl{.clientId = 2}, kOtherClient));
     EXPECT_FALSE(rig.ask(request::SetReadOnly{.clientId = 1}, kOtherClient));
     EXPECT_FALSE(rig.ask(request::Disconnect{.clientId = 1}, kOtherClient));
     EXPECT_TRUE(rig.point(80.0, 30.0));
@@ -279,7 +279,7 @@ TEST_F(StationTakenControl, ByStopWhichIsLoggedToo)
     rig.run(Seconds(5.0));
     ASSERT_TRUE(rig.ask(request::ResetStop{}));
     EXPECT_TRUE(tookControl()) << "the reset gives nothing back";
-    ASSERT_TRUE(rig.ask(request::GiveLead{.clientId = 2}));
+    ASSERT_TRUE(rig.ask(request::GiveControl{.clientId = 2}));
     EXPECT_FALSE(tookControl());
 }
 
@@ -387,7 +387,7 @@ void failInMidMotion(StationRig& rig, const Source& streaming, int seconds)
 // that may not move the mount cannot set the speed either.
 TEST_F(StationClients, WhoMayNotMoveMayNotRearm)
 {
-    rig.profile.rotctld.lead = profile::Lead::Locked;
+    rig.profile.rotctld.control = profile::ControlRule::Locked;
     rig.profile.rotctld.lockedTo = "10.0.0.7";
     rig.setProfile(rig.profile);
     failInMidMotion(rig, kClient, 12);

@@ -81,7 +81,7 @@ TEST(StationControl, ClosingLeavesDrivesAloneThatWereNeverCommanded)
 
 TEST(StationControl, AClientCannotPushTheRestOutOfTheLog)
 {
-    StationRig rig({.rotctld = {.lead = profile::Lead::Last}});
+    StationRig rig({.rotctld = {.control = profile::ControlRule::Last}});
     rig.run(Seconds(0.2));
     const std::uint64_t before = rig.log.lastNumber();
     for (int i = 0; i < 1000; ++i) {

@@ -240,7 +240,7 @@ TEST(FalsePlace, IsNeverWrittenDown)
     FalsePlaceRig rig(100.0, 45.0);
     for (const double error : errors(Pattern::Lasting, 90.0)) {
         rig.tickWithError(Axis::Azimuth, error);
-        const auto& record = rig.mount.memory().turns[index(Axis::Azimuth)];
+        const auto& record = rig.mount.journal().turns[index(Axis::Azimuth)];
         ASSERT_TRUE(record);
         ASSERT_NEAR(record->angle.degrees(), 100.0, 1e-3);
         if (rig.control.faultLatched()) {

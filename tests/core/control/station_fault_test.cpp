@@ -208,11 +208,11 @@ TEST(StationControl, DrivesThatAreNotFitAnyMoreAreNotMovedOn)
     ASSERT_TRUE(rig.ask(request::Move{{.azimuth = 5_deg_s}}));
     rig.run(Seconds(2.0));
     ASSERT_TRUE(rig.moving());
-    rig.mount.setFitness(failure(ErrorCode::Refused, QStringLiteral("not as it should be")));
+    rig.mount.setInterlock(failure(ErrorCode::Refused, QStringLiteral("not as it should be")));
     rig.run(Seconds(1.5));
     EXPECT_FALSE(rig.moving());
     EXPECT_EQ(rig.state(), StationState::Hold);
-    rig.mount.setFitness({});
+    rig.mount.setInterlock({});
     rig.run(Seconds(1.0));
     EXPECT_FALSE(rig.moving()) << "and nothing comes back by itself";
 }

@@ -112,7 +112,7 @@ TEST(StationControl, ARepeatedTargetDoesNotDisturbTheMotion)
 // Story: two clients both sent P. Their targets were taken for one path, and the mount ran ahead along it.
 TEST(StationControl, AnotherClientBeginsAStreamOfItsOwn)
 {
-    StationRig rig({.rotctld = {.lead = profile::Lead::Last}});
+    StationRig rig({.rotctld = {.control = profile::ControlRule::Last}});
     rig.run(Seconds(0.2));
     for (int i = 0; i < 20; ++i) {
         ASSERT_TRUE(rig.point(10.0 + 0.5 * i, 30.0));

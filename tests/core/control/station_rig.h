@@ -30,14 +30,14 @@ struct StationRig
                        settings.elevation.driver == profile::AxisDriver::Moteus)),
           control(inForce, clock, log, alarms, mount, sources)
     {
-        mount.setFitness({});
+        mount.setInterlock({});
         for (const Axis axis : mount.axes()) {
             learn(axis, factsOf(axis));
         }
     }
 
     // Sets the facts as the drive check reports them.
-    void learn(Axis axis, const survey::DriveFacts& known)
+    void learn(Axis axis, const drive_check::DriveFacts& known)
     {
         facts[index(axis)] = known;
         facts[index(axis)].origin = {.origin = moteus::CountOrigin{.beginning = 1, .offset = drive(axis).origin()},
@@ -47,7 +47,7 @@ struct StationRig
 
     [[nodiscard]] fakes::IdealDrive& drive(Axis axis) { return axis == Axis::Azimuth ? azimuth : elevation; }
 
-    [[nodiscard]] survey::DriveFacts factsOf(Axis axis) const
+    [[nodiscard]] drive_check::DriveFacts factsOf(Axis axis) const
     {
         return {.uuid = axis == Axis::Azimuth ? QStringLiteral("a0000000-0000-0000-0000-000000000001")
                                               : QStringLiteral("e0000000-0000-0000-0000-000000000002"),
@@ -178,7 +178,7 @@ struct StationRig
     StationControl control;
     fakes::IdealDrive azimuth{1, 0.0};
     fakes::IdealDrive elevation{2, -0.25};
-    std::array<survey::DriveFacts, 2> facts;
+    std::array<drive_check::DriveFacts, 2> facts;
 };
 
 }  // namespace boresight

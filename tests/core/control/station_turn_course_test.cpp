@@ -40,7 +40,7 @@ struct SensedRig : StationRig
         azimuth.position = std::remainder(azimuth.position, 0.01);
         azimuth.mode = elevation.mode = moteus::Mode::Stopped;
         azimuth.silent = elevation.silent = false;
-        survey::DriveFacts restarted = factsOf(Axis::Azimuth);
+        drive_check::DriveFacts restarted = factsOf(Axis::Azimuth);
         restarted.bootedAt = clock.now();
         learn(Axis::Azimuth, restarted);
         run(Seconds(2.0));

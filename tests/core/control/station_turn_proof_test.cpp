@@ -11,22 +11,22 @@ namespace boresight {
 namespace {
 
 // A mount whose journal is dated an hour ahead, so Boresight asks the operator. The axes stand at 0°.
-memory::MountMemory journalOfTheFuture(const StationRig& rig)
+journal::MountJournal journalOfTheFuture(const StationRig& rig)
 {
-    memory::MountMemory journal;
+    journal::MountJournal journal;
     for (const Axis axis : kAxes) {
         const bool azimuth = axis == Axis::Azimuth;
         const auto& geometry = azimuth ? rig.profile.azimuth.geometry : rig.profile.elevation.geometry;
         const auto& drive = azimuth ? rig.azimuth : rig.elevation;
         const MotorTurns reported = MotorTurns::fromTurns(drive.position);
         journal.turns[index(axis)] =
-            memory::recordOf({.drive = rig.factsOf(axis).uuid,
-                              .reported = reported,
-                              .homeState = drive.home,
-                              .uptime = Seconds(std::chrono::hours(1)),
-                              .origin = moteus::CountOrigin{.beginning = 1, .offset = drive.origin()}},
-                             geometry.toAxis(reported), geometry, false, rig.clock.utc() + std::chrono::hours(1),
-                             memory::hostTime(rig.clock));
+            journal::recordOf({.drive = rig.factsOf(axis).uuid,
+                               .reported = reported,
+                               .homeState = drive.home,
+                               .uptime = Seconds(std::chrono::hours(1)),
+                               .origin = moteus::CountOrigin{.beginning = 1, .offset = drive.origin()}},
+                              geometry.toAxis(reported), geometry, false, rig.clock.utc() + std::chrono::hours(1),
+                              journal::hostTime(rig.clock));
     }
     return journal;
 }
@@ -42,7 +42,7 @@ void restartInto(StationRig& next, const StationRig& before)
     }
 }
 
-memory::MountMemory withTheClockRight(memory::MountMemory journal)
+journal::MountJournal withTheClockRight(journal::MountJournal journal)
 {
     for (auto& turn : journal.turns) {
         if (turn) {
@@ -59,11 +59,11 @@ memory::MountMemory withTheClockRight(memory::MountMemory journal)
 TEST(StationTurns, CountingFromTheMiddleIsNeverTakenForAMotion)
 {
     const StationRig standing;
-    StationRig asked(profile::Profile{}, {.memory = journalOfTheFuture(standing)});
+    StationRig asked(profile::Profile{}, {.journal = journalOfTheFuture(standing)});
     asked.run(Seconds(0.5));
     ASSERT_TRUE(asked.control.status().drives->azimuth.turnQuestion);
     ASSERT_NEAR(asked.azimuthDegrees(), 180.0, 3.6) << "it counts from the middle";
-    StationRig again(profile::Profile{}, {.memory = withTheClockRight(asked.mount.memory())});
+    StationRig again(profile::Profile{}, {.journal = withTheClockRight(asked.mount.journal())});
     restartInto(again, asked);
     again.run(Seconds(0.5));
     EXPECT_FALSE(again.control.status().azimuth.turnKnown);
@@ -79,7 +79,7 @@ TEST(StationTurns, CountingFromTheMiddleIsNeverTakenForAMotion)
 TEST(StationTurns, CountingFromTheMiddleProvesNothingAfterASilenceEither)
 {
     const StationRig standing;
-    StationRig rig(profile::Profile{}, {.memory = journalOfTheFuture(standing)});
+    StationRig rig(profile::Profile{}, {.journal = journalOfTheFuture(standing)});
     rig.run(Seconds(0.5));
     ASSERT_TRUE(rig.control.status().drives->azimuth.turnQuestion);
     rig.azimuth.silent = true;
@@ -96,14 +96,14 @@ TEST(StationTurns, AnAnswerHalfWrittenIsNeverTakenForAMotion)
     const StationRig standing;
     StationRig told(
         profile::Profile{},
-        {.memory = journalOfTheFuture(standing), .standingAt = {100.8_deg, 43.2_deg}, .looked = standing.clock.utc()});
-    memory::MountMemory saved;
+        {.journal = journalOfTheFuture(standing), .standingAt = {100.8_deg, 43.2_deg}, .looked = standing.clock.utc()});
+    journal::MountJournal saved;
     for (int i = 0; i < 25 && told.azimuth.position < 0.1; ++i) {
         told.tick();
-        saved = told.mount.memory();
+        saved = told.mount.journal();
     }
     ASSERT_NEAR(told.azimuth.position, 0.28, 1e-6);
-    StationRig again(profile::Profile{}, {.memory = withTheClockRight(saved)});
+    StationRig again(profile::Profile{}, {.journal = withTheClockRight(saved)});
     restartInto(again, told);
     again.run(Seconds(0.5));
     EXPECT_FALSE(again.control.status().azimuth.turnKnown);
@@ -160,7 +160,7 @@ TEST(StationTurns, APositionSetWhileTheProgramWasClosedIsAskedAbout)
     before.settle();
     before.run(Seconds(1.0));
     for (const bool set : {false, true}) {
-        StationRig again(profile::Profile{}, {.memory = before.mount.memory()});
+        StationRig again(profile::Profile{}, {.journal = before.mount.journal()});
         restartInto(again, before);
         const double reported = again.azimuth.position;
         again.azimuth.position += 0.6;  // turned by hand
@@ -205,7 +205,7 @@ TEST(StationTurns, OneFalseReadingOfTheOriginIsNoSetting)
     rig.run(Seconds(0.5));
     ASSERT_TRUE(rig.ask(request::PointAxes{{100_deg, 45_deg}}));
     rig.settle();
-    survey::DriveFacts read = rig.facts[0];
+    drive_check::DriveFacts read = rig.facts[0];
     read.origin.origin->offset += MotorTurns::fromTurns(0.5);
     read.origin.asked = rig.clock.now();
     rig.mount.learn(Axis::Azimuth, read);
@@ -218,7 +218,7 @@ TEST(StationTurns, OneFalseReadingOfTheOriginIsNoSetting)
 TEST(StationTurns, AnAnswerThatNeedsNoSettingIsKept)
 {
     const StationRig standing;
-    StationRig rig(profile::Profile{}, {.memory = journalOfTheFuture(standing)});
+    StationRig rig(profile::Profile{}, {.journal = journalOfTheFuture(standing)});
     rig.run(Seconds(0.5));
     ASSERT_TRUE(rig.control.status().drives->azimuth.turnQuestion);
     for (const Axis axis : kAxes) {
@@ -236,10 +236,10 @@ TEST(StationTurns, ARecordOfADriveThatDoesNotTellProvesNothing)
 {
     StationRig before;
     before.run(Seconds(0.5));
-    ASSERT_TRUE(before.mount.memory().turns[0]->origin);
-    memory::MountMemory old = before.mount.memory();
+    ASSERT_TRUE(before.mount.journal().turns[0]->origin);
+    journal::MountJournal old = before.mount.journal();
     old.turns[0]->origin.reset();
-    StationRig again(profile::Profile{}, {.memory = old});
+    StationRig again(profile::Profile{}, {.journal = old});
     restartInto(again, before);
     again.run(Seconds(0.5));
     EXPECT_FALSE(again.control.status().azimuth.turnKnown);

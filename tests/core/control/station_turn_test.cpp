@@ -92,7 +92,7 @@ TEST(StationTurns, OnlyTheOperatorJogsMeanwhileAndSlowly)
     // The drive's own bounds stay in force. Its count begins in the middle of the travel, where the bounds leave room.
     EXPECT_FALSE(rig.azimuth.seen.back().fields.contains(Register::CommandIgnorePositionBounds));
     EXPECT_NEAR(rig.azimuthDegrees(), 180.0, 5.0) << "the middle of the travel";
-    EXPECT_FALSE(rig.mount.memory().turns[0]) << "jogged, the axis is not where the journal says";
+    EXPECT_FALSE(rig.mount.journal().turns[0]) << "jogged, the axis is not where the journal says";
 }
 
 // REQ-CONTROL-1410: Control is not handed back to the clients while Boresight asks for the wrap of an axis. The refusal
@@ -127,13 +127,13 @@ TEST(StationTurns, AnExchangedBoardIsOnlyJoggedSlowlyAndNotBeforeItWasChecked)
     auto other = rig.factsOf(Axis::Azimuth);
     other.uuid = QStringLiteral("b0000000-0000-0000-0000-000000000003");
     rig.learn(Axis::Azimuth, other);
-    rig.mount.setFitness(failure(ErrorCode::Refused, QStringLiteral("The drive check has not run yet.")));
+    rig.mount.setInterlock(failure(ErrorCode::Refused, QStringLiteral("The drive check has not run yet.")));
     rig.run(Seconds(1.5));
     ASSERT_TRUE(rig.ask(request::Rearm{}));
     rig.run(Seconds(0.5));
     ASSERT_TRUE(rig.control.isTurnAsked(Axis::Azimuth));
     EXPECT_FALSE(rig.ask(request::Jog{{.azimuth = 1_deg_s}})) << "nobody knows its safety settings";
-    rig.mount.setFitness({});
+    rig.mount.setInterlock({});
     EXPECT_FALSE(rig.point(10.0, 10.0, kOperator));
     EXPECT_FALSE(rig.ask(request::Jog{{.azimuth = 1_deg_s}}, kClient));
     EXPECT_FALSE(rig.ask(request::Jog{{.azimuth = 3_deg_s}}));
@@ -412,14 +412,14 @@ TEST(StationTurns, ARestartThatNobodyNoticedIsSeenByTheHomeState)
     rig.run(Seconds(0.5));
     ASSERT_TRUE(rig.ask(request::PointAxes{{100_deg, 45_deg}}));
     rig.settle();
-    const auto before = rig.mount.memory().turns[0]->angle;
+    const auto before = rig.mount.journal().turns[0]->angle;
     rig.azimuth.mode = moteus::Mode::Stopped;
     rig.azimuth.home = HomeState::Rotor;
     rig.azimuth.position = std::remainder(rig.azimuth.position, 0.01);
     rig.run(Seconds(0.2));
     EXPECT_FALSE(rig.control.status().azimuth.turnKnown);
-    ASSERT_TRUE(rig.mount.memory().turns[0]);
-    EXPECT_NEAR(rig.mount.memory().turns[0]->angle.degrees(), before.degrees(), 0.2);
+    ASSERT_TRUE(rig.mount.journal().turns[0]);
+    EXPECT_NEAR(rig.mount.journal().turns[0]->angle.degrees(), before.degrees(), 0.2);
     EXPECT_FALSE(rig.point(10.0, 10.0));
 }
 

@@ -151,9 +151,9 @@ TEST(BoxTalk, AForeignDeviceIsLeftAlone)
     }
 }
 
-// REQ-GS232-08: Noise makes no stranger of a box: a byte when a plug is touched, the greeting of a box that starts, or
-// one byte every now and then while the box is off.
-// Story: a byte of noise before the box was switched on closed its line until somebody pressed Reconnect.
+// REQ-GS232-08: Noise does not make a box a foreign device: a byte when a plug is touched, the greeting of a box that
+// starts, or one byte every now and then while the box is off. Story: a byte of noise before the box was switched on
+// closed its line until somebody pressed Reconnect.
 TEST(BoxTalk, NoiseMakesNoStrangerOfABox)
 {
     for (const std::string& noise : {std::string("\xff"), std::string("\0~", 2), std::string("~\r"),
@@ -174,7 +174,7 @@ TEST(BoxTalk, NoiseMakesNoStrangerOfABox)
     }
 }
 
-// A banner after the power-up, damaged lines and an echo make no stranger of a box.
+// A banner after the power-up, damaged lines and an echo do not make a box a foreign device.
 TEST(BoxTalk, ABoxMayStammer)
 {
     Talk talk;
@@ -190,8 +190,8 @@ TEST(BoxTalk, ABoxMayStammer)
     EXPECT_EQ(talk->proof(), Proof::Box) << "silence is no proof against it";
 }
 
-// REQ-GS232-09: A refusal that comes in pieces makes no stranger of a box, and is told as what it is.
-// Story: at 1200 baud a box without elevation was a stranger after three seconds, and its line was closed.
+// REQ-GS232-09: A refusal that comes in pieces does not make a box a foreign device, and is told as what it is.
+// Story: at 1200 baud a box without elevation counted as a foreign device after three seconds, and its line was closed.
 TEST(BoxTalk, ARefusalMayComeInPieces)
 {
     Talk talk(1200);

@@ -204,9 +204,9 @@ TEST(Gs232Start, ATravelThatItCannotCountIsRefused)
     EventLog log(clock);
     AlarmBoard alarms(log, clock);
     const Gs232Mount mount(inForce, alarms, kAxes);
-    ASSERT_FALSE(mount.fitness());
-    EXPECT_TRUE(mount.fitness().error().text.contains(QStringLiteral("azimuth.travel_min_deg")));
-    EXPECT_TRUE(Gs232Bench().mount().fitness());
+    ASSERT_FALSE(mount.interlock());
+    EXPECT_TRUE(mount.interlock().error().text.contains(QStringLiteral("azimuth.travel_min_deg")));
+    EXPECT_TRUE(Gs232Bench().mount().interlock());
 }
 
 // REQ-GS232-27 (Gs232Rest.*): A fault of a rotator that rests moves nothing.
@@ -258,9 +258,9 @@ TEST(Gs232Counts, ASignOrAnOffsetIsRefused)
         profile.elevation.geometry.offset = offset;
         Gs232Bench bench(profile);
         bench.run(Seconds(2.0));
-        const Result<>& fitness = bench.mount().fitness();
-        EXPECT_EQ(bench.goTo(60.0, 45.0).has_value(), fitness.has_value());
-        return fitness ? QString() : fitness.error().text;
+        const Result<>& interlock = bench.mount().interlock();
+        EXPECT_EQ(bench.goTo(60.0, 45.0).has_value(), interlock.has_value());
+        return interlock ? QString() : interlock.error().text;
     };
     for (const QString& text : {refusal(-1, 0_deg), refusal(1, 5_deg), refusal(-1, 88_deg)}) {
         EXPECT_TRUE(text.contains(QStringLiteral("elevation.sign"))) << text.toStdString();

@@ -48,7 +48,7 @@ TEST(BoardDesk, TwoBoardsFromTheFactoryGetTheirIds)
     EXPECT_THAT(rig.drives().boardWork.text.toStdString(), HasSubstr("has the id 2 now"));
 
     rig.pair.setFitted(Axis::Azimuth, true);
-    ASSERT_TRUE(rig.reaches(SurveyState::Done));
+    ASSERT_TRUE(rig.reaches(DriveCheckState::Done));
     ASSERT_EQ(rig.drives().boards.size(), 2u);
     EXPECT_EQ(rig.drives().boards[0].id, 1);
     EXPECT_EQ(rig.drives().boards[1].id, 2);
@@ -75,7 +75,7 @@ TEST(BoardDesk, TheGearOfAFactoryBoardIsWrittenAndRead)
     profile::Profile geared;
     geared.elevation.geometry.gearRatio = 100.0;
     rig.setProfile(geared);
-    ASSERT_TRUE(rig.reaches(SurveyState::Done));
+    ASSERT_TRUE(rig.reaches(DriveCheckState::Done));
     const auto gear = rig.drives().elevation.gear;
     ASSERT_TRUE(gear);
     EXPECT_EQ(gear->found, QStringLiteral("1"));
@@ -87,10 +87,10 @@ TEST(BoardDesk, TheGearOfAFactoryBoardIsWrittenAndRead)
     EXPECT_FALSE(rig.drives().gearWork.failed) << rig.drives().gearWork.text.toStdString();
     EXPECT_THAT(rig.drives().gearWork.text.toStdString(), HasSubstr("is 0.01 now"));
     EXPECT_EQ(rig.drives().boardWork.text, QString()) << "it is another subject";
-    ASSERT_TRUE(rig.reaches(SurveyState::Done));
+    ASSERT_TRUE(rig.reaches(DriveCheckState::Done));
     ASSERT_EQ(rig.ask(request::ReadDrives{}), "");
     EXPECT_EQ(rig.drives().gearWork.text, QString()) << "it was read";
-    ASSERT_TRUE(rig.reaches(SurveyState::Done));
+    ASSERT_TRUE(rig.reaches(DriveCheckState::Done));
     EXPECT_FALSE(rig.drives().elevation.gear) << "it is right now";
     EXPECT_TRUE(rig.logSays("counts from a new zero"));
     EXPECT_FALSE(rig.logSays("jump")) << "another gear, and no fault of the encoder";
@@ -102,7 +102,7 @@ TEST(BoardDesk, TheGearOfAFactoryBoardIsWrittenAndRead)
 TEST(BoardDesk, NoGearIsWrittenWhileADriveIsOn)
 {
     CareRig rig;
-    ASSERT_TRUE(rig.endsItsSurvey());
+    ASSERT_TRUE(rig.endsItsDriveCheck());
     ASSERT_EQ(rig.ask(kGo), "");
     rig.run(Seconds(1.0));
     EXPECT_THAT(rig.obstacle(Action::SetAzimuthGear), Not(""));

@@ -35,7 +35,7 @@ struct CareRig
             }
         }
         mount.framesSent();
-        surveyed = surveyed || frames.size() > motion.size();
+        checked = checked || frames.size() > motion.size();
         clock.advance(kDriveCareTick);
         elapsed += kDriveCareTick;
         pair.advanceTo(elapsed);
@@ -49,18 +49,18 @@ struct CareRig
         }
     }
 
-    bool reaches(SurveyState state, Seconds within = Seconds(12.0))
+    bool reaches(DriveCheckState state, Seconds within = Seconds(12.0))
     {
-        for (const Seconds end = elapsed + within; elapsed < end && drives().survey != state;) {
+        for (const Seconds end = elapsed + within; elapsed < end && drives().driveCheck != state;) {
             tick();
         }
-        return drives().survey == state;
+        return drives().driveCheck == state;
     }
 
     // Runs until the check is done and the station has received its result.
-    [[nodiscard]] bool endsItsSurvey()
+    [[nodiscard]] bool endsItsDriveCheck()
     {
-        const bool ended = reaches(SurveyState::Done);
+        const bool ended = reaches(DriveCheckState::Done);
         run(Seconds(0.2));
         return ended;
     }
@@ -133,8 +133,8 @@ struct CareRig
     sim::SimulatedPair pair;
     Seconds elapsed{0.0};
     bool linkOpen = true;
-    std::size_t sent = 0;   // frames in the last tick
-    bool surveyed = false;  // DriveCare has sent something
+    std::size_t sent = 0;  // frames in the last tick
+    bool checked = false;  // DriveCare has sent something
 
 private:
     void deliver()

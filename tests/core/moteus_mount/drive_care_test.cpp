@@ -30,10 +30,10 @@ TEST(DriveCare, NothingMovesBeforeTheDrivesWereSurveyed)
 {
     CareRig rig;
     rig.run(Seconds(0.5));
-    EXPECT_EQ(rig.drives().survey, SurveyState::Running) << "by itself, as soon as they answer";
+    EXPECT_EQ(rig.drives().driveCheck, DriveCheckState::Running) << "by itself, as soon as they answer";
     EXPECT_THAT(rig.ask(kGo), HasSubstr("drive check is running"));
     EXPECT_THAT(rig.drives().armingObstacle.toStdString(), HasSubstr("drive check is running"));
-    ASSERT_TRUE(rig.endsItsSurvey());
+    ASSERT_TRUE(rig.endsItsDriveCheck());
     EXPECT_TRUE(rig.drives().armingObstacle.isEmpty()) << rig.drives().armingObstacle.toStdString();
     EXPECT_EQ(rig.ask(kGo), "");
     rig.run(Seconds(20.0));
@@ -44,7 +44,7 @@ TEST(DriveCare, TheDrivesReportTheirRegistersInWords)
 {
     CareRig rig;
     EXPECT_EQ(rig.drives().azimuth.registers, QStringLiteral("moteus mode 0, fault 0")) << "never heard";
-    ASSERT_TRUE(rig.endsItsSurvey());
+    ASSERT_TRUE(rig.endsItsDriveCheck());
     ASSERT_EQ(rig.ask(kGo), "");
     rig.run(Seconds(1.0));
     EXPECT_EQ(rig.drives().azimuth.registers, QStringLiteral("moteus mode 10, fault 0"));
@@ -53,7 +53,7 @@ TEST(DriveCare, TheDrivesReportTheirRegistersInWords)
 TEST(DriveCare, AWrongProtectionRefusesMotionWithTheReasonAndAnAlarm)
 {
     CareRig rig(dampingElevation());
-    ASSERT_TRUE(rig.endsItsSurvey());
+    ASSERT_TRUE(rig.endsItsDriveCheck());
     EXPECT_THAT(rig.ask(kGo), HasSubstr("servo.timeout_mode is 12"));
     EXPECT_THAT(rig.ask(request::Jog{{.elevation = 1_deg_s}}), HasSubstr("servo.timeout_mode"));
     EXPECT_TRUE(rig.alarm("servo.timeout_mode is 12"));
@@ -64,7 +64,7 @@ TEST(DriveCare, AWrongProtectionRefusesMotionWithTheReasonAndAnAlarm)
 TEST(DriveCare, FixingMakesTheDrivesFitAndEndsTheAlarm)
 {
     CareRig rig(dampingElevation());
-    ASSERT_TRUE(rig.endsItsSurvey());
+    ASSERT_TRUE(rig.endsItsDriveCheck());
     ASSERT_TRUE(rig.drives().fixable);
     const auto lines = rig.drives().elevation.protections;
     const auto wrong = std::ranges::find(lines, QStringLiteral("servo.timeout_mode"), &ProtectionLine::key);
@@ -72,13 +72,13 @@ TEST(DriveCare, FixingMakesTheDrivesFitAndEndsTheAlarm)
     EXPECT_EQ(wrong->verdict, Verdict::Dangerous);
     EXPECT_EQ(wrong->fix, QStringLiteral("10 (hold)")) << "the screen lists it before it is written";
     ASSERT_EQ(rig.ask(request::FixDrives{}), "");
-    EXPECT_EQ(rig.drives().survey, SurveyState::Fixing);
+    EXPECT_EQ(rig.drives().driveCheck, DriveCheckState::Fixing);
     for (const auto& [action, wanted] : kOfTheDrives) {
         EXPECT_THAT(rig.obstacle(action), HasSubstr("settings are being written"));
         EXPECT_EQ(rig.refusal(wanted), rig.obstacle(action));
     }
     EXPECT_NE(rig.ask(kGo), "");
-    ASSERT_TRUE(rig.endsItsSurvey());
+    ASSERT_TRUE(rig.endsItsDriveCheck());
     EXPECT_EQ(rig.pair.drive(Axis::Elevation).driveConfig().servo.timeoutMode, 10);
     EXPECT_FALSE(rig.alarm("servo.timeout_mode"));
     EXPECT_FALSE(rig.drives().fixable);
@@ -92,7 +92,7 @@ TEST(DriveCare, FixingMakesTheDrivesFitAndEndsTheAlarm)
 TEST(DriveCare, TheProtectionsAreThoseOfTheProfileInForce)
 {
     CareRig rig;
-    ASSERT_TRUE(rig.endsItsSurvey());
+    ASSERT_TRUE(rig.endsItsDriveCheck());
     ASSERT_FALSE(rig.drives().fixable);
     profile::Profile faster = rig.profile;
     faster.azimuth.limits.speed = 2.0 * faster.azimuth.limits.speed;
@@ -100,22 +100,22 @@ TEST(DriveCare, TheProtectionsAreThoseOfTheProfileInForce)
     ASSERT_TRUE(rig.drives().fixable);
     ASSERT_EQ(rig.ask(request::FixDrives{}), "");
     rig.setProfile(rig.profile);
-    ASSERT_TRUE(rig.endsItsSurvey());
+    ASSERT_TRUE(rig.endsItsDriveCheck());
     EXPECT_TRUE(rig.logSays("written: azimuth: servo.default_velocity_limit was"));
     EXPECT_TRUE(rig.drives().fixable) << "changed back meanwhile";
     ASSERT_EQ(rig.ask(request::FixDrives{}), "");
-    ASSERT_TRUE(rig.endsItsSurvey());
+    ASSERT_TRUE(rig.endsItsDriveCheck());
     EXPECT_FALSE(rig.drives().fixable);
 }
 
 TEST(DriveCare, WhatIsReadOrRightIsNotOfferedAgain)
 {
     CareRig rig;
-    ASSERT_TRUE(rig.reaches(SurveyState::Running));
+    ASSERT_TRUE(rig.reaches(DriveCheckState::Running));
     EXPECT_EQ(rig.obstacle(Action::ReadDrives), "the drives are being read");
     EXPECT_EQ(rig.refusal(request::ReadDrives{}), "the drives are being read");
     EXPECT_EQ(rig.obstacle(Action::FixDrives), "the drives are being read");
-    ASSERT_TRUE(rig.endsItsSurvey());
+    ASSERT_TRUE(rig.endsItsDriveCheck());
     EXPECT_EQ(rig.obstacle(Action::ReadDrives), "");
     EXPECT_EQ(rig.obstacle(Action::FixDrives), "every setting is right");
     EXPECT_EQ(rig.refusal(request::FixDrives{}), "every setting is right");
@@ -126,14 +126,14 @@ TEST(DriveCare, WhatIsReadOrRightIsNotOfferedAgain)
 TEST(DriveCare, NothingIsWrittenWhileADriveIsSwitchedOn)
 {
     CareRig rig;
-    ASSERT_TRUE(rig.endsItsSurvey());
+    ASSERT_TRUE(rig.endsItsDriveCheck());
     ASSERT_EQ(rig.ask(kGo), "");
     rig.run(Seconds(20.0));
     rig.otherToolSays(Axis::Elevation, "conf set servo.default_timeout_s 1");
     EXPECT_THAT(rig.ask(request::FixDrives{}), HasSubstr("switched on"));
     ASSERT_EQ(rig.ask(request::ReadDrives{}), "");
     rig.tick();
-    ASSERT_TRUE(rig.endsItsSurvey());
+    ASSERT_TRUE(rig.endsItsDriveCheck());
     EXPECT_TRUE(rig.alarm("servo.default_timeout_s is 1 s"));
     EXPECT_THAT(rig.ask(request::FixDrives{}), HasSubstr("switched on"));
     EXPECT_EQ(rig.pair.truth(Axis::Elevation).mode, moteus::Mode::Position) << "the reading has not disturbed it";
@@ -141,21 +141,21 @@ TEST(DriveCare, NothingIsWrittenWhileADriveIsSwitchedOn)
     rig.run(Seconds(0.5));
     EXPECT_EQ(rig.ask(request::FixDrives{}), "");
     rig.tick();
-    ASSERT_TRUE(rig.reaches(SurveyState::Done));
+    ASSERT_TRUE(rig.reaches(DriveCheckState::Done));
     EXPECT_EQ(rig.pair.drive(Axis::Elevation).driveConfig().servo.defaultTimeout, 0.1);
 }
 
 TEST(DriveCare, ADriveThatLostItsPowerIsSurveyedAndItsTurnJudgedAnew)
 {
     CareRig rig;
-    ASSERT_TRUE(rig.endsItsSurvey());
+    ASSERT_TRUE(rig.endsItsDriveCheck());
     ASSERT_EQ(rig.ask(kGo), "");
     rig.run(Seconds(20.0));
     rig.pair.faults().add({.kind = sim::FaultKind::PowerLoss, .at = rig.elapsed, .duration = Seconds(2.0)});
     rig.run(Seconds(1.0));
-    EXPECT_EQ(rig.drives().survey, SurveyState::NotDone) << "who comes back may be another";
+    EXPECT_EQ(rig.drives().driveCheck, DriveCheckState::NotDone) << "who comes back may be another";
     rig.run(Seconds(1.5));
-    ASSERT_TRUE(rig.endsItsSurvey());
+    ASSERT_TRUE(rig.endsItsDriveCheck());
     EXPECT_FALSE(rig.control.status().azimuth.turnKnown);
     EXPECT_FALSE(rig.control.status().elevation.turnKnown);
     for (const DriveStatus& drive : {rig.drives().azimuth, rig.drives().elevation}) {
@@ -170,11 +170,11 @@ TEST(DriveCare, ADriveThatLostItsPowerIsSurveyedAndItsTurnJudgedAnew)
 TEST(DriveCare, ATurnIsNoAlarmBeforeTheSurveyCouldTellIt)
 {
     CareRig rig;
-    ASSERT_TRUE(rig.reaches(SurveyState::Done));
+    ASSERT_TRUE(rig.reaches(DriveCheckState::Done));
     rig.run(Seconds(0.2));
     rig.pair.faults().add({.kind = sim::FaultKind::Silence, .at = rig.elapsed, .duration = Seconds(2.0)});
     rig.run(Seconds(2.5));
-    ASSERT_TRUE(rig.reaches(SurveyState::Done));
+    ASSERT_TRUE(rig.reaches(DriveCheckState::Done));
     rig.run(Seconds(0.2));
     EXPECT_TRUE(rig.control.status().azimuth.turnKnown);
     EXPECT_FALSE(rig.logSays("cable wrap of"));
@@ -183,12 +183,12 @@ TEST(DriveCare, ATurnIsNoAlarmBeforeTheSurveyCouldTellIt)
 TEST(DriveCare, OnAReleasedBusNothingIsSaidAndChangesAreToldAfterwards)
 {
     CareRig rig;
-    ASSERT_TRUE(rig.endsItsSurvey());
+    ASSERT_TRUE(rig.endsItsDriveCheck());
     ASSERT_EQ(rig.ask(request::ReleaseBus{}), "");
     rig.linkOpen = false;
-    rig.surveyed = false;
+    rig.checked = false;
     rig.run(Seconds(5.0));
-    EXPECT_FALSE(rig.surveyed);
+    EXPECT_FALSE(rig.checked);
     EXPECT_THAT(rig.ask(kGo), HasSubstr("released to other tools"));
     for (const Alarm& alarm : rig.control.status().alarms) {
         EXPECT_FALSE(alarm.active) << "a silence that was asked for is no alarm: " << alarm.what.toStdString();
@@ -198,7 +198,7 @@ TEST(DriveCare, OnAReleasedBusNothingIsSaidAndChangesAreToldAfterwards)
     rig.linkOpen = true;
     rig.run(Seconds(0.2));
     EXPECT_FALSE(rig.logSays("No reply")) << "they had no question yet";
-    ASSERT_TRUE(rig.endsItsSurvey());
+    ASSERT_TRUE(rig.endsItsDriveCheck());
     EXPECT_TRUE(rig.logSays("changed meanwhile: azimuth: servo.timeout_mode was 10 (hold), is 12 (damp)"));
     EXPECT_THAT(rig.ask(kGo), HasSubstr("servo.timeout_mode is 12"));
 }
@@ -223,9 +223,9 @@ TEST(DriveCare, NobodyAtAllIsToldOnceOnly)
     rig.linkOpen = false;
     rig.run(Seconds(8.0));
     EXPECT_EQ(rig.control.status().alarms.size(), 1U);
-    EXPECT_TRUE(rig.surveyed);
+    EXPECT_TRUE(rig.checked);
     rig.linkOpen = true;
-    ASSERT_TRUE(rig.reaches(SurveyState::Done));
+    ASSERT_TRUE(rig.reaches(DriveCheckState::Done));
     rig.run(Seconds(0.2));
     EXPECT_EQ(rig.ask(kGo), "");
 }

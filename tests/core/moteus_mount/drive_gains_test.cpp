@@ -15,7 +15,7 @@ struct GainsAtRest : CareRig
 {
     explicit GainsAtRest(const sim::PairSettings& settings = sim::commissionedPair()) : CareRig(settings)
     {
-        EXPECT_TRUE(endsItsSurvey());
+        EXPECT_TRUE(endsItsDriveCheck());
     }
 
     bool read() { return ask(request::ReadGains{}) == "" && settles() && drives().azimuth.gains.read; }
@@ -106,7 +106,7 @@ TEST(DriveCare, GainsThatAreWrittenKeepTheMountWhereItStands)
     ASSERT_EQ(rig.set(Gain::EncoderFilter, 0.5), "");
     EXPECT_THAT(rig.ask(kGo), HasSubstr("is reading or writing the gains"));
     ASSERT_TRUE(rig.settles());
-    ASSERT_TRUE(rig.endsItsSurvey());
+    ASSERT_TRUE(rig.endsItsDriveCheck());
     ASSERT_TRUE(rig.read());
     ASSERT_EQ(rig.ask(request::StoreGains{}), "");
     EXPECT_THAT(rig.ask(kGo), HasSubstr("is reading or writing the gains"));

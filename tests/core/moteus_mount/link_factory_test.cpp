@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/moteus_mount/link_factory.h"
 
+#include "core/drive_check/protections.h"
 #include "core/sim_bus/simulated_link.h"
-#include "core/survey/protections.h"
 #include "tests/fakes/manual_clock.h"
 #include "tests/fakes/text_of.h"
 
@@ -41,10 +41,10 @@ TEST(LinkMaker, TheSimulatedDrivesAreProtectedForTheProfile)
     EXPECT_NEAR(pair.azimuth.config.positionMax, 303.0 / 360.0, 1e-6);
     for (const Axis axis : {Axis::Azimuth, Axis::Elevation}) {
         sim::DriveConfig& config = (axis == Axis::Azimuth ? pair.azimuth : pair.elevation).config;
-        for (const survey::Protection& protection : survey::protectionsOf(profile, axis)) {
+        for (const drive_check::Protection& protection : drive_check::protectionsOf(profile, axis)) {
             const auto found = sim::configText(config, protection.key);
-            const survey::Reading reading{.state = survey::Reading::State::Read, .text = found.value_or("")};
-            EXPECT_NE(survey::judged(protection, reading).verdict, Verdict::Dangerous) << protection.key;
+            const drive_check::Reading reading{.state = drive_check::Reading::State::Read, .text = found.value_or("")};
+            EXPECT_NE(drive_check::judged(protection, reading).verdict, Verdict::Dangerous) << protection.key;
         }
     }
 }

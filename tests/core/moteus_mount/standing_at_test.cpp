@@ -73,11 +73,11 @@ TEST(StationTurns, APlaceOfTheCommandLineCountsAtOneStartOnly)
     first.run(Seconds(0.5));
     ASSERT_TRUE(first.control.status().azimuth.turnKnown);
     ASSERT_TRUE(first.control.status().elevation.turnKnown);
-    memory::MountMemory kept;
-    kept.placeUsed = first.mount.memory().placeUsed;  // the stored time, as if the journal itself was lost
+    journal::MountJournal kept;
+    kept.placeUsed = first.mount.journal().placeUsed;  // the stored time, as if the journal itself was lost
     for (const Seconds later : {Seconds(0.0), Seconds(60.0)}) {
         TurnKeeper::Start again = told;
-        again.memory = kept;
+        again.journal = kept;
         again.looked += std::chrono::round<std::chrono::milliseconds>(later);
         StationRig rig(profile::Profile{}, again);
         rig.azimuth.home = rig.elevation.home = HomeState::Rotor;
@@ -95,7 +95,7 @@ TEST(StationTurns, APlaceThatWasNotNeededIsUsedUpToo)
     rig.run(Seconds(0.5));
     ASSERT_TRUE(rig.control.status().azimuth.turnKnown);
     EXPECT_NEAR(rig.azimuthDegrees(), 0.0, 0.01) << "the drive knew better";
-    EXPECT_EQ(rig.mount.memory().placeUsed, startOfTest());
+    EXPECT_EQ(rig.mount.journal().placeUsed, startOfTest());
 }
 
 }  // namespace

@@ -14,20 +14,20 @@ TEST(StationTurns, MotionIsJournalledAsMotionAndRestAsRest)
 {
     StationRig rig;
     rig.run(Seconds(0.5));
-    EXPECT_TRUE(rig.mount.takeMemoryChange());
+    EXPECT_TRUE(rig.mount.takeJournalChange());
     ASSERT_TRUE(rig.point(100.0, 45.0));
     rig.run(Seconds(1.0));
-    ASSERT_TRUE(rig.mount.takeMemoryChange());
-    EXPECT_TRUE(rig.mount.memory().turns[0]->moving);
+    ASSERT_TRUE(rig.mount.takeJournalChange());
+    EXPECT_TRUE(rig.mount.journal().turns[0]->moving);
     rig.settle();
     rig.run(Seconds(1.0));
-    const auto& record = *rig.mount.memory().turns[0];
+    const auto& record = *rig.mount.journal().turns[0];
     EXPECT_FALSE(record.moving);
     EXPECT_NEAR(record.angle.degrees(), 100.0, 0.01);
     EXPECT_EQ(record.drive, rig.factsOf(Axis::Azimuth).uuid);
-    (void)rig.mount.takeMemoryChange();
+    (void)rig.mount.takeJournalChange();
     rig.run(Seconds(10.0));
-    EXPECT_FALSE(rig.mount.takeMemoryChange()) << "a mount that stands writes nothing";
+    EXPECT_FALSE(rig.mount.takeJournalChange()) << "a mount that stands writes nothing";
 }
 
 // Story: on a small flash a pass wrote the journal once a second, even where the axis had hardly moved.
@@ -45,8 +45,8 @@ TEST(StationTurns, MotionIsJournalledByTheAngle)
                 ASSERT_TRUE(rig.ask(request::Jog{{.azimuth = AngularRate::fromDegrees(rate)}}));
             }
             rig.tick();
-            lines += rig.mount.takeMemoryChange() ? 1 : 0;
-            const double gap = rig.azimuthDegrees() - rig.mount.memory().turns[0]->angle.degrees();
+            lines += rig.mount.takeJournalChange() ? 1 : 0;
+            const double gap = rig.azimuthDegrees() - rig.mount.journal().turns[0]->angle.degrees();
             ASSERT_LT(std::abs(gap), std::max(2.5, rate) + 0.1) << rate;
         }
         EXPECT_LE(lines, most) << rate;
@@ -57,10 +57,10 @@ TEST(StationTurns, MotionIsJournalledByTheAngle)
 // positions are near each other, and 2.5° if no position can be proposed after a motion anyway.
 TEST(StationTurns, TheStepOfTheJournalIsHalfOfWhatMayDiffer)
 {
-    EXPECT_NEAR(memory::journalStep(360_deg).degrees(), 2.5, 1e-9);
-    EXPECT_NEAR(memory::journalStep(100_deg).degrees(), 1.25, 1e-9);
-    EXPECT_NEAR(memory::journalStep(20_deg).degrees(), 0.25, 1e-9);
-    EXPECT_NEAR(memory::journalStep(3.6_deg).degrees(), 2.5, 1e-9);
+    EXPECT_NEAR(journal::journalStep(360_deg).degrees(), 2.5, 1e-9);
+    EXPECT_NEAR(journal::journalStep(100_deg).degrees(), 1.25, 1e-9);
+    EXPECT_NEAR(journal::journalStep(20_deg).degrees(), 0.25, 1e-9);
+    EXPECT_NEAR(journal::journalStep(3.6_deg).degrees(), 2.5, 1e-9);
 }
 
 }  // namespace

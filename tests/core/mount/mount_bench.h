@@ -35,7 +35,7 @@ inline profile::Profile slowProfile(profile::AxisDriver azimuth = profile::AxisD
 inline const QString kUnfit = QStringLiteral("The gear of the drive is not the one of the profile.");
 inline const QString kOtherBoard = QStringLiteral("b0000000-0000-0000-0000-000000000003");
 
-inline Result<> fitness(bool fit)
+inline Result<> interlock(bool fit)
 {
     return fit ? Result<>{} : failure(ErrorCode::Refused, kUnfit);
 }
@@ -131,7 +131,7 @@ public:
     void setLine(bool connected) override { m_rig.azimuth.silent = m_rig.elevation.silent = !connected; }
     bool setFit(bool fit) override
     {
-        m_rig.mount.setFitness(fitness(fit));
+        m_rig.mount.setInterlock(interlock(fit));
         return true;
     }
     bool exchangeDevice() override
@@ -225,7 +225,7 @@ class MixedBench final : public Bench
 public:
     explicit MixedBench(Axis moteus) : m_axis(moteus)
     {
-        m_moteus.setFitness({});
+        m_moteus.setInterlock({});
         learn();
     }
     StationControl& control() override { return m_control; }
@@ -260,7 +260,7 @@ public:
     }
     bool setFit(bool fit) override
     {
-        m_moteus.setFitness(fitness(fit));
+        m_moteus.setInterlock(interlock(fit));
         return true;
     }
     bool exchangeDevice() override
@@ -286,7 +286,7 @@ private:
     // Sets the facts as the drive check reports them.
     void learn()
     {
-        m_moteus.learn(m_axis, survey::DriveFacts{
+        m_moteus.learn(m_axis, drive_check::DriveFacts{
                                    .uuid = m_uuid,
                                    .bootedAt = m_clock.now() - std::chrono::hours(1),
                                    .outputEncoder = false,

@@ -150,7 +150,7 @@ TEST_P(MountPromises, NothingMovesAfterAFaultWithoutARearm)
 TEST_P(MountPromises, AnUnfitMountIsNeverOrderedAndSaysWhy)
 {
     bench->run(Seconds(1.0));
-    EXPECT_TRUE(bench->control().mount().fitness());
+    EXPECT_TRUE(bench->control().mount().interlock());
     if (!bench->setFit(false)) {
         return;
     }
@@ -178,7 +178,7 @@ TEST_P(MountPromises, AMountThatBecomesUnfitEndsItsMotion)
     bench->run(Seconds(3.0));
     if (!bench->setFit(false)) {
         bench->run(Seconds(25.0));
-        EXPECT_TRUE(bench->control().mount().fitness()) << "it is fit also in motion";
+        EXPECT_TRUE(bench->control().mount().interlock()) << "it is fit also in motion";
         return;
     }
     bench->run(Seconds(2.0));

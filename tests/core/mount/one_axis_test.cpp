@@ -58,8 +58,8 @@ TEST(OneAxis, NothingOfADriveUnderTheIdOfTheMissingAxisCounts)
         EXPECT_TRUE(rig.drive(missing).seen.empty());
         bench.expectAt({120_deg, 40_deg}, before, bench.resolution());
         EXPECT_EQ(rig.mount.report(missing).place, 0_deg);
-        EXPECT_FALSE(rig.mount.memory().turns[index(missing)]);
-        EXPECT_TRUE(rig.mount.memory().turns[index(there)]);
+        EXPECT_FALSE(rig.mount.journal().turns[index(missing)]);
+        EXPECT_TRUE(rig.mount.journal().turns[index(there)]);
         EXPECT_FALSE(rig.mount.chooseWrap(missing, 0_deg, QStringLiteral("operator")));
         const DrivesStatus drives = *rig.control.status().drives;
         EXPECT_EQ(drives.azimuth.present, azimuth);

@@ -125,7 +125,7 @@ TEST(CalibrationFollow, ASwingEndsWhenAClientIsGivenTheLead)
         ASSERT_TRUE(rig.ask(request::StartSwing{.rate = 3_deg_s, .headings = headings}));
         rig.run(Seconds(40.0));
         ASSERT_EQ(CalibrationRun::Swing, rig.status().progress.run);
-        ASSERT_TRUE(rig.ask(request::GiveLead{kClient.clientId}));
+        ASSERT_TRUE(rig.ask(request::GiveControl{kClient.clientId}));
         rig.run(Seconds(20.0));
         EXPECT_EQ(CalibrationRun::None, rig.status().progress.run);
         EXPECT_EQ(Authority::Clients, rig.control.authority());
@@ -211,29 +211,29 @@ TEST(CalibrationFollow, WhatIsRefusedChangesNothing)
 TEST(CalibrationFollow, NoPointIsTakenOnceTheMountWasSentElsewhere)
 {
     const AxisPosition elsewhere{.azimuth = 300_deg, .elevation = 40_deg};
-    const std::vector<Request> errands{request::PointSky{{elsewhere.azimuth, elsewhere.elevation}},
-                                       request::PointAxes{elsewhere},
-                                       request::Move{{.azimuth = 1_deg_s}},
-                                       request::Park{},
-                                       request::Home{},
-                                       request::Horizon{},
-                                       request::GiveAuthority{},
-                                       CalibrationRequest(request::StartSwing{.rate = 3_deg_s, .headings = 0})};
-    for (const Request& errand : errands) {
+    const std::vector<Request> requests{request::PointSky{{elsewhere.azimuth, elsewhere.elevation}},
+                                        request::PointAxes{elsewhere},
+                                        request::Move{{.azimuth = 1_deg_s}},
+                                        request::Park{},
+                                        request::Home{},
+                                        request::Horizon{},
+                                        request::GiveAuthority{},
+                                        CalibrationRequest(request::StartSwing{.rate = 3_deg_s, .headings = 0})};
+    for (const Request& sent : requests) {
         SwungRig rig;
         setHour(rig, 8.0);
         follow(rig);
         ASSERT_EQ(Body::Sun, rig.status().body);
-        const auto sent = rig.ask(errand);
-        ASSERT_TRUE(sent) << textOf(sent.error());
+        const auto answer = rig.ask(sent);
+        ASSERT_TRUE(answer) << textOf(answer.error());
         rig.run(Seconds(1.0));
         ASSERT_TRUE(rig.ask(request::EndCalibration{}));
         ASSERT_TRUE(rig.ask(request::Hold{}));
         rig.run(Seconds(5.0));
         const auto taken = rig.ask(request::TakePoint{});
-        ASSERT_FALSE(taken) << errand.index();
+        ASSERT_FALSE(taken) << sent.index();
         EXPECT_NE(std::string::npos, textOf(taken.error()).find("Track the Sun or the Moon first"));
-        EXPECT_FALSE(rig.status().body) << errand.index();
+        EXPECT_FALSE(rig.status().body) << sent.index();
         EXPECT_FALSE(rig.status().pointObstacle.isEmpty());
         follow(rig);
         EXPECT_TRUE(rig.ask(request::TakePoint{}));

@@ -58,7 +58,7 @@ void replaceDrive(CalibrationRig& rig)
     rig.azimuth.position = std::remainder(rig.azimuth.position, 0.01);
     rig.azimuth.mode = moteus::Mode::Stopped;
     rig.azimuth.silent = false;
-    survey::DriveFacts other = rig.factsOf(Axis::Azimuth);
+    drive_check::DriveFacts other = rig.factsOf(Axis::Azimuth);
     other.uuid = QStringLiteral("a0000000-0000-0000-0000-000000000009");
     other.bootedAt = rig.clock.now();
     rig.learn(Axis::Azimuth, other);
@@ -150,7 +150,7 @@ TEST(CalibrationPoints, ThoseThatWereKeptCountWithADriveThatTellsNoUuid)
     EXPECT_FALSE(again.status()->fit);
     EXPECT_TRUE(again.status()->noFit.contains(QStringLiteral("wait"))) << again.status()->noFit.toStdString();
     EXPECT_LT(abs(again.status()->points.front().before.across), 1_deg) << "By the model in force";
-    survey::DriveFacts nameless = rig.factsOf(Axis::Azimuth);
+    drive_check::DriveFacts nameless = rig.factsOf(Axis::Azimuth);
     nameless.uuid.clear();
     rig.mount.learn(Axis::Azimuth, nameless);
     again.tick();

@@ -330,7 +330,7 @@ TEST(CalibrationPoints, PointsFromBeforeTheTurnWasToldWarn)
     rig.azimuth.position = std::remainder(rig.azimuth.position, 0.01);
     rig.azimuth.mode = rig.elevation.mode = moteus::Mode::Stopped;
     rig.azimuth.silent = rig.elevation.silent = false;
-    survey::DriveFacts restarted = rig.factsOf(Axis::Azimuth);
+    drive_check::DriveFacts restarted = rig.factsOf(Axis::Azimuth);
     restarted.bootedAt = rig.clock.now();
     rig.learn(Axis::Azimuth, restarted);
     rig.run(Seconds(2.0));

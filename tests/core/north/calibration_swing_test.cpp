@@ -2,7 +2,7 @@
 // The compass swing on a mount whose north is hidden: what it finds, what it shows while it runs, what it refuses.
 #include "tests/core/north/calibration_swing.h"
 
-#include "core/witness/sensor_curve.h"
+#include "core/cross_check/sensor_curve.h"
 #include "tests/fakes/text_of.h"
 
 #include <algorithm>

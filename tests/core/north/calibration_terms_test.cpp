@@ -400,7 +400,7 @@ TEST(CalibrationTerms, AnotherDriveWarns)
     CalibrationRig same({}, saved, folder.path());
     same.run(Seconds(1.0));
     EXPECT_FALSE(isWarned(same));
-    survey::DriveFacts other = same.factsOf(Axis::Elevation);
+    drive_check::DriveFacts other = same.factsOf(Axis::Elevation);
     other.uuid = QStringLiteral("e0000000-0000-0000-0000-000000000009");
     same.learn(Axis::Elevation, other);
     same.run(Seconds(1.0));

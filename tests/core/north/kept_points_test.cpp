@@ -74,7 +74,7 @@ TEST(KeptPoints, ThoseOfAnotherDriveAreLeftOutOnce)
     NorthRig rig;
     rig.points.add(keptPoint(100_deg));
     EXPECT_FALSE(rig.points.leaveOutOthers());
-    survey::DriveFacts other = rig.factsOf(Axis::Elevation);
+    drive_check::DriveFacts other = rig.factsOf(Axis::Elevation);
     other.uuid = QStringLiteral("e0000000-0000-0000-0000-000000000009");
     rig.learn(Axis::Elevation, other);
     ASSERT_TRUE(rig.mount.update());

@@ -84,7 +84,7 @@ TEST(ModelInForce, AnotherDriveHasAnotherModel)
     rig.apply(swingRecord());
     rig.apply(sunRecord(swingRecord()));
     EXPECT_TRUE(rig.model.otherMount().isEmpty());
-    survey::DriveFacts other = rig.factsOf(Axis::Azimuth);
+    drive_check::DriveFacts other = rig.factsOf(Axis::Azimuth);
     other.uuid = QStringLiteral("a0000000-0000-0000-0000-000000000009");
     rig.learn(Axis::Azimuth, other);
     ASSERT_TRUE(rig.mount.update());

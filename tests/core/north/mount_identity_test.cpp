@@ -42,7 +42,7 @@ TEST(MountIdentity, ADriveWithoutAnIdentityIsReadButContradictsNothing)
     StationRig rig;
     MountIdentity mount(rig.control, rig.inForce);
     EXPECT_TRUE(mount.update());
-    survey::DriveFacts nameless = rig.factsOf(Axis::Azimuth);
+    drive_check::DriveFacts nameless = rig.factsOf(Axis::Azimuth);
     nameless.uuid.clear();
     rig.learn(Axis::Azimuth, nameless);
     EXPECT_FALSE(mount.update());

@@ -305,7 +305,7 @@ TEST(Check, ANoteIsOneShortLine)
 TEST(CrossCheck, ALockedMountSaysToWhom)
 {
     Profile profile;
-    profile.rotctld.lead = Lead::Locked;
+    profile.rotctld.control = ControlRule::Locked;
     EXPECT_EQ(keysOf(crossCheck(profile)), std::vector<std::string>{"rotctld.locked_to"});
     profile.rotctld.lockedTo = "::1";
     EXPECT_TRUE(crossCheck(profile).empty());

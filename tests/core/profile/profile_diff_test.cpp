@@ -157,7 +157,7 @@ TEST(Applied, WhatNeedsAReconnectWaits)
     wanted.limits.horizon = {{0_deg, -5_deg}};
     wanted.azimuth.geometry.travel.max = 270_deg;
     wanted.rotctld.listen.port = 4534;
-    wanted.rotctld.lead = Lead::Last;
+    wanted.rotctld.control = ControlRule::Last;
     const Application result = applied(inForce, wanted);
     EXPECT_EQ(result.waitingKeys, (Keys{"azimuth.travel_max_deg", "rotctld.listen"}));
     Profile expected = wanted;

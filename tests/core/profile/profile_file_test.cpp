@@ -141,7 +141,7 @@ TEST(ProfileFile, EveryValueSurvivesTheRoundTrip)
     changed.sun = {.keepAway = KeepAway::On, .clock = SunClock::Trusted, .radius = 7.25_deg};
     changed.rotctld = {.listen = {"::", 0},
                        .allow = {"10.0.0.0/8", "fe80::1%a\"b"},
-                       .lead = Lead::Locked,
+                       .control = ControlRule::Locked,
                        .lockedTo = "192.168.1.7",
                        .outsideLimits = OutsideLimits::Refuse,
                        .azimuth = AzimuthConvention::Continuous,

@@ -2,7 +2,7 @@
 #include "core/rotctld/command_parser.h"
 
 #include "core/rotctld/c_number.h"
-#include "core/rotctld/stranger.h"
+#include "core/rotctld/foreign_protocol.h"
 
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ std::string parsed(std::string_view bytes, std::size_t piece)
         std::string_view rest = bytes.substr(at, piece);
         for (Event event = parser.next(rest); event != Event::NeedMore; event = parser.next(rest)) {
             if (event != Event::Command) {
-                result += event == Event::Odd ? '?' : event == Event::Stranger ? '!' : '#';
+                result += event == Event::Odd ? '?' : event == Event::Foreign ? '!' : '#';
                 if (event != Event::Odd) {
                     return result;
                 }
@@ -127,12 +127,12 @@ TEST(Numbers, RefuseWhatIsNoFiniteNumber)
     EXPECT_EQ(leadingInteger("99999999999"), std::nullopt);
 }
 
-TEST(Stranger, KnowsNoClientOfOurs)
+TEST(ForeignProtocol, KnowsNoClientOfOurs)
 {
     for (const char* line : {"p\n", "P 174,46 0,00\n", "S\n", "K\n", "M 8 50\n", "M 16 100\n", "_\n", "q\n",
                              "+\\dump_state\n", "C min_az 1\n", "set_pos 123.4 5.6\n", "|\\set_pos 113 10\n",
                              "E 10 30.5 1\n", "A 100\n", "W\n", "# GET /\n", "V SPEED 2\n"}) {
-        EXPECT_EQ(strangerIn(line), std::nullopt) << line;
+        EXPECT_EQ(foreignProtocolIn(line), std::nullopt) << line;
     }
 }
 

@@ -73,8 +73,8 @@ TEST(RotctldServer, OneHostLeavesSlotsToTheOthers)
 TEST(RotctldServer, TurnsAwayWhoMayNotConnect)
 {
     ServerFixture fixture({.allow = {"10.0.0.0/8"}});
-    const auto stranger = fixture.connect();
-    EXPECT_EQ(stranger->receiveUntilClosed(), "");
+    const auto foreignProtocol = fixture.connect();
+    EXPECT_EQ(foreignProtocol->receiveUntilClosed(), "");
     EXPECT_EQ(fixture.rotator.remarks,
               std::vector<std::string>{"refused: its address is not permitted (rotctld.allow)"});
     EXPECT_TRUE(fixture.rotator.connected.empty());

@@ -87,7 +87,7 @@ TEST_F(HamlibProgram, IsStartedAndDriven)
     ASSERT_TRUE(rig.comesTrue([&] { return rig.place().has_value(); }));
     EXPECT_EQ(rig.line().name, QStringLiteral("hamlib:1"));
     EXPECT_EQ(rig.line().kind, QStringLiteral("rotctld"));
-    EXPECT_TRUE(rig.connection->driver().fitness());
+    EXPECT_TRUE(rig.connection->driver().interlock());
     ASSERT_TRUE(rig.control.request(request::PointAxes{{12_deg, 8_deg}}, kOperator));
     EXPECT_TRUE(rig.comesTrue([&] { return abs(rig.place()->azimuth - 12_deg) < 0.1_deg; }));
     EXPECT_TRUE(rig.comesTrue([&] { return abs(rig.place()->elevation - 8_deg) < 0.1_deg; }));

@@ -100,7 +100,7 @@ TEST_F(HamlibServer, ItsRotctldIsDriven)
     ASSERT_TRUE(rig.comesTrue([&] { return rig.place().has_value(); }));
     EXPECT_EQ(rig.line().kind, QStringLiteral("rotctld"));
     EXPECT_EQ(rig.line().dropped, 0U);
-    EXPECT_TRUE(rig.connection->driver().fitness());
+    EXPECT_TRUE(rig.connection->driver().interlock());
     ASSERT_TRUE(rig.control.request(request::PointAxes{{20_deg, 15_deg}}, kOperator));
     EXPECT_TRUE(rig.comesTrue([&] { return abs(rig.place()->azimuth - 20_deg) < 0.1_deg; }));
     EXPECT_TRUE(rig.comesTrue([&] { return abs(rig.place()->elevation - 15_deg) < 0.1_deg; }));

@@ -236,10 +236,10 @@ TEST(RotctldStart, AProfileThatDoesNotFitIsRefused)
     const auto refusal = [](const profile::Profile& profile) {
         RotctldBench bench(profile);
         bench.run(Seconds(2.0));
-        const Result<>& fitness = bench.mount().fitness();
-        EXPECT_EQ(bench.goTo(60.0, 45.0).has_value(), fitness.has_value());
+        const Result<>& interlock = bench.mount().interlock();
+        EXPECT_EQ(bench.goTo(60.0, 45.0).has_value(), interlock.has_value());
         EXPECT_EQ(bench.heardOf("+\\set_pos") > 0, false);
-        return fitness ? QString() : fitness.error().text;
+        return interlock ? QString() : interlock.error().text;
     };
     profile::Profile wide = rotctldProfile();
     EXPECT_EQ(refusal(wide), QString());
@@ -268,8 +268,8 @@ TEST(RotctldStart, AnAxisThatTheRotatorDoesNotHaveIsTold)
         "Minimum Elevation: 0.0\nMaximum Elevation: 90.0\nrot_type=Az\ndone\nRPRT 0\n",
         clock.now());
     mount.observe(clock.now());
-    ASSERT_FALSE(mount.fitness());
-    EXPECT_TRUE(mount.fitness().error().text.contains(QStringLiteral("elevation.driver")));
+    ASSERT_FALSE(mount.interlock());
+    EXPECT_TRUE(mount.interlock().error().text.contains(QStringLiteral("elevation.driver")));
 }
 
 // REQ-ROTCTLDMOUNT-25: A motion that nobody ordered is stopped behind STOP. A jump at rest moves nothing.

@@ -43,7 +43,7 @@ TEST_F(IdleParkTest, ParksAfterItsTime)
 {
     goUp();
     ASSERT_TRUE(rig.ask(request::GiveAuthority{}));
-    const std::uint64_t errand = rig.control.errand();
+    const std::uint64_t motionId = rig.control.motionId();
     minutes(4.9);
     EXPECT_EQ(rig.state(), StationState::Hold);
     minutes(0.3);
@@ -52,7 +52,7 @@ TEST_F(IdleParkTest, ParksAfterItsTime)
     EXPECT_EQ(rig.state(), StationState::Parked);
     EXPECT_NEAR(rig.azimuthDegrees(), 20.0, 0.1);
     EXPECT_EQ(rig.control.authority(), Authority::Clients);
-    EXPECT_EQ(rig.control.errand(), errand) << "a schedule between two passes goes on";
+    EXPECT_EQ(rig.control.motionId(), motionId) << "a schedule between two passes goes on";
     EXPECT_TRUE(rig.point(60.0, 40.0, kClient));
 }
 

@@ -258,7 +258,7 @@ TEST(MotionSources, EachRefusesClientsWithoutTheAuthority)
 TEST(MotionSources, EachRefusesWithDrivesThatAreNotFit)
 {
     const auto unfit = [](StationRig& rig) {
-        rig.mount.setFitness(failure(ErrorCode::Refused, QStringLiteral("not fit")));
+        rig.mount.setInterlock(failure(ErrorCode::Refused, QStringLiteral("not fit")));
         return true;
     };
     expectRefusals(unfit, kOperator);

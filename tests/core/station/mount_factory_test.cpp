@@ -130,9 +130,9 @@ TEST(MountFactory, OneDriveIsAMountWithOneAxis)
         EXPECT_EQ(made.can().has(Axis::Elevation), !azimuth);
         made.run(Seconds(8.0));
         EXPECT_TRUE(made.driver().answers());
-        EXPECT_TRUE(made.driver().fitness()) << textOf(made.driver().fitness().error());
-        EXPECT_EQ(made.drives().survey, SurveyState::Done);
-        EXPECT_TRUE(made.drives().strangers.empty());
+        EXPECT_TRUE(made.driver().interlock()) << textOf(made.driver().interlock().error());
+        EXPECT_EQ(made.drives().driveCheck, DriveCheckState::Done);
+        EXPECT_TRUE(made.drives().unknownBoards.empty());
     }
 }
 
@@ -149,8 +149,8 @@ TEST(MountFactory, TwoKindsOfDriversAreOneMount)
         EXPECT_EQ(made.line().kind, QStringLiteral("CAN")) << "the other one has none";
         made.run(Seconds(8.0));
         EXPECT_TRUE(made.driver().answers());
-        EXPECT_TRUE(made.driver().fitness()) << textOf(made.driver().fitness().error());
-        EXPECT_TRUE(made.drives().strangers.empty());
+        EXPECT_TRUE(made.driver().interlock()) << textOf(made.driver().interlock().error());
+        EXPECT_TRUE(made.drives().unknownBoards.empty());
     }
 }
 

@@ -93,7 +93,7 @@ TEST(StationListeners, OneThatReadsMovesNothing)
     }
     const std::uint64_t id = rig.further.clients().front().id;
     const std::string why = "The listener of this client has the right \"read\" (listeners.list in the profile).";
-    const auto given = rig.ask(request::GiveLead{.clientId = id});
+    const auto given = rig.ask(request::GiveControl{.clientId = id});
     ASSERT_FALSE(given);
     EXPECT_EQ(textOf(given.error()), why);
     const auto lifted = rig.ask(request::SetReadOnly{.clientId = id, .readOnly = false});

@@ -196,7 +196,7 @@ TEST(StationShell, ALockedMountIsNotItsOwn)
 {
     ShellRig rig;
     profile::Profile locked = rig.profile;
-    locked.rotctld.lead = profile::Lead::Locked;
+    locked.rotctld.control = profile::ControlRule::Locked;
     locked.rotctld.lockedTo = "10.0.0.7";
     rig.setProfile(locked);
     EXPECT_EQ(rig.answerTo("track azel 20,30\n"), "error: The mount is locked to 10.0.0.7. Take the control first.\n");
@@ -240,7 +240,7 @@ TEST(StationShell, TracksTheTableOfAFile)
 
     ShellRig locked;
     profile::Profile profile = locked.profile;
-    profile.rotctld.lead = profile::Lead::Locked;
+    profile.rotctld.control = profile::ControlRule::Locked;
     profile.rotctld.lockedTo = "10.0.0.7";
     locked.setProfile(profile);
     EXPECT_THAT(locked.answerTo("track table /tmp/way.txt\n"), HasSubstr("error: The mount is locked to 10.0.0.7."));

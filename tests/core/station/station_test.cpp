@@ -22,9 +22,9 @@ namespace {
 using Rig = LinkedStation;
 
 // A station on the simulated mount, with drives that passed the drive check and may move.
-struct SurveyedRig
+struct CheckedRig
 {
-    SurveyedRig()
+    CheckedRig()
     {
         auto owned = std::make_unique<SimulatedLink>(clock);
         link = owned.get();
@@ -51,7 +51,7 @@ struct SurveyedRig
     std::vector<StationUpdate> updates;
 };
 
-constexpr int kStationSurvey = 200;  // ticks; it takes 2.4 s
+constexpr int kStationDriveCheck = 200;  // ticks; it takes 2.4 s
 
 const request::PointSky kFarAway{{.azimuth = 200_deg, .elevation = 60_deg}};
 
@@ -77,9 +77,9 @@ TEST(Station, AStalledScreenGetsTheNewestStatusAndNoQueue)
 // sample. A stalled screen misses samples older than 10 s.
 TEST(Station, EveryTickIsSampledOnceWithTheAnswerToIt)
 {
-    SurveyedRig rig;
+    CheckedRig rig;
     rig.station->openAll();
-    rig.run(kStationSurvey);
+    rig.run(kStationDriveCheck);
     rig.station->request({.id = 1, .request = kFarAway});
     rig.run(100);
     rig.station->publish();
@@ -152,9 +152,9 @@ TEST(Station, LogLinesComeOnceAndInOrder)
 
 TEST(Station, AnswersFindTheControlThatAsked)
 {
-    SurveyedRig rig;
+    CheckedRig rig;
     rig.station->openAll();
-    rig.run(kStationSurvey);
+    rig.run(kStationDriveCheck);
     rig.station->request({.id = 7, .request = kFarAway});
     rig.station->request({.id = 8, .request = request::PointSky{{.azimuth = 0_deg, .elevation = -20_deg}}});
     rig.station->publish();
@@ -230,12 +230,12 @@ TEST(Station, AnOccupiedPortIsSaidAndTheRestWorks)
 
 TEST(Station, SaysThatItHasStartedWhenThereIsAPositionOrNoneToExpect)
 {
-    SurveyedRig surveyed;
-    QSignalSpy ready(surveyed.station.get(), &Station::started);
-    surveyed.station->openAll();
-    surveyed.run(kStationSurvey);
+    CheckedRig checked;
+    QSignalSpy ready(checked.station.get(), &Station::started);
+    checked.station->openAll();
+    checked.run(kStationDriveCheck);
     ASSERT_EQ(ready.size(), 1);
-    EXPECT_EQ(ready[0][0].toString(), surveyed.station->status().listening);
+    EXPECT_EQ(ready[0][0].toString(), checked.station->status().listening);
 
     Rig silent;
     silent.azimuth.silent = silent.elevation.silent = true;
@@ -267,9 +267,9 @@ TEST(Station, SaysThatItHasStartedWhereTheOnlyDriveIsSilent)
 
 TEST(Station, FinishesAfterTheMountStandsStill)
 {
-    SurveyedRig rig;
+    CheckedRig rig;
     rig.station->openAll();
-    rig.run(kStationSurvey);
+    rig.run(kStationDriveCheck);
     rig.station->request({.id = 1, .request = kFarAway});
     rig.run(100);
     QSignalSpy finished(rig.station.get(), &Station::finished);
@@ -283,9 +283,9 @@ TEST(Station, FinishesAfterTheMountStandsStill)
 
 TEST(Station, AppliedSettingsAreInForceAndShownAsTheObjectThatIsObeyed)
 {
-    SurveyedRig rig;
+    CheckedRig rig;
     rig.station->openAll();
-    rig.run(kStationSurvey);
+    rig.run(kStationDriveCheck);
     QSignalSpy applied(rig.station.get(), &Station::profileApplied);
     profile::Profile wanted = anyPort();
     wanted.limits.keepOuts = {
@@ -310,9 +310,9 @@ TEST(Station, AppliedSettingsAreInForceAndShownAsTheObjectThatIsObeyed)
 
 TEST(Station, ReconnectEndsInTheOrderlyWayAndAsksForTheNextStation)
 {
-    SurveyedRig rig;
+    CheckedRig rig;
     rig.station->openAll();
-    rig.run(kStationSurvey);
+    rig.run(kStationDriveCheck);
     QSignalSpy finished(rig.station.get(), &Station::finished);
     QSignalSpy wanted(rig.station.get(), &Station::reconnectWanted);
     rig.station->request({.id = 1, .request = kFarAway});

@@ -23,7 +23,7 @@ namespace {
 using SteadyClock = std::chrono::steady_clock;
 using Peers = std::vector<std::unique_ptr<fakes::TcpPeer>>;
 
-const std::vector<std::string>& strangers()
+const std::vector<std::string>& unknownBoards()
 {
     static const std::vector<std::string> list{
         "GET / HTTP/1.1\r\nHost: localhost:4533\r\nUser-Agent: Mozilla/5.0 (X11; Linux x86_64) AppleWebKit/537.36 "
@@ -48,7 +48,7 @@ const std::vector<std::string>& strangers()
 void sendRubbish(const BoresightdProcess& boresightd, std::size_t number)
 {
     const auto peer = boresightd.connect();
-    peer->send(strangers()[number % strangers().size()], std::chrono::milliseconds(20));
+    peer->send(unknownBoards()[number % unknownBoards().size()], std::chrono::milliseconds(20));
     if (number % 2 == 0) {
         peer->reset();
     }
@@ -104,9 +104,9 @@ protected:
 TEST_F(RubbishTest, MovesNothing)
 {
     const double before = azimuth();
-    for (std::size_t i = 0; i < 5 * strangers().size(); ++i) {
+    for (std::size_t i = 0; i < 5 * unknownBoards().size(); ++i) {
         sendRubbish(boresightd, i);
-        EXPECT_NEAR(azimuth(), before, 0.05) << strangers()[i % strangers().size()].substr(0, 40);
+        EXPECT_NEAR(azimuth(), before, 0.05) << unknownBoards()[i % unknownBoards().size()].substr(0, 40);
     }
     QTest::qWait(500);
     EXPECT_NEAR(azimuth(), before, 0.05);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/window_fixture.h"
 #include "ui/clients/client_model.h"
-#include "ui/clients/lead_prompt.h"
+#include "ui/clients/control_prompt.h"
 #include "ui/kit/choice_button.h"
 
 #include <QApplication>
@@ -40,15 +40,15 @@ protected:
         }
         ADD_FAILURE() << "no choice " << text.toStdString();
     }
-    static StationUpdate with(profile::Lead lead, const char* lockedTo, const char* leadObstacle)
+    static StationUpdate with(profile::ControlRule lead, const char* lockedTo, const char* controlObstacle)
     {
         StationStatus status = samples::fighting();
         profile::Profile profile = *status.profile;
-        profile.rotctld.lead = lead;
+        profile.rotctld.control = lead;
         profile.rotctld.lockedTo = lockedTo;
         status.profile = std::make_shared<const profile::Profile>(profile);
         for (ClientStatus& client : status.clients) {
-            client.leadObstacle = QLatin1String(leadObstacle);
+            client.controlObstacle = QLatin1String(controlObstacle);
         }
         return samples::update(status);
     }
@@ -100,11 +100,11 @@ TEST_F(ClientsPanelTest, ShowsWhoIsThereAndWhatEachMayDo)
 TEST_F(ClientsPanelTest, WhoMovesTheMountIsInControlOnlyWhereOthersAreRefused)
 {
     StationStatus status = samples::fighting();
-    status.clients[0].leading = false;
+    status.clients[0].inControl = false;
     give(samples::update(status));
     EXPECT_EQ(cell(0, ClientModel::Role).toStdString(), "● moves the mount");
     status.clients[0].driving = false;
-    status.clients[0].leading = true;
+    status.clients[0].inControl = true;
     give(samples::update(status));
     EXPECT_EQ(cell(0, ClientModel::Role).toStdString(), "in control");
 }
@@ -142,8 +142,8 @@ TEST_F(ClientsPanelTest, GivesControlToTheSelectedOne)
     EXPECT_FALSE(named<QPushButton>("Give control")->isEnabled()) << "it has it";
     select(1);
     click("Give control");
-    ASSERT_EQ(asked<request::GiveLead>().size(), 1U);
-    EXPECT_EQ(asked<request::GiveLead>()[0].clientId, 2U);
+    ASSERT_EQ(asked<request::GiveControl>().size(), 1U);
+    EXPECT_EQ(asked<request::GiveControl>()[0].clientId, 2U);
 }
 
 TEST_F(ClientsPanelTest, RowsThatMoveKeepTheirSelection)
@@ -183,7 +183,7 @@ TEST_F(ClientsPanelTest, WorksByKeys)
     QTest::keyClick(&table(), Qt::Key_Tab);
     EXPECT_EQ(QApplication::focusWidget(), named<QPushButton>("Give control"));
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);
-    EXPECT_EQ(asked<request::GiveLead>().size(), 1U);
+    EXPECT_EQ(asked<request::GiveControl>().size(), 1U);
 }
 
 TEST_F(ClientsPanelTest, LocksToTheHostOfTheSelectedOne)
@@ -192,10 +192,10 @@ TEST_F(ClientsPanelTest, LocksToTheHostOfTheSelectedOne)
     click("Lock");
     const auto applied = asked<request::ApplyProfile>();
     ASSERT_EQ(applied.size(), 1U);
-    EXPECT_EQ(applied[0].profile.rotctld.lead, profile::Lead::Locked);
+    EXPECT_EQ(applied[0].profile.rotctld.control, profile::ControlRule::Locked);
     EXPECT_EQ(applied[0].profile.rotctld.lockedTo, "192.168.100.109");
     profile::Profile otherwise = applied[0].profile;
-    otherwise.rotctld.lead = profile::Lead::First;
+    otherwise.rotctld.control = profile::ControlRule::First;
     otherwise.rotctld.lockedTo.clear();
     EXPECT_EQ(otherwise, *samples::fighting().profile) << "nothing else is changed";
 }
@@ -206,11 +206,11 @@ TEST_F(ClientsPanelTest, TheRuleFollowsTheStatusNotTheClick)
     choose(QStringLiteral("Last"));
     const auto applied = asked<request::ApplyProfile>();
     ASSERT_EQ(applied.size(), 1U);
-    EXPECT_EQ(applied[0].profile.rotctld.lead, profile::Lead::Last);
+    EXPECT_EQ(applied[0].profile.rotctld.control, profile::ControlRule::Last);
     EXPECT_TRUE(
         named<ChoiceButton>("The first client moves the mount until it disconnects or commands no motion for 10 s")
             ->isChecked());
-    StationUpdate answer = with(profile::Lead::Last, "", "whoever sends last moves the mount");
+    StationUpdate answer = with(profile::ControlRule::Last, "", "whoever sends last moves the mount");
     answer.answers.push_back({requests.back().id, std::nullopt});
     give(answer);
     EXPECT_TRUE(
@@ -235,14 +235,14 @@ TEST_F(ClientsPanelTest, ARefusedRuleSaysWhyAndLeavesNoEdit)
 
 TEST_F(ClientsPanelTest, WhoIsLockedOutCanNotBeGivenControl)
 {
-    give(with(profile::Lead::Locked, "10.0.0.77", "The mount is locked to 10.0.0.77. Unlock it first."));
+    give(with(profile::ControlRule::Locked, "10.0.0.77", "The mount is locked to 10.0.0.77. Unlock it first."));
     select(1);
     EXPECT_TRUE(named<QPushButton>("Give control")
                     ->toolTip()
                     .endsWith(QStringLiteral("The mount is locked to 10.0.0.77. Unlock it first.")));
     choose(QStringLiteral("First"));
     ASSERT_EQ(asked<request::ApplyProfile>().size(), 1U);
-    EXPECT_EQ(asked<request::ApplyProfile>()[0].profile.rotctld.lead, profile::Lead::First);
+    EXPECT_EQ(asked<request::ApplyProfile>()[0].profile.rotctld.control, profile::ControlRule::First);
     EXPECT_EQ(asked<request::ApplyProfile>()[0].profile.rotctld.lockedTo, "");
 }
 
@@ -271,40 +271,40 @@ TEST_F(ClientsPanelTest, ShowsWhoMayConnect)
     EXPECT_EQ(text("Who may connect").toStdString(), "Any program on this computer may connect (127.0.0.1:4533)");
 }
 
-class LeadPromptTest : public WindowFixture
+class ControlPromptTest : public WindowFixture
 {
 protected:
-    LeadPromptTest() { give(samples::update(samples::fighting())); }
-    LeadPrompt& prompt() { return *window.findChild<LeadPrompt*>(); }
+    ControlPromptTest() { give(samples::update(samples::fighting())); }
+    ControlPrompt& prompt() { return *window.findChild<ControlPrompt*>(); }
     void click(const char* name) { QTest::mouseClick(findNamed<QPushButton>(prompt(), name), Qt::LeftButton); }
 };
 
-// REQ-UI-25 (LeadPromptTest.*)
-TEST_F(LeadPromptTest, AsksOverThePlotWhateverPanelIsOpen)
+// REQ-UI-25 (ControlPromptTest.*)
+TEST_F(ControlPromptTest, AsksOverThePlotWhateverPanelIsOpen)
 {
     EXPECT_TRUE(prompt().isVisible());
     EXPECT_EQ(text("A client asks for control").toStdString(), "192.168.100.109 asks for control");
     EXPECT_FALSE(named<ValueLabel>("A client asks for control")->isElided());
     click("Allow control");
-    ASSERT_EQ(asked<request::GiveLead>().size(), 1U);
-    EXPECT_EQ(asked<request::GiveLead>()[0].clientId, 2U);
+    ASSERT_EQ(asked<request::GiveControl>().size(), 1U);
+    EXPECT_EQ(asked<request::GiveControl>()[0].clientId, 2U);
     give(samples::update(samples::idle()));
     EXPECT_FALSE(prompt().isVisible()) << "nobody wants to any more";
 }
 
-TEST_F(LeadPromptTest, WhoIsIgnoredIsNotAskedAboutAgain)
+TEST_F(ControlPromptTest, WhoIsIgnoredIsNotAskedAboutAgain)
 {
     click("Ignore");
     give(samples::update(samples::fighting()));
     EXPECT_FALSE(prompt().isVisible());
-    EXPECT_TRUE(asked<request::GiveLead>().empty());
+    EXPECT_TRUE(asked<request::GiveControl>().empty());
     StationStatus another = samples::fighting();
     another.clients[1].id = 7;  // its program has reconnected
     give(samples::update(another));
     EXPECT_TRUE(prompt().isVisible());
 }
 
-TEST_F(LeadPromptTest, AsksAboutOneUntilThatIsAnswered)
+TEST_F(ControlPromptTest, AsksAboutOneUntilThatIsAnswered)
 {
     StationStatus two = samples::fighting();
     two.clients[0].wanting = true;  // an earlier client wants it, too
@@ -312,8 +312,8 @@ TEST_F(LeadPromptTest, AsksAboutOneUntilThatIsAnswered)
     give(samples::update(two));
     EXPECT_EQ(text("A client asks for control").toStdString(), "192.168.100.109:50112 asks for control");
     click("Allow control");
-    ASSERT_EQ(asked<request::GiveLead>().size(), 1U);
-    EXPECT_EQ(asked<request::GiveLead>()[0].clientId, 2U);
+    ASSERT_EQ(asked<request::GiveControl>().size(), 1U);
+    EXPECT_EQ(asked<request::GiveControl>()[0].clientId, 2U);
 }
 
 }  // namespace

@@ -73,10 +73,10 @@ TEST_F(HandBackTest, TheHeaderNamesWhoHasTheControlAndHowManyWait)
     StationStatus status = samples::withClients(samples::tracking(1), 3);
     status.authority = Authority::Clients;
     for (ClientStatus& client : status.clients) {
-        client.leading = false;
+        client.inControl = false;
         client.wanting = false;
     }
-    status.clients[0].leading = true;
+    status.clients[0].inControl = true;
     status.clients[0].program = QStringLiteral("A program with a longer name");
     status.clients[2].wanting = true;
     give(samples::update(status));

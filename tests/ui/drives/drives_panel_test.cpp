@@ -93,10 +93,10 @@ TEST_F(DrivesTest, ABoardThatTheProfileDoesNotKnowIsListed)
 {
     EXPECT_EQ(text("Unknown boards on the bus"), QString());
     StationStatus status = samples::idle();
-    status.drives->strangers = {{.id = 5,
-                                 .identity = {.uuid = QStringLiteral("3f2a9c1d-77b0-4e0c-9a52-5b1d20c4e811"),
-                                              .firmware = QStringLiteral("1.1.0"),
-                                              .registerMap = 5}}};
+    status.drives->unknownBoards = {{.id = 5,
+                                     .identity = {.uuid = QStringLiteral("3f2a9c1d-77b0-4e0c-9a52-5b1d20c4e811"),
+                                                  .firmware = QStringLiteral("1.1.0"),
+                                                  .registerMap = 5}}};
     open<DrivesPanel>();
     give(samples::update(status));
     EXPECT_EQ(text("Unknown boards on the bus"),
@@ -122,7 +122,7 @@ TEST_F(DrivesTest, TheBusCanBeReleasedWhileTheDrivesAreRead)
     give(samples::update(samples::reading()));
     EXPECT_TRUE(named<CommandButton>("Release bus")->isEnabled());
     StationStatus fixing = samples::reading();
-    fixing.drives->survey = SurveyState::Fixing;
+    fixing.drives->driveCheck = DriveCheckState::Fixing;
     fixing.permissions.refuse(Action::ReleaseBus, QStringLiteral("the drives' settings are being written"));
     give(samples::update(fixing));
     expectBlocked("Release bus", "settings are being written");

@@ -21,7 +21,7 @@ protected:
     GuideBoardsTest()
     {
         status.state = StationState::Disconnected;
-        status.drives->survey = SurveyState::NotDone;
+        status.drives->driveCheck = DriveCheckState::NotDone;
         status.drives->armingObstacle = QStringLiteral("two boards have the id 1");
     }
     void showBoards(std::vector<BoardOnBus> boards)

@@ -47,7 +47,7 @@ TEST_P(GuidePictures, AreTakenOfBoardsFromTheFactory)
 {
     StationStatus status = samples::freshMount();
     status.state = StationState::Disconnected;
-    status.drives->survey = SurveyState::NotDone;
+    status.drives->driveCheck = DriveCheckState::NotDone;
     status.drives->armingObstacle = QStringLiteral("two boards have the id 1, so their answers collide");
     status.drives->boards = {{.id = 1, .uuid = {}, .shared = true}};
     for (const Axis axis : kAxes) {

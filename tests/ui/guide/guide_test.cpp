@@ -130,10 +130,10 @@ TEST_F(GuideTest, AStepNeedsYouWhileSomethingIsWrong)
 TEST_F(GuideTest, AMountThatDoesNotAnswerNeedsYouAndOneThatIsReadDoesNot)
 {
     status.state = StationState::Disconnected;
-    status.drives->survey = SurveyState::Running;
+    status.drives->driveCheck = DriveCheckState::Running;
     give(samples::update(status));
     EXPECT_EQ(stepButton(GuideStep::Connect).state(), StepState::Open);
-    status.drives->survey = SurveyState::NotDone;
+    status.drives->driveCheck = DriveCheckState::NotDone;
     status.drives->armingObstacle = QStringLiteral("no drive answers on the bus");
     give(samples::update(status));
     EXPECT_EQ(stepButton(GuideStep::Connect).state(), StepState::NeedsYou);

@@ -137,7 +137,7 @@ protected:
     bool fit()
     {
         const StationStatus now = station->status();
-        return now.state != StationState::Disconnected && now.drives->survey == SurveyState::Done &&
+        return now.state != StationState::Disconnected && now.drives->driveCheck == DriveCheckState::Done &&
                now.drives->armingObstacle.isEmpty() && now.azimuth.turnKnown && now.elevation.turnKnown;
     }
 
@@ -192,7 +192,7 @@ TEST_F(GuideWalk, FromTheFirstStartToTheFirstSafeMove)
     ASSERT_TRUE(until(
         [this] {
             return station->status().profile->elevation.geometry.offset != 90_deg &&
-                   station->status().drives->survey == SurveyState::Done;
+                   station->status().drives->driveCheck == DriveCheckState::Done;
         },
         Seconds(20.0)));
     EXPECT_LT(farthest.elevation, 0.1_deg) << "nothing moved";
@@ -251,7 +251,7 @@ TEST_F(GuideWalk, TwoBoardsWithOneIdAreResolvedByKeys)
     EXPECT_TRUE(inGuide<ValueLabel>("What to do with the boards").text().contains(QStringLiteral("Connect the other")));
 
     link->pair().setFitted(Axis::Azimuth, true);
-    ASSERT_TRUE(until([&] { return station->status().drives->survey == SurveyState::Done; }, Seconds(20.0)));
+    ASSERT_TRUE(until([&] { return station->status().drives->driveCheck == DriveCheckState::Done; }, Seconds(20.0)));
     run(Seconds(0.2));
     EXPECT_EQ(stepButtonOf(window, GuideStep::Connect).state(), StepState::Done);
     EXPECT_EQ(link->pair().drive(Axis::Azimuth).driveConfig().id, 1);

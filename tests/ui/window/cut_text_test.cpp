@@ -3,7 +3,7 @@
 #include "tests/ui/sample_calibration.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/clients/client_model.h"
-#include "ui/clients/lead_prompt.h"
+#include "ui/clients/control_prompt.h"
 #include "ui/kit/asking_panel.h"
 #include "ui/kit/language.h"
 #include "ui/north/calibration_bar.h"
@@ -104,7 +104,7 @@ TEST_P(CutTextTest, AClientThatWantsToDriveIsNamedWhole)
     for (const char* const address : {"192.168.100.100:51999", "127.0.0.1:51235"}) {
         status.clients.at(1).address = QLatin1String(address);
         give(samples::update(status));
-        expectWhole(*window.findChild<LeadPrompt*>());
+        expectWhole(*window.findChild<ControlPrompt*>());
     }
 }
 

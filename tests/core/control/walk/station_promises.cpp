@@ -99,7 +99,7 @@ void StationPromises::asked(const Request& request, const Source& source, bool a
     if (!accepted) {
         return;
     }
-    watchLead(request, source);
+    watchControl(request, source);
     if (std::holds_alternative<request::ResetStop>(request)) {
         m_stopped = false;
     } else if (std::holds_alternative<request::Rearm>(request)) {
@@ -118,9 +118,9 @@ void StationPromises::asked(const Request& request, const Source& source, bool a
 }
 
 // Only one client moves the mount, and no client that is read-only.
-void StationPromises::watchLead(const Request& request, const Source& source)
+void StationPromises::watchControl(const Request& request, const Source& source)
 {
-    if (const auto* const given = std::get_if<request::GiveLead>(&request)) {
+    if (const auto* const given = std::get_if<request::GiveControl>(&request)) {
         m_readOnly.at(given->clientId) = false;
         m_lead =
             Permit{.source = {.kind = SourceKind::Client, .clientId = given->clientId}, .given = m_rig.clock.now()};
@@ -131,16 +131,16 @@ void StationPromises::watchLead(const Request& request, const Source& source)
         }
     } else if (source.kind == SourceKind::Client && asksForMotion(request)) {
         const bool led = m_lead && m_lead->source.clientId != source.clientId &&
-                         m_rig.clock.now() - m_lead->given < ClientLead::kRelease;
-        if ((led && m_rig.profile.rotctld.lead == profile::Lead::First) || m_readOnly.at(source.clientId)) {
+                         m_rig.clock.now() - m_lead->given < ClientControl::kRelease;
+        if ((led && m_rig.profile.rotctld.control == profile::ControlRule::First) || m_readOnly.at(source.clientId)) {
             fail("a client's motion was accepted though another leads or it is read-only");
         }
         m_lead = Permit{.source = source, .given = m_rig.clock.now()};
     }
-    const bool ended =
-        m_permit && m_permit->source.kind == SourceKind::Client &&
-        ((std::holds_alternative<request::GiveLead>(request) && m_permit->source.clientId != m_lead->source.clientId) ||
-         m_readOnly.at(m_permit->source.clientId));
+    const bool ended = m_permit && m_permit->source.kind == SourceKind::Client &&
+                       ((std::holds_alternative<request::GiveControl>(request) &&
+                         m_permit->source.clientId != m_lead->source.clientId) ||
+                        m_readOnly.at(m_permit->source.clientId));
     if (ended) {
         end();
     }

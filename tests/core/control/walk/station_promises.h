@@ -18,7 +18,7 @@ class StationPromises
 public:
     explicit StationPromises(const StationRig& rig) : m_rig(rig), m_before(rig.control.status()) {}
 
-    void fitness(bool fit) { m_fit = fit; }  // the result of the drive check
+    void interlock(bool fit) { m_fit = fit; }  // the result of the drive check
     void asked(const Request& request, const Source& source, bool accepted, const StationStatus& before);
     void sourceGone(const Source& source);
     // The test has changed the position of the axis or the count of its drive. A drive under command comes back at
@@ -54,7 +54,7 @@ private:
     };
 
     void fail(const std::string& what);
-    void watchLead(const Request& request, const Source& source);
+    void watchControl(const Request& request, const Source& source);
     void askedForMotion(const Request& request, const Source& source, const StationStatus& before);
     void end() { m_permit.reset(); }
     void watchLatches(const StationStatus& now);

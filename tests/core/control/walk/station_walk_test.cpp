@@ -28,7 +28,7 @@ profile::Profile unattended()
                         .supply = profile::Retry::Interval,
                         .bus = profile::Retry::Interval,
                         .interval = Seconds(2.0)};
-    profile.rotctld.lead = profile::Lead::Last;
+    profile.rotctld.control = profile::ControlRule::Last;
     return profile;
 }
 
@@ -163,7 +163,7 @@ private:
                 return come(gone);
             }
             case 11:
-                return ask(request::GiveLead{.clientId = anyClient()}, anybody());
+                return ask(request::GiveControl{.clientId = anyClient()}, anybody());
             case 12:
                 return ask(request::SetReadOnly{.clientId = anyClient(), .readOnly = m_random() % 4 == 0}, kOperator);
             default:
@@ -198,8 +198,8 @@ private:
             case 6:
                 return m_rig.learn(axis, m_facts[index(axis)]);
             default:
-                m_rig.mount.setFitness({});
-                return m_promises.fitness(true);
+                m_rig.mount.setInterlock({});
+                return m_promises.interlock(true);
         }
     }
 
@@ -211,8 +211,8 @@ private:
             drive(axis).temperature = 31.0;
             m_rig.learn(axis, m_facts[index(axis)]);
         }
-        m_rig.mount.setFitness({});
-        m_promises.fitness(true);
+        m_rig.mount.setInterlock({});
+        m_promises.interlock(true);
         ask(request::TakeBus{}, kOperator);
         wait();
         ask(request::ResetStop{}, kOperator);
@@ -277,8 +277,8 @@ private:
                 drive(axis).temperature = number(20.0, 90.0);
                 break;
             case 10:
-                m_rig.mount.setFitness(failure(ErrorCode::Refused, QStringLiteral("not as it should be")));
-                m_promises.fitness(false);
+                m_rig.mount.setInterlock(failure(ErrorCode::Refused, QStringLiteral("not as it should be")));
+                m_promises.interlock(false);
                 break;
             case 11:
                 m_rig.mount.learn(axis, std::nullopt);
@@ -356,7 +356,7 @@ private:
     std::minstd_rand m_random;
     StationRig m_rig;
     StationPromises m_promises;
-    std::array<survey::DriveFacts, 2> m_facts{m_rig.factsOf(Axis::Azimuth), m_rig.factsOf(Axis::Elevation)};
+    std::array<drive_check::DriveFacts, 2> m_facts{m_rig.factsOf(Axis::Azimuth), m_rig.factsOf(Axis::Elevation)};
 };
 
 class StationWalk : public testing::TestWithParam<unsigned>

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/drive_check/protections.h"
+
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+// The protections of one drive: the wanted values, the values that were read, and the verdicts. Pure.
+namespace boresight::drive_check {
+
+class ReadProtections
+{
+public:
+    explicit ReadProtections(std::vector<Protection> wanted);
+
+    // The keys are the same for every profile. Only the wanted values change.
+    void want(std::vector<Protection> wanted);
+    // One reading for each key, in the same order.
+    void take(std::vector<Reading> readings);
+    void forget();
+
+    [[nodiscard]] const std::vector<Protection>& wanted() const { return m_wanted; }
+    [[nodiscard]] const std::vector<Reading>& readings() const { return m_readings; }
+    [[nodiscard]] std::span<const ProtectionLine> lines() const { return m_lines; }
+    [[nodiscard]] bool isAnyFixable() const;
+    [[nodiscard]] std::optional<double> value(std::string_view key) const;
+
+private:
+    void judge();
+
+    std::vector<Protection> m_wanted;
+    std::vector<Reading> m_readings;
+    std::vector<ProtectionLine> m_lines;
+};
+
+}  // namespace boresight::drive_check
