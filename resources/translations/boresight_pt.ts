@@ -229,10 +229,6 @@
         <translation>%1 s</translation>
     </message>
     <message>
-        <source>not set, 1 s = %1</source>
-        <translation>não acertado, 1 s = %1</translation>
-    </message>
-    <message>
         <source>not set</source>
         <translation>não acertado</translation>
     </message>
@@ -259,6 +255,49 @@
     <message>
         <source>A time source sets the clock of the station. It reports an error of %1.</source>
         <translation>Uma fonte de tempo acerta o relógio da estação. Indica um erro de %1.</translation>
+    </message>
+    <message>
+        <source>1 s = %1</source>
+        <translation>1 s = %1</translation>
+    </message>
+</context>
+<context>
+    <name>DriveCheckWords</name>
+    <message>
+        <source>The bus is released to other tools</source>
+        <translation>O barramento está entregue a outras ferramentas</translation>
+    </message>
+    <message>
+        <source>reading the drives</source>
+        <translation>lendo os acionamentos</translation>
+    </message>
+    <message>
+        <source>writing the drives</source>
+        <translation>escrevendo nos acionamentos</translation>
+    </message>
+    <message>
+        <source>The drives have been read</source>
+        <translation>Os acionamentos foram lidos</translation>
+    </message>
+    <message>
+        <source>The drives have not been read</source>
+        <translation>Os acionamentos não foram lidos</translation>
+    </message>
+    <message>
+        <source>Nothing may move: %1</source>
+        <translation>Nada pode mover-se: %1</translation>
+    </message>
+    <message>
+        <source>Nothing moves until you take it back. Then Boresight reads the drives again</source>
+        <translation>Nada se move até ele ser retomado; então os acionamentos são lidos de novo</translation>
+    </message>
+    <message>
+        <source>Ready to move, drives switched on</source>
+        <translation>Pronto a mover, acionamentos ligados</translation>
+    </message>
+    <message>
+        <source>Ready to move, drives switched off</source>
+        <translation>Pronto a mover, acionamentos desligados</translation>
     </message>
 </context>
 <context>
@@ -1032,45 +1071,6 @@ até %1</translation>
     <message>
         <source>%1 %2%3, range %4%3</source>
         <translation>%1 %2%3, intervalo %4%3</translation>
-    </message>
-</context>
-<context>
-    <name>DriveCheckWords</name>
-    <message>
-        <source>The bus is released to other tools</source>
-        <translation>O barramento está entregue a outras ferramentas</translation>
-    </message>
-    <message>
-        <source>reading the drives</source>
-        <translation>lendo os acionamentos</translation>
-    </message>
-    <message>
-        <source>writing the drives</source>
-        <translation>escrevendo nos acionamentos</translation>
-    </message>
-    <message>
-        <source>The drives have been read</source>
-        <translation>Os acionamentos foram lidos</translation>
-    </message>
-    <message>
-        <source>The drives have not been read</source>
-        <translation>Os acionamentos não foram lidos</translation>
-    </message>
-    <message>
-        <source>Nothing may move: %1</source>
-        <translation>Nada pode mover-se: %1</translation>
-    </message>
-    <message>
-        <source>Nothing moves until you take it back. Then Boresight reads the drives again</source>
-        <translation>Nada se move até ele ser retomado; então os acionamentos são lidos de novo</translation>
-    </message>
-    <message>
-        <source>Ready to move, drives switched on</source>
-        <translation>Pronto a mover, acionamentos ligados</translation>
-    </message>
-    <message>
-        <source>Ready to move, drives switched off</source>
-        <translation>Pronto a mover, acionamentos desligados</translation>
     </message>
 </context>
 <context>
@@ -11460,6 +11460,33 @@ velocidade %1</translation>
     </message>
 </context>
 <context>
+    <name>boresight::ui::ControlPrompt</name>
+    <message>
+        <source>%1 asks for control</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A client asks for control</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Allow control</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This client moves the mount from now on (panel Clients, Ctrl+4)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ignore</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Boresight does not ask again while this client stays connected</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>boresight::ui::DeviationPlot</name>
     <message>
         <source>%1 samples, first harmonic %2, second %3, scatter %4</source>
@@ -13790,33 +13817,6 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
     <message>
         <source>Store the landmark as a point</source>
         <translation>Guardar a referência como ponto</translation>
-    </message>
-</context>
-<context>
-    <name>boresight::ui::LeadPrompt</name>
-    <message>
-        <source>This client moves the mount from now on (panel Clients, Ctrl+4)</source>
-        <translation>Este cliente passa a mover a montagem (painel Clientes, Ctrl+4)</translation>
-    </message>
-    <message>
-        <source>Ignore</source>
-        <translation>Ignorar</translation>
-    </message>
-    <message>
-        <source>%1 asks for control</source>
-        <translation>%1 quer mover</translation>
-    </message>
-    <message>
-        <source>A client asks for control</source>
-        <translation>Um cliente quer mover</translation>
-    </message>
-    <message>
-        <source>Boresight does not ask again while this client stays connected</source>
-        <translation>Não se pergunta de novo enquanto ele estiver conectado</translation>
-    </message>
-    <message>
-        <source>Allow control</source>
-        <translation>Permitir controlo</translation>
     </message>
 </context>
 <context>

@@ -49,7 +49,7 @@ QString clockErrorText(const StationStatus& status)
 {
     const auto rate = trackedRate(status);
     if (!status.clock.synchronised) {
-        return rate ? ClockWords::tr("not set, 1 s = %1").arg(shiftText(*rate, kSecond)) : ClockWords::tr("not set");
+        return rate ? ClockWords::tr("1 s = %1").arg(shiftText(*rate, kSecond)) : ClockWords::tr("not set");
     }
     if (!status.clock.error) {
         return {};
@@ -61,7 +61,7 @@ QString clockErrorText(const StationStatus& status)
 
 QString widestClockErrorText()
 {
-    return ClockWords::tr("not set, 1 s = %1").arg(shiftText(1_deg_s, kSecond));
+    return ClockWords::tr("±%1 = %2").arg(errorText(900.0 * kMillisecond), shiftText(1_deg_s, kSecond));
 }
 
 QString clockHelp(const StationStatus& status)

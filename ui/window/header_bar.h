@@ -8,7 +8,8 @@
 class QToolButton;
 
 // The top row, visible with every panel: the state in a word with its reason, the target and its source, the links,
-// UTC, the SIMULATED tag, STOP. Shows the status and decides nothing.
+// UTC, the SIMULATED tag, STOP. Shows the status and decides nothing. It has more than 15 members: a label for each
+// fact.
 namespace boresight::ui {
 
 class StopButton;

@@ -136,7 +136,7 @@ TEST_F(JournalFileTest, ASecondProgramIsKeptOutAndToldByWhom)
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().code, ErrorCode::Busy);
     EXPECT_THAT(textOf(refused.error()),
-                StartsWith("memory_file_test (process " + std::to_string(getpid()) + ") already controls this mount"));
+                StartsWith("journal_file_test (process " + std::to_string(getpid()) + ") already controls this mount"));
     EXPECT_TRUE(JournalFile(m_dir.path(), QStringLiteral("other")).claim()) << "another mount";
 }
 

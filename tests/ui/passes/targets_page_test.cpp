@@ -108,8 +108,8 @@ TEST_F(TargetsPageTest, SaysByWhichRefractionATargetRisesAndSets)
     const Site site{38.757_deg, -9.117_deg, 80.0};
     StationStatus status = atSite();
     targets::TargetPath path(moon, site);
+    status.utc = path.nextUp(status.utc).value().sets.value() - std::chrono::hours(1);
     const UtcTime sets = path.nextUp(status.utc).value().sets.value();
-    status.utc = sets - std::chrono::hours(1);
     show(status);
     EXPECT_EQ(cell(kMoon, TargetTable::Refraction), QStringLiteral("optical"));
     EXPECT_EQ(cell(13, TargetTable::Refraction), QStringLiteral("radio")) << cell(13, TargetTable::Name).toStdString();
