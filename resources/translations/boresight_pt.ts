@@ -11463,27 +11463,27 @@ velocidade %1</translation>
     <name>boresight::ui::ControlPrompt</name>
     <message>
         <source>%1 asks for control</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 quer mover</translation>
     </message>
     <message>
         <source>A client asks for control</source>
-        <translation type="unfinished"></translation>
+        <translation>Um cliente quer mover</translation>
     </message>
     <message>
         <source>Allow control</source>
-        <translation type="unfinished"></translation>
+        <translation>Permitir controlo</translation>
     </message>
     <message>
         <source>This client moves the mount from now on (panel Clients, Ctrl+4)</source>
-        <translation type="unfinished"></translation>
+        <translation>Este cliente passa a mover a montagem (painel Clientes, Ctrl+4)</translation>
     </message>
     <message>
         <source>Ignore</source>
-        <translation type="unfinished"></translation>
+        <translation>Ignorar</translation>
     </message>
     <message>
         <source>Boresight does not ask again while this client stays connected</source>
-        <translation type="unfinished"></translation>
+        <translation>Não se pergunta de novo enquanto ele estiver conectado</translation>
     </message>
 </context>
 <context>
