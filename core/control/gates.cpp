@@ -12,7 +12,7 @@
 
 namespace boresight {
 
-// What stands in the way of parking, too, is named before the wind.
+// The obstacles that also concern parking are named before the wind.
 Result<> Gates::isWindFine() const
 {
     return m_of.arming.isReady().and_then([this] { return m_of.wind.admits(); });
@@ -124,8 +124,8 @@ Result<> Gates::insideTravel() const
     return {};
 }
 
-// Somebody must watch the cable of an axis whose turn is not known, or that stands where it should never be. So only
-// the operator jogs it, and slowly.
+// Somebody must watch the cable of an axis whose wrap is unknown, or that is far outside its travel. So only the
+// operator may jog it, and slowly.
 Result<> Gates::mayJog(const AxisRates& rates, const Source& source) const
 {
     return mayMove(source).and_then([&]() -> Result<> {
@@ -162,8 +162,8 @@ Result<> Gates::mayJogSlowly(const AxisRates& rates) const
     return {};
 }
 
-// Where somebody must watch, no faster than that, and no farther than a hand can correct while it is not confirmed
-// which way the axes turn.
+// Slow where somebody must watch the cable. Before the directions of the axes are confirmed, slow enough for the
+// operator to react.
 AngularRate Gates::fastestJog() const
 {
     const profile::JogSettings& jog = m_of.profile.jog;
@@ -222,8 +222,8 @@ AxisPosition Gates::home() const
     return {.azimuth = ranges.azimuth.clamped(0_deg), .elevation = ranges.elevation.clamped(0_deg)};
 }
 
-// A rotator of steps does not reach a place between its last step and the end of the profile's limits: it parks at that
-// step. A place outside the limits stays what it is, and is refused.
+// A rotator with steps cannot reach a place between its last step and the end of the profile's limits. It parks at
+// that step. A place outside the limits stays unchanged, and is refused.
 AxisPosition Gates::park() const
 {
     const bool isStowed = m_of.wind.forbids() && m_of.profile.wind.stowAt == profile::StowAt::Place;
@@ -273,7 +273,7 @@ Result<> Gates::maySet(Axis axis) const
         .and_then([this] { return axesStand(); });
 }
 
-// Somebody may turn an axis by hand, or it coasts behind its set-point.
+// Somebody may turn an axis by hand, or an axis may still coast towards its set-point.
 Result<> Gates::axesStand() const
 {
     const auto turns = [this](Axis axis) { return m_of.standstill.moves(axis); };
@@ -411,7 +411,7 @@ bool Gates::isInSunBand(const AxisPosition& place) const
     return m_of.mount.wrapsKnown() && m_of.sun.mayBeAt(m_of.model.toSky(place), m_of.model.missing());
 }
 
-// Nobody knows where in the band the Sun is, so that no way out of it is known to be a safe one.
+// Nobody knows where in the band the Sun is. So no way out of the band is known to be safe.
 Result<> Gates::mayLeaveSunBand(const AxisRates& rates, const Source& source) const
 {
     const AngularRate fastest = m_of.profile.jog.unwind;
@@ -442,7 +442,7 @@ Result<> Gates::mayGiveControl() const
     }
     for (const Axis axis : kAxes) {
         if (m_of.mount.report(axis).wrapAsked) {
-            return isPlaced(axis);  // clients could do nothing with it, and the operator has to answer first
+            return isPlaced(axis);  // the operator has to answer first, and clients could not move the mount
         }
     }
     return {};

@@ -8,11 +8,11 @@
 #include <chrono>
 #include <cstdint>
 
-// May it move now, whatever moves it? Each gate gives the reason in words. Reads the parts of the control and changes
-// nothing. Station thread only.
+// Whether the mount may move now, for every source of motion. Each gate returns the reason of a refusal in words.
+// Reads the parts of the control and changes nothing. Station thread only.
 namespace boresight {
 
-// A measured position older than this is no evidence.
+// A measured position older than this does not count.
 inline constexpr std::chrono::seconds kOldestPosition{1};
 
 class Gates

@@ -7,8 +7,8 @@
 
 #include <QString>
 
-// Logs what holds a motion: a limit that a jog or run reaches, or the way that a stream does not have. Each once: the
-// reason for a missing way names where the target is, and that moves on. Station thread only.
+// Logs what holds a motion: a limit that a jog or run reaches, or a stream that has no way to its target. A missing
+// way is logged only once, because its reason names the place of the target, which changes. Station thread only.
 namespace boresight {
 
 class HeldLog
@@ -21,7 +21,7 @@ public:
 
 private:
     SourceLog& m_log;
-    QString m_at;  // of the last line
+    QString m_at;  // the reason of the last tick
 };
 
 }  // namespace boresight

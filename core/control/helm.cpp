@@ -49,7 +49,7 @@ Result<AxisPosition> Helm::aimOf(const SkyPointing& direction) const
 
 Result<AxisPosition> Helm::placeAlong(Axis axis, Angle angle, const AxisPosition& from) const
 {
-    constexpr int kRounds = 3;  // on a mast that leans one angle of the beam depends on both axes
+    constexpr int kRounds = 3;  // with a skewed mast one beam angle depends on both axes, so repeat
     constexpr Angle kHalfTurn = Angle::fromDegrees(180.0);
     AxisPosition place = from;
     for (int i = 0; i < kRounds; ++i) {
@@ -84,7 +84,7 @@ Result<> Helm::mayAim(const SkyPointing& direction) const
     return aimOf(direction).and_then([this](const AxisPosition& place) { return mayGoTo(turnWithAWay(place)); });
 }
 
-// In brief: the direction stands beside it.
+// A short text, because the direction is shown beside it.
 QString Helm::obstacleAt(const SkyPointing& direction) const
 {
     const auto place = aimOf(direction);
@@ -107,7 +107,7 @@ DirectionVerdict Helm::judge(const SkyPointing& direction) const
     }
     const QString obstacle = obstacleAt(direction);
     if (obstacle.isEmpty()) {
-        return {.whyNot = may.error().text};  // it is permitted itself, and no way leads there
+        return {.whyNot = may.error().text};  // the direction itself is permitted, but no way leads to it
     }
     return {.whyNot = obstacle, .nearest = nearestTo(direction)};
 }
@@ -123,7 +123,7 @@ Result<> Helm::goTo(const AxisPosition& place, Activity activity, const Source& 
     });
 }
 
-// From where the axes stand: they are taken over soon.
+// The calculation begins where the axes stand, because Boresight will take them over from there.
 QString Helm::arrivalText(const AxisPosition& place) const
 {
     Motion ahead = m_of.motion;
@@ -144,7 +144,7 @@ Result<> Helm::goToAnyTurn(const AxisPosition& place, Activity activity, const S
     return goTo(other, activity, by, what).map([&] { beginTurnBack(back); });
 }
 
-// Of the turns of a direction the one nearest to where it is sought that can be reached; if none can, the place itself.
+// The nearest wrap of this place that the axes can reach. If they can reach none, the place itself.
 AxisPosition Helm::turnWithAWay(const AxisPosition& place) const
 {
     const TravelRange& range = m_of.motion.region().ranges().azimuth;
@@ -193,7 +193,7 @@ Result<AxisPosition> Helm::lead(const Lead& lead, const Source& by, const QStrin
         if (limited) {
             m_of.current.limit(here.limited ? here.reason : m_of.motion.region().reason(here.position), lead.now);
         }
-        // At an end of the travel the next place is on another turn.
+        // At an end of the travel the next place can be on another wrap. Then the difference is no rate.
         const auto rate = [&](Angle from, Angle to) {
             return abs(to - from) < 90_deg ? (to - from) / lead.apart : AngularRate{};
         };
@@ -208,7 +208,8 @@ Result<AxisPosition> Helm::lead(const Lead& lead, const Source& by, const QStrin
 Result<> Helm::follow(pointing::Resolved resolved, const SkyPointing& asked, const Source& by, const QString& what)
 {
     if (const QString why = m_of.motion.region().reason(resolved.position); !resolved.limited && !why.isEmpty()) {
-        resolved.limited = true;  // Motion finds the nearest permitted place, and goes on when the stream comes out
+        resolved.limited =
+            true;  // Motion finds the nearest permitted place, and continues when the stream is permitted again
         resolved.reason = why;
     }
     if (resolved.limited && view().profile.rotctld.outsideLimits == profile::OutsideLimits::Refuse) {
@@ -224,7 +225,7 @@ Result<> Helm::follow(pointing::Resolved resolved, const SkyPointing& asked, con
           what.isEmpty() ? QStringLiteral("P ") + placeText({asked.azimuth, asked.elevation}) : what);
     beginTurnBack(back);
     if (newStream) {
-        m_of.motion.rest();  // the points of another client do not continue here
+        m_of.motion.rest();  // the stream of another client does not continue the earlier points
     }
     if (resolved.limited) {
         m_of.current.limit(resolved.reason, asked);
@@ -267,7 +268,7 @@ void Helm::keepWrap(const Source& by)
     m_of.log.insist(Severity::Advisory, by, Text::tr("chooses to hold at the cable end instead of unwrapping"));
 }
 
-// The log names it as a motion of its own: the mount leaves a target that it seemed to follow.
+// The log names the unwrapping as a motion of its own, because the mount leaves its target meanwhile.
 void Helm::beginTurnBack(const std::optional<CableGuard::TurnBack>& back)
 {
     if (back) {

@@ -15,14 +15,14 @@
 #include <optional>
 #include <utility>
 
-// The only door by which a source of motion changes what is wanted of the mount. Every way through it that starts a
-// motion passes the gates first, so no source can leave them out. Station thread only; mechanical angles.
+// Every source of motion goes through this class to move the mount. Each function that starts a motion passes the
+// gates first, so no source can omit them. Station thread only; mechanical angles.
 namespace boresight {
 
 class Helm
 {
 public:
-    // What a motion that starts or ends changes.
+    // The parts that a motion changes when it starts or ends.
     struct Parts
     {
         Motion& motion;

@@ -15,8 +15,8 @@
 #include <variant>
 #include <vector>
 
-// One source of motion: it takes its requests and asks the helm for a motion, at once or in a later tick. The helm
-// passes the gates, so a source contains none. Station thread only. All of them: core/sources.
+// A source of motion takes requests, and asks the helm for a motion at once or in a later tick. The helm passes the
+// gates, so a source contains none. Station thread only. All sources are in core/sources.
 namespace boresight {
 
 template <class... Wanted>
@@ -26,14 +26,15 @@ struct RequestList
     static constexpr bool has = (std::is_same_v<One, Wanted> || ...);
 };
 
-// The requests that the control hands to the sources. It answers all others itself, and the compiler finds one that
-// nobody takes.
+// The requests that the control passes to the sources. The control answers all other requests itself. A request that
+// nobody answers does not compile.
 using MotionRequests =
     RequestList<request::PointSky, request::PointAxes, request::PointAxis, request::Jog, request::Move, request::Step,
                 request::Follow, request::Track, request::Nudge, request::Horizon, request::Park, request::Home,
                 request::Unwind, request::Trial, request::FollowAzel, request::FollowPosition, request::FollowRotator>;
 
-// What reaches a source from outside: a look at azel.dat, a report of what flies, where another rotator points.
+// What a source receives from outside: the content of azel.dat, a position report of a vehicle, or the direction of
+// another rotator.
 using SourceReport = std::variant<azel::AzelReading, Result<position::PositionText>, RotatorReport>;
 
 class MotionSource
@@ -44,16 +45,16 @@ public:
     MotionSource(const MotionSource&) = delete;
     MotionSource& operator=(const MotionSource&) = delete;
 
-    // The answer to a request of this source. Empty: the request belongs to another one.
+    // The answer to a request for this source. Empty: the request is for another source.
     [[nodiscard]] virtual std::optional<Result<>> take(const Request& request, const Source& by) = 0;
-    // What it knows of its motion, for the screen.
+    // Adds to the status what the source knows of its motion.
     virtual void describe(StationStatus& /*status*/) const {}
     // Once in a tick, before the set-points move on.
     virtual void step(SteadyTime /*now*/) {}
-    // For this source or for another one. The error says why it is not believed.
+    // A report, which may be for another source. The error says why the report is not accepted.
     virtual Result<> receive(const SourceReport& /*report*/) { return {}; }
     virtual void profileChanged(const profile::Profile& /*before*/, const profile::Profile& /*after*/) {}
-    // This client is gone for good.
+    // This client has disconnected for good.
     virtual void gone(const Source& /*client*/) {}
     // This client has read the measured position.
     virtual void positionRead(std::uint64_t /*clientId*/) {}
@@ -68,7 +69,7 @@ private:
 using MotionSources = std::vector<std::unique_ptr<MotionSource>>;
 using MakeSources = std::function<MotionSources(Helm&)>;
 
-// A source that takes the requests of these types, each in its `Result<> ask(const Wanted&, const Source&)`.
+// A source that takes requests of these types, each with a function `Result<> ask(const Wanted&, const Source&)`.
 template <class Derived, class... Wanted>
 class SourceOf : public MotionSource
 {
@@ -86,7 +87,7 @@ public:
     }
 
 protected:
-    // Another source may take the same requests of other askers.
+    // False leaves this request to another source that takes the same type from other askers.
     [[nodiscard]] virtual bool serves(const Source& /*by*/) const { return true; }
 
 private:

@@ -13,7 +13,7 @@ Result<> MountDesk::ask(const request::ReadDrives&, const Source& by)
 Result<> MountDesk::ask(const request::FixDrives&, const Source& by)
 {
     return operatorOnly(by).and_then([this] { return gates().mayFixDrives(); }).map([&] {
-        m_helm.takeOver(by);  // else the next target of a client would switch them on in the middle of it
+        m_helm.takeOver(by);  // the next target of a client would switch the drives on during the change
     });
 }
 
@@ -31,7 +31,7 @@ Result<> MountDesk::ask(const request::SwitchOff& wanted, const Source& by)
 {
     const auto may = [&] { return wanted.axis ? gates().maySwitchOff(*wanted.axis) : gates().maySwitchOff(); };
     return operatorOnly(by).and_then(may).map([&] {
-        m_helm.takeOver(by);  // else the next target of a client would switch them on again
+        m_helm.takeOver(by);  // the next target of a client would switch the drives on again
         m_helm.hold(Activity::None);
         m_log.add(Severity::Warning, by.name, service().switchOff(wanted.axis));
     });
@@ -94,7 +94,7 @@ Result<> MountDesk::ask(const request::ReadGains& wanted, const Source& by)
     return operatorOnly(by).and_then([&] { return gates().mayTune(wanted.axis); });
 }
 
-// A client's next target would move the axis in the middle of it: the operator takes the control.
+// The next target of a client would move the axis during the change. So the operator takes the control.
 Result<> MountDesk::ask(const request::SetGain& wanted, const Source& by)
 {
     const bool off = wanted.gain == Gain::EncoderFilter;

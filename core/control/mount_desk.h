@@ -8,8 +8,8 @@
 #include "core/mount/mount_driver.h"
 #include "core/mount/mount_service.h"
 
-// Carries out what the operator does to the mount itself: its settings, its bus, its wraps, the crash-stop proof. Only
-// while the mount rests. Station thread only.
+// Carries out what the operator does to the mount itself: drive settings, bus, cable wraps, crash-stop test. Works
+// only while the mount stands still. Station thread only.
 namespace boresight {
 
 class MountDesk
@@ -17,7 +17,7 @@ class MountDesk
 public:
     MountDesk(MountDriver& mount, Helm& helm, EventLog& log) : m_mount(mount), m_helm(helm), m_log(log) {}
 
-    // Only whether it may be: the connection of the mount reads and writes.
+    // Only checks whether this is permitted. The connection of the mount reads and writes.
     Result<> ask(const request::ReadDrives& wanted, const Source& by);
     Result<> ask(const request::FixDrives& wanted, const Source& by);
     Result<> ask(const request::AssignBoard& wanted, const Source& by);
@@ -35,7 +35,7 @@ public:
 
 private:
     [[nodiscard]] Gates gates() const { return Gates(m_helm.view()); }
-    [[nodiscard]] MountService& service() { return *m_mount.service(); }  // where a gate has seen one
+    [[nodiscard]] MountService& service() { return *m_mount.service(); }  // call only after a gate has found one
 
     MountDriver& m_mount;
     Helm& m_helm;

@@ -7,10 +7,10 @@ namespace boresight {
 namespace {
 
 constexpr Seconds kShutDownPatience{5.0};
-// How long the last order of the program is repeated, so that a lost frame does not matter.
+// The last command is repeated for this long, so that a lost frame does not matter.
 constexpr std::chrono::milliseconds kLastOrder{150};
 
-// From full speed, with a second to spare.
+// The time to brake from full speed, plus 1 s.
 Seconds longestStop(const profile::Profile& profile)
 {
     const auto stop = [](const tracking::MotionLimits& limits) {

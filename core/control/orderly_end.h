@@ -4,16 +4,17 @@
 #include "core/base/clock.h"
 #include "core/profile/profile.h"
 
-// The end of the program: the mount slows down, the drives get their last order for a moment, then it is done. Pure,
-// one thread.
+// The end of the program: the mount brakes, then the drives receive their last command for a short time. Pure, one
+// thread.
 namespace boresight {
 
 class OrderlyEnd
 {
 public:
-    // True the first time.
+    // True for the first call only.
     [[nodiscard]] bool begin(const profile::Profile& profile, SteadyTime now);
-    // Once in a tick. True once when the drives are to be left: the mount is still, or took too long.
+    // Once in a tick. True in the one tick in which the drives are to be left: the mount stands still, or braking took
+    // too long.
     [[nodiscard]] bool leaves(bool still, SteadyTime now);
     [[nodiscard]] bool done() const { return m_phase == Phase::Done; }
 

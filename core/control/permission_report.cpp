@@ -43,7 +43,7 @@ Permissions PermissionReport::permissions() const
     return may;
 }
 
-// Whether there is a way to a place is looked for when the mount is sent there: that takes too long for each status.
+// Does not look for a way to a place, which takes too long for each status. That is done when the mount is sent there.
 void PermissionReport::judgePlaces(Permissions& may) const
 {
     const Gates gates(m_of);
@@ -100,7 +100,7 @@ void PermissionReport::judgeDrives(Permissions& may) const
     judge(may, Action::TakeBus, gates.mayTakeBus());
 }
 
-// The mount's connection adds what it knows of the gains themselves.
+// The connection of the mount adds what it knows of the gains.
 void PermissionReport::judgeGains(Permissions& may) const
 {
     const Gates gates(m_of);
@@ -115,7 +115,7 @@ void PermissionReport::judgeGains(Permissions& may) const
     }
 }
 
-// Who has the control, and what brings the mount back. The operator may take the control at any time.
+// Who has the control, and what rearms the mount. The operator may take the control at any time.
 void PermissionReport::judgeControl(Permissions& may) const
 {
     const Gates gates(m_of);

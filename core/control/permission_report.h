@@ -4,8 +4,8 @@
 #include "core/control/control_parts.h"
 #include "core/messages/permissions.h"
 
-// What the operator may ask of the control now: the answer of its gates to every action, without asking for it. Made
-// again from the parts each time that it is requested. Station thread only.
+// What the operator may ask of the control now: asks its gates about every action, without doing any of them. Computed
+// anew for each call. Station thread only.
 namespace boresight {
 
 class PermissionReport

@@ -12,10 +12,10 @@
 namespace boresight {
 namespace {
 
-// An axis that rests at a limit stands a little beyond it now and then.
+// An axis that rests at a limit is now and then a little beyond it.
 constexpr Angle kAtTheEdge = Angle::fromDegrees(0.5);
 
-// On the sky.
+// The distance on the sky.
 Angle distance(const AxisPosition& a, const AxisPosition& b)
 {
     const double across = (a.azimuth - b.azimuth).degrees() * std::cos(a.elevation.radians());
@@ -65,7 +65,8 @@ void RegionKeeper::step()
     watchPlace(known ? measured : std::nullopt);
 }
 
-// Of the beam that is nearest to it, in use or not: the Sun does not ask.
+// The distance of the Sun to the nearest beam. Beams that are not in use count as well, because the Sun can damage
+// them, too.
 std::optional<Angle> RegionKeeper::distanceToSun(const AxisPosition& measured) const
 {
     if (m_sun.keepOuts().empty()) {
@@ -89,7 +90,7 @@ void RegionKeeper::layOutLimits()
                      pointing::PointingModel(m_terms));
 }
 
-// Limits that were drawn over a mount that stands, or a mount that was found, or pushed, beyond them.
+// Reports a mount that stands outside the limits: the limits were changed, or the mount was found or pushed there.
 void RegionKeeper::watchPlace(const std::optional<AxisPosition>& measured)
 {
     const AlarmEntry& outside = alarmEntry("limits.outside");
@@ -103,8 +104,8 @@ void RegionKeeper::watchPlace(const std::optional<AxisPosition>& measured)
     }
 }
 
-// When the clock comes to be trusted, what was held back by the band stays where it is; when it comes to be doubted, a
-// motion that is inside the band ends there.
+// When the clock becomes trusted, a motion that the band held back ends where it is. When the clock becomes doubted, a
+// motion inside the band ends there.
 void RegionKeeper::renew(bool redrawn)
 {
     const Motion& motion = m_of.motion;
@@ -122,13 +123,14 @@ void RegionKeeper::renew(bool redrawn)
     }
 }
 
-// What is permitted, and what a place of the axes looks at: neither moves anything.
+// Updates the permitted region, and the conversion between axes and directions. Moves nothing.
 void RegionKeeper::enforce()
 {
     Motion& motion = m_of.motion;
     const CurrentMotion& current = m_of.helm.current();
     const SteadyTime now = m_of.helm.now();
-    // A client's target that nobody moves any more is a place as well, unless the nearest permitted one is held for it.
+    // A client's last point is a place as well when the client sends no more points, unless the mount holds at the
+    // nearest permitted place for it.
     const bool standing = current.is(Activity::Streaming) && !motion.streaming(now) && !motion.limited();
     m_of.model.setPointing(pointing::PointingModel(m_of.antenna.terms()));
     motion.setRegion(pointing::withSun(m_of.profile->limits, m_sun.keepOuts()), m_of.model.pointing());
@@ -137,7 +139,7 @@ void RegionKeeper::enforce()
     const auto target = motion.target(now);
     const bool going = current.goesToAPlace() || standing;
     if (const QString why = going && target ? motion.region().reason(*target) : QString(); !why.isEmpty()) {
-        end(why);  // else a mount that stands would set off by itself
+        end(why);  // otherwise a mount that stands would start by itself
     }
 }
 

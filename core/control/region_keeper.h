@@ -14,11 +14,11 @@
 
 #include <optional>
 
-// Keeps in force where the beam may be: the limits of the profile, and a keep-out around the Sun that is renewed as the
-// Sun moves. So everything that obeys the region obeys the keep-out. While the clock is doubted the keep-out is a band
-// across the sky, the places that the Sun can have. A motion that is not permitted any more ends. A mount that stands
-// while the Sun comes over it stays, and raises an alarm. So does one that stands where the limits forbid it. Station
-// thread only.
+// Keeps the permitted region of the beam up to date: the limits of the profile, and a keep-out around the Sun. The
+// keep-out is renewed as the Sun moves. Whatever obeys the region obeys the keep-out as well. While the clock is
+// doubted, the keep-out is a band across the sky, of all places that the Sun can have. A motion that is no longer
+// permitted ends. A mount that stands where the region forbids it, for example because the Sun moved there, stays and
+// raises an alarm. Station thread only.
 namespace boresight {
 
 class RegionKeeper
@@ -38,10 +38,10 @@ public:
 
     explicit RegionKeeper(const Parts& parts);
 
-    // The program begins with the region of the profile and the Sun of now.
+    // At the start of the program: the region of the profile, and the present position of the Sun.
     void begin();
     void profileChanged(const profile::Profile& before, const profile::Profile& after);
-    // Another antenna is in use, or its beam is another one.
+    // Another antenna is in use, or the beam of the antenna changed.
     void antennaChanged();
     // Once in a tick.
     void step();
@@ -57,8 +57,8 @@ private:
     void end(const QString& why);
 
     Parts m_of;
-    std::optional<pointing::PermittedRegion> m_limits;  // of the profile alone, without the Sun
-    pointing::PointingTerms m_terms;                    // of which it is laid out
+    std::optional<pointing::PermittedRegion> m_limits;  // of the profile, without the Sun
+    pointing::PointingTerms m_terms;                    // with which m_limits was made
     SunWatch m_sun;
     SunAlarms m_sunAlarms;
 };

@@ -6,14 +6,14 @@
 namespace boresight {
 namespace {
 
-// A look costs as much as many ticks.
+// One prediction costs as much as many ticks.
 constexpr std::chrono::milliseconds kBetweenLooks{500};
 // The way is planned again when the set-points are this far off the plan, or the end has moved this far.
 constexpr Angle kOffCourse = Angle::fromDegrees(0.8);
 constexpr Angle kAnotherEnd = Angle::fromDegrees(0.1);
-// A target that moves will be met elsewhere.
+// A moving target whose predicted meeting point differs by more than this is predicted again.
 constexpr Angle kMetElsewhere = Angle::fromDegrees(2.0) + Course::kMet;
-// A target that leaps by this is another slew.
+// A target that jumps by more than this begins another slew.
 constexpr Angle kAnotherTarget = Angle::fromDegrees(1.0);
 constexpr Angle kDrawnStep = Angle::fromDegrees(1.0);
 

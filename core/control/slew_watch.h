@@ -10,21 +10,21 @@
 #include <optional>
 #include <vector>
 
-// How a slew will go, and when it ends: looked up when it begins, and again when the motion leaves what was expected.
-// Decides nothing about motion. Station thread only; mechanical angles.
+// Predicts the way of a slew and its end. Computes them when the slew begins, and again when the motion differs from
+// the prediction. Decides nothing about motion. Station thread only; mechanical angles.
 namespace boresight {
 
 class SlewWatch
 {
 public:
-    // Once in a tick, after the set-points moved on. `slewing`: the mount is on its way to a target.
+    // Once in a tick, after the set-points were moved. `slewing`: the mount is on its way to a target.
     void update(bool slewing, const Motion& motion, SteadyTime now);
-    // What is permitted, or how fast the axes go, is another: the way is looked up again.
+    // The permitted region or the speed limits changed. The way is computed again.
     void lookAgain() { m_look.reset(); }
 
-    // Empty while the mount does not slew, and while nobody knows when it ends.
+    // Empty while the mount does not slew, and while the end of the slew is unknown.
     [[nodiscard]] std::optional<SlewProgress> progress(SteadyTime now) const;
-    // The way that is left, without where the set-points are; empty as above.
+    // The way that is left, without its first point, the set-points. Empty in the same cases as progress().
     [[nodiscard]] std::vector<AxisPosition> way(SteadyTime now) const;
 
 private:
@@ -33,10 +33,10 @@ private:
     struct Look
     {
         SteadyTime when{};
-        std::optional<Course> course;  // from then on; empty: it does not get there
+        std::optional<Course> course;  // from `when` on; empty: the slew does not reach the target
     };
 
-    std::optional<AxisPosition> m_target;  // as it was last; empty: no slew
+    std::optional<AxisPosition> m_target;  // of the last tick; empty: no slew
     SteadyTime m_began{};
     std::optional<Look> m_look;
 };

@@ -8,8 +8,8 @@
 
 #include <QString>
 
-// Writes the log lines of those who ask for motions. Clients can cause such lines at will, so theirs are throttled.
-// Station thread only.
+// Writes the log lines about sources that ask for motions. A client can cause any number of such lines, so lines about
+// clients are throttled. Station thread only.
 namespace boresight {
 
 class SourceLog
@@ -18,7 +18,7 @@ public:
     SourceLog(EventLog& log, const Clock& clock);
 
     void add(Severity severity, const Source& by, const QString& what, LogKind kind = LogKind::Event);
-    // Never left out.
+    // This line is never left out.
     void insist(Severity severity, const Source& by, const QString& what) { m_log.add(severity, by.name, what); }
 
 private:

@@ -6,7 +6,8 @@
 namespace boresight {
 namespace {
 
-// An axis stands while its angles stay together like this for so long. An encoder on the axis itself varies by less.
+// An axis stands still while its angles during this time differ by less than this. The noise of an encoder on the axis
+// is smaller.
 constexpr Angle kSpread = Angle::fromDegrees(0.1);
 constexpr std::chrono::seconds kSpreadTime{1};
 
@@ -16,7 +17,7 @@ void StandstillWatch::look(Axis axis, const AxisReport& report)
 {
     Places& places = m_places[index(axis)];
     if (!report.place || report.changesHands) {
-        places.clear();  // it may be given another number meanwhile
+        places.clear();  // the angle may be given another value meanwhile
         return;
     }
     if (places.empty() || report.placed > places.back().time) {

@@ -7,8 +7,9 @@
 #include <array>
 #include <deque>
 
-// Whether an axis moves, judged by the angles that it has reported over a short time. The rate that a drive reports is
-// no evidence near standstill: behind a low gear its noise alone is faster than a slow motion. Station thread only.
+// Whether an axis moves, judged by the angles that it reported during the last second. The rate that a drive reports
+// is no evidence near standstill: behind a low gear, its noise is larger than the rate of a slow motion. Station
+// thread only.
 namespace boresight {
 
 class StandstillWatch
@@ -16,9 +17,9 @@ class StandstillWatch
 public:
     // Once per tick.
     void look(Axis axis, const AxisReport& report);
-    // The angles count from somewhere else now.
+    // The angles have another zero from this call on.
     void forget() { m_places = {}; }
-    // Faster than the Sun goes, except near the zenith.
+    // True for every motion faster than the Sun, except near the zenith.
     [[nodiscard]] bool moves(Axis axis) const;
 
 private:
