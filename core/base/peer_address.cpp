@@ -23,6 +23,9 @@ std::string hostOf(std::string_view address)
     if (address.starts_with('/')) {
         return "127.0.0.1";
     }
+    if (address.find(' ') != std::string_view::npos) {
+        return {};
+    }
     std::string_view host = address.substr(0, address.rfind(':'));
     if (host.starts_with('[') && host.ends_with(']')) {
         host = host.substr(1, host.size() - 2);

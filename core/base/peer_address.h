@@ -12,7 +12,8 @@
 // IPv4 address that arrives over IPv6 counts as the IPv4 address. Pure.
 namespace boresight {
 
-// "127.0.0.1" for "127.0.0.1:51234", "::1" for "[::1]:51234". A path is on this computer: "127.0.0.1".
+// "127.0.0.1" for "127.0.0.1:51234", "::1" for "[::1]:51234". A path is on this computer: "127.0.0.1". A topic of a
+// broker ("topic boresight/command") has no host: empty.
 [[nodiscard]] std::string hostOf(std::string_view address);
 // Compares addresses, not texts: "::1" equals "0:0:0:0:0:0:0:1".
 [[nodiscard]] bool sameHost(const std::string& one, const std::string& other);

@@ -10,8 +10,9 @@
 #include <vector>
 
 // The newest messages that wait for another thread: at most kMost, and together at most kLargestMessage bytes. A sensor
-// sends ten messages a second, so only a flood reaches this limit. Of too many messages the oldest of the same topic is
-// dropped, of too many bytes the largest. So a flood of one topic does not displace a STOP of another topic. Pure.
+// sends ten messages a second, so only a flood reaches this limit. Of too many messages the oldest of the most frequent
+// topic is dropped, of too many bytes the largest. So a flood of one topic does not displace a STOP of another topic.
+// Pure.
 namespace boresight::mqtt {
 
 class NewestMessages
@@ -27,10 +28,7 @@ public:
             drop(std::ranges::max_element(m_messages, {}, [](const Message& one) { return one.payload.size(); }));
         }
         if (m_messages.size() > kMost) {
-            const auto last = std::prev(m_messages.end());
-            const auto older =
-                std::find_if(m_messages.begin(), last, [&](const Message& one) { return one.topic == last->topic; });
-            drop(older == last ? m_messages.begin() : older);
+            drop(std::ranges::find(m_messages, mostFrequentTopic(), &Message::topic));
         }
     }
     // The oldest comes first.
@@ -42,6 +40,13 @@ public:
     }
 
 private:
+    [[nodiscard]] QString mostFrequentTopic() const
+    {
+        const auto count = [this](const Message& one) {
+            return std::ranges::count(m_messages, one.topic, &Message::topic);
+        };
+        return std::ranges::max_element(m_messages, {}, count)->topic;
+    }
     void drop(std::deque<Message>::iterator one)
     {
         m_bytes -= one->payload.size();

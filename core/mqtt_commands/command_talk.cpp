@@ -38,6 +38,13 @@ bool asksForStop(std::string_view line)
     return pairs::endsInStop(end);
 }
 
+// A step that arrives twice moves twice as far. A number alone may be the value of a sensor.
+bool namesItsPlace(const pairs::Command& command)
+{
+    const auto* const place = std::get_if<pairs::Place>(&command);
+    return place == nullptr ? !std::holds_alternative<pairs::MoveBy>(command) : place->azimuth.has_value();
+}
+
 bool moves(const pairs::Command& command)
 {
     return !std::holds_alternative<pairs::Report>(command) && !std::holds_alternative<pairs::Stop>(command);
@@ -105,7 +112,7 @@ LineOutcome CommandTalk::run(std::string_view line, Retain retain)
             line, ErrorCode::Busy,
             Text::tr("More than %1 commands arrived in one second. Boresight ignores the rest.").arg(kPerSecond));
     }
-    settleAfterSleep();
+    tick();
     const Result<pairs::Command> command = pairs::parseLine(line);
     if (!command) {
         return refuse(line, command.error().code, command.error().text);
@@ -116,7 +123,7 @@ LineOutcome CommandTalk::run(std::string_view line, Retain retain)
     return m_talk.obey(line);
 }
 
-void CommandTalk::settleAfterSleep()
+void CommandTalk::tick()
 {
     if (m_clock.slept() - m_slept >= kSettling) {
         m_slept = m_clock.slept();
@@ -140,6 +147,10 @@ Result<> CommandTalk::admits(const pairs::Command& command) const
     if (m_client.readsOnly) {
         return failure(ErrorCode::Refused,
                        Text::tr("The profile permits only stopping and reading by MQTT (mqtt.commands)."));
+    }
+    if (!namesItsPlace(command)) {
+        return failure(ErrorCode::Refused, Text::tr("By MQTT a motion needs an azimuth and an elevation, such as "
+                                                    "\"120.5 30\", because a message may arrive twice."));
     }
     if (m_clock.now() - m_begin < kSettling) {
         return failure(ErrorCode::Refused, Text::tr("The connection to the broker began or was interrupted less than "

@@ -37,12 +37,14 @@ public:
     // A message of the topic for STOP, whatever it says.
     [[nodiscard]] std::optional<QByteArray> stop(const QByteArray& message, Retain retain);
 
+    // Each tick: the settling begins again when the computer wakes up.
+    void tick();
+
     [[nodiscard]] const rotctld::Client& client() const { return m_client; }
     [[nodiscard]] const rotctld::ClientHabits& habits() const { return m_habits; }
 
 private:
     [[nodiscard]] std::optional<QByteArray> latch(std::string_view line, Retain retain);
-    void settleAfterSleep();
     [[nodiscard]] rotctld::LineOutcome run(std::string_view line, Retain retain);
     [[nodiscard]] rotctld::LineOutcome refuse(std::string_view line, ErrorCode code, const QString& reason);
     [[nodiscard]] Result<> admits(const pairs::Command& command) const;

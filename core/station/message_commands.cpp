@@ -99,6 +99,9 @@ void MessageCommands::tick()
     if (m_talk && !m_broker.connection().isConnected()) {
         end(Text::tr("the connection to the broker is lost"));
     }
+    if (m_talk) {
+        m_talk->tick();
+    }
 }
 
 bool MessageCommands::disconnect(std::uint64_t client, const QString& reason)

@@ -10042,6 +10042,10 @@ até %1</translation>
         <source>the connection to the broker is another one</source>
         <translation>a ligação ao broker é outra</translation>
     </message>
+    <message>
+        <source>By MQTT a motion needs an azimuth and an elevation, such as &quot;120.5 30&quot;, because a message may arrive twice.</source>
+        <translation>Por MQTT um movimento precisa de um azimute e de uma elevação, como &quot;120.5 30&quot;, porque uma mensagem pode chegar duas vezes.</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>

@@ -86,7 +86,7 @@ done
 : >"$dir/ready"
 (
   . "$dir/environment"
-  export BORESIGHT_UML=1
+  export BORESIGHT_UML=1 TMPDIR=/dev/shm
   eval "exec $(cat "$dir/command")"
 ) </dev/null >/dev/tty1 2>/dev/tty2
 echo $? >"$dir/status"

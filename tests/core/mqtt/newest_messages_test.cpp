@@ -50,6 +50,15 @@ TEST(NewestMessages, AFloodOfOneTopicLeavesTheOthers)
     EXPECT_EQ(kept[1].payload, QByteArray::number(1000 - 31)) << "the newest of the others";
 
     messages.add(stop);
+    for (int i = 0; i < 1000; ++i) {
+        messages.add({.topic = QStringLiteral("command"), .payload = QByteArray::number(i)});
+    }
+    messages.add({.topic = QStringLiteral("wind"), .payload = "3.5"});
+    kept = messages.take();
+    EXPECT_EQ(kept.front(), stop) << "a message of a third topic takes no place of it";
+    EXPECT_EQ(kept.back().payload, "3.5");
+
+    messages.add(stop);
     messages.add({.topic = QStringLiteral("command"), .payload = QByteArray(kLargestMessage, 'x')});
     messages.add(stop);
     kept = messages.take();

@@ -65,12 +65,13 @@ TEST_F(CommandTalkTest, ObeysTheWordsOfThePairs)
     EXPECT_EQ(talk->obey("120.5 30", Retain::No), R"({"answer":"OK","command":"120.5 30","ok":true})");
     EXPECT_NEAR(rotator.lastRequest->azimuth.degrees(), 120.5, 1e-9);
     clock.advance(30s);
-    EXPECT_EQ(say("+5 -3\n"), "OK");
-    EXPECT_NEAR(rotator.lastRequest->elevation.degrees(), 27.0, 1e-9);
-    EXPECT_EQ(say("  60 "), "OK");
-    EXPECT_NEAR(rotator.lastRequest->azimuth.degrees(), 125.5, 1e-9) << "moves add up";
+    EXPECT_EQ(say("  125.5 60 \n"), "OK");
     clock.advance(30s);
     EXPECT_EQ(say("?"), "125.5 60.0");
+    for (const char* const message : {"+5 -3", "60"}) {
+        EXPECT_THAT(say(message), HasSubstr("a message may arrive twice")) << message;
+    }
+    EXPECT_NEAR(rotator.lastRequest->azimuth.degrees(), 125.5, 1e-9);
     EXPECT_EQ(say("bearing JN58td"), "OK");
     EXPECT_EQ(say("park"), "OK");
     clock.advance(1s);
@@ -213,7 +214,7 @@ TEST_F(CommandTalkTest, KeepsItsHabits)
     EXPECT_EQ(talk->habits().oddCommands(), 1U);
     EXPECT_THAT(talk->habits().lastInWords().toStdString(), HasSubstr("PRESS: refused. "));
     rotator.fault = Error{.code = ErrorCode::Refused, .text = QStringLiteral("STOP is latched. Reset STOP first.")};
-    for (const char* const message : {"10 20", "60", "+1 0", "park", "?"}) {
+    for (const char* const message : {"10 20", "park", "?"}) {
         EXPECT_EQ(say(message), "error: STOP is latched. Reset STOP first.") << message;
     }
 }
