@@ -43,8 +43,9 @@
 
 // The running station: StationControl with a mount, a timer, the rotctld server, a log file and a feed of updates. It
 // decides nothing about motion itself. The constructor reads files. The station is built on the station thread, or
-// moved there before start(). After that everything is called on this thread; other threads use queued signals. More
-// than 15 members and 600 lines: the parts that it makes and connects.
+// moved there before start(). After that everything is called on this thread; other threads use queued signals.
+//
+// More than 15 members and 600 lines: the parts that it makes and connects.
 namespace boresight {
 
 class Station : public QObject
