@@ -19,7 +19,7 @@ class ScreenFeed
 {
 public:
     // After a stall of the screen of up to this time its charts miss nothing. After a longer stall they show a gap. The
-    // shortest chart shows this time. At 50 Hz the samples take about 120 kB.
+    // shortest time span of a chart is this long. At 50 Hz the samples take about 120 kB.
     static constexpr std::chrono::seconds kSamplesKept{10};
 
     void answer(Answer answer) { m_answers.push_back(std::move(answer)); }

@@ -75,7 +75,7 @@ private:
     QStringList m_shownProblems;
     QFileSystemWatcher m_watcher{this};
     QTimer m_settled{this};                   // delays the reading: a file that is being written changes many times
-    QTimer m_again{this};                     // the watcher does not report that a missing file is back
+    QTimer m_again{this};                     // reads again: the watcher does not report that a missing file is back
     orbit::ElementWeb* m_web = nullptr;       // owned by m_webThread and used there
     std::unique_ptr<EdgeThread> m_webThread;  // null while there is no address
     QThreadPool m_reader;                     // last member: its work ends before the other members are destroyed

@@ -13,7 +13,7 @@
 namespace boresight {
 namespace {
 
-// Hamlib compares in single precision, so its clients may send 450.00001 for 450. Its error is at most this.
+// Hamlib compares in single precision, so its clients may send 450.00001 for 450. The error is at most this tolerance.
 constexpr Angle kLimitTolerance = Angle::fromDegrees(1e-4);
 constexpr int kFastestSpeed = 100;
 constexpr int kFastestLevel = 4;

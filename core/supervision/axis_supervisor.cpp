@@ -33,8 +33,8 @@ constexpr Seconds kTorqueLasts{2.0};
 constexpr Angle kNotThere = Angle::fromDegrees(0.05);
 constexpr double kAllTorque = 0.9;
 
-constexpr double kSupplyReturns = 0.5;  // V
-constexpr double kCoolsBy = 3.0;        // °C
+constexpr double kSupplyReturns = 0.5;  // V: hysteresis of the alarms about the supply
+constexpr double kCoolsBy = 3.0;        // °C: hysteresis of the alarms about heat
 constexpr double kTrendNear = 30.0;     // °C below a limit: a cold board that warms up after switching on is farther
 
 }  // namespace
@@ -148,7 +148,7 @@ void AxisSupervisor::judgeProgress(const AxisObservation& seen)
         return sentence.arg(m_names.axis, words(m_progress.asked()), words(seen.commandedRate),
                             words(m_progress.underCommand()), words(m_progress.moved()));
     };
-    // After a command to turn round, an axis runs on until its drive, which is at a limit, has stopped it.
+    // After the command reverses, the axis runs on until the drive, which is at a limit, has stopped it.
     const bool runsOn = !limit(seen.now).isEmpty() && m_progress.slowsDown();
     const double against = runsOn ? 0.0 : m_progress.against().degrees();
     m_wrongWay.update(seen.now, against, {.stop = kAgainst.degrees(), .release = kAgainst.degrees()}, [&] {

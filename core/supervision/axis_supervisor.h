@@ -51,7 +51,7 @@ private:
         int decimals = 0;
     };
 
-    void judgeMotion(const AxisObservation& seen);  // with a fresh reply
+    void judgeMotion(const AxisObservation& seen);  // call only with a fresh reply
     void judgeFollowing(const AxisObservation& seen);
     void judgeProgress(const AxisObservation& seen);
     void judgeStanding(const AxisObservation& seen);

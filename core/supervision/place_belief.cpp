@@ -13,7 +13,8 @@ constexpr Seconds kSpeedsUpIn{0.05};
 // The estimated rate follows half as fast, so that a reply with a small error does not spoil it. This is still faster
 // than a drive brakes by its own ramp.
 constexpr double kRateFollows = 0.5;
-// If one reply in ten is false, three in a row with errors below the allowance come once in hours. One more is kept.
+// If one reply in ten is false, three false ones in a row with errors below the allowance come once in hours. So one of
+// four believed places is true.
 constexpr std::size_t kCourses = 4;
 
 // Where the axis is expected at the time of the reply.
@@ -155,7 +156,7 @@ bool PlaceBelief::rivals(const Reply& reply)
 void PlaceBelief::passWithout(SteadyTime now)
 {
     ++m_without;
-    const int most = m_believed.empty() ? kJump : kAgree;  // a first or changed place needs kJump replies
+    const int most = m_believed.empty() ? kJump : kAgree;  // without believed places, a new one needs kJump replies
     if (m_place && m_without >= most && now - m_place->received >= kForgotten) {
         m_place.reset();
     }
