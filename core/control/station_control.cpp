@@ -13,10 +13,10 @@
 namespace boresight {
 namespace {
 
-// A late tick (a stalled machine) makes the mount slower, never jump.
+// The longest step of the set-points. After a late tick (a stalled computer) the mount gets slower and never jumps.
 constexpr Seconds kLongestStep{0.1};
 
-// By the station or one of its desks, which ask for the motions that they need like everybody else.
+// Requests that the station or one of its desks carries out. The desks request their motions like all other sources.
 template <class Wanted>
 constexpr bool kIsCarriedOutAbove =
     std::is_same_v<Wanted, CalibrationRequest> || std::is_same_v<Wanted, TuningRequest> ||
@@ -120,7 +120,7 @@ Result<> StationControl::request(const Request& request, const Source& source)
         } else if constexpr (kIsCarriedOutAbove<Wanted>) {
             return operatorOnly(source);
         } else {
-            return handle(wanted, source);  // does not compile for a request that nobody takes
+            return handle(wanted, source);  // a request without a handler does not compile
         }
     };
     if (!std::holds_alternative<request::JudgeDirection>(request)) {
@@ -187,7 +187,7 @@ void StationControl::positionRead(std::uint64_t clientId)
 
 Result<> StationControl::handle(const request::Hold&, const Source& source)
 {
-    takeOver(source);  // else the next target of a client would undo it
+    takeOver(source);  // otherwise the next target of a client would undo the hold
     if (moves()) {
         tell(Severity::Advisory, source, Text::tr("ends the motion, and the mount holds"));
         holdHere(Activity::Holding);
@@ -214,7 +214,8 @@ Result<> StationControl::handle(const request::ResetStop&, const Source& source)
     });
 }
 
-// A client re-arms only with the authority to move, and only for itself: the others that kept sending wait.
+// A client may re-arm only while it may move the mount. It re-arms only for itself: other clients that kept sending
+// wait.
 Result<> StationControl::handle(const request::Rearm&, const Source& source)
 {
     if (source.kind != SourceKind::Client) {
@@ -275,7 +276,7 @@ Result<> StationControl::handle(const request::UseAntenna& wanted, const Source&
     });
 }
 
-// The station puts it into force; see profileChanged().
+// Only judges the profile. The station applies it and calls profileChanged().
 Result<> StationControl::handle(const request::ApplyProfile& wanted, const Source& source)
 {
     return operatorOnly(source).and_then([&] { return makesSense(wanted.profile); }).and_then([&] {
@@ -293,7 +294,7 @@ Result<> StationControl::handle(const request::Reconnect& wanted, const Source& 
 void StationControl::profileChanged(const profile::Profile& before, const profile::Profile& after)
 {
     if (before.mount.directions != after.mount.directions) {
-        m_firstMoves.beginAnew();  // the small way begins where the mount stands now
+        m_firstMoves.beginAnew();  // the permitted 2° begin where the mount stands now
     }
     m_standstill.forget();
     m_wind.profileChanged(before, after);
@@ -310,7 +311,7 @@ void StationControl::profileChanged(const profile::Profile& before, const profil
     }
 }
 
-// Places of the axes stay what they are with any antenna.
+// Returns to the chosen antenna when the mount rests. A place of the axes does not depend on the antenna.
 void StationControl::releaseAntenna()
 {
     const StationState now = state();
@@ -385,60 +386,60 @@ void StationControl::tick()
     const Seconds step = std::clamp(Seconds(now - m_now), Seconds(0.0), kLongestStep);
     m_now = now;
     ++m_tick;
-    // First: all below judges by the answers of this tick.
+    // First, because everything below uses the replies of this tick.
     m_mount.observe(now);
-    // After the answers, and before whoever asks whether an axis stands.
+    // After the replies, and before all parts that ask whether an axis stands.
     for (const Axis axis : kAxes) {
         m_standstill.look(axis, m_mount.report(axis));
     }
-    // Before the supervision, which would take the silence of a lost bus for troubles of two axes.
+    // Before the supervision, which would treat a lost bus as a trouble of each axis.
     if (m_arming.losesConnection(now)) {
         holdHere(Activity::None);
     }
-    // Before every source, because what was lost in this tick must not be moved on.
+    // Before every source, because an axis that was lost in this tick must not move on.
     superviseMount();
-    // After the supervision, which shows a drive that came back: one that turns against STOP is stopped again. Before
-    // the sources, which must find it stopped.
+    // After the supervision, which finds a drive that is back. A drive that moves in spite of STOP is stopped again.
+    // Before the sources, which must find it stopped.
     keepStopped();
-    // Before the sources: one of them parks the mount in a strong wind, and the others are refused.
+    // Before the sources: in a strong wind one source parks the mount, and the others are refused.
     m_wind.step();
-    // Behind STOP and faults, which refuse a source its next motion.
+    // After STOP and faults, which refuse the next motion of a source.
     stepSources();
-    // After the sources: one of them may have ended its tracking.
+    // After the sources, because a source may have ended its tracking.
     releaseAntenna();
-    // After the sources: what they have just begun ends here if it may not go on.
+    // After the sources: a motion that they have just begun ends here if it is not permitted.
     watchFirstMoves();
-    // After the sources, too: interlock is asked of a motion, not of the source that wants it.
+    // After the sources, because the interlock is checked for the motion, not for its source.
     watchInterlock();
-    // After the losses of this tick: one of them begins the re-arm again.
+    // After the losses of this tick, because a loss begins the re-arm again.
     finishRearm();
-    // After whatever ends a motion, because the proof is one. It makes the wish that moveOn() carries out.
+    // After all parts that can end a motion, because the crash-stop proof is a motion. moveOn() carries out its step.
     stepProof();
-    // Last before the set-points: they go by the keep-out of this tick.
+    // Directly before the set-points, which respect the keep-out of this tick.
     watchSun();
-    // After whatever sends, holds or ends the motion: the set-points of this tick carry out all of it.
+    // After all parts that begin, hold or end the motion. The set-points of this tick carry out the result.
     moveOn(step);
-    // After the set-points: what holds them, how much cable is left, and whether the target is reached is known only
-    // now.
+    // After the set-points. Only now it is known what holds them, how much cable is left, and whether the target is
+    // reached.
     watchRegion();
     watchCable();
     watchLimited();
     m_wind.tell(m_current.is(Activity::Parking) || gates().isAtPark());
-    // After what may end or send the motion: looks ahead along the way that is left.
+    // After all parts that can begin or end the motion. It looks ahead along the rest of the way.
     m_slew.update(m_mount.follows() && state() == StationState::Slew, m_motion, now);
-    // After the set-points, for the state that they made: the energy of this tick belongs to it.
+    // After the set-points: they determine the state, and the energy of this tick counts for that state.
     const StationState then = state();
     const bool moves = then == StationState::Slew || then == StationState::Track || then == StationState::Jog;
     m_energy.look(m_mount, moves, m_current.motionId(), now);
-    // After everything that raises or clears an alarm.
+    // After all parts that raise or clear an alarm.
     m_alarms.tick();
-    // Last: the mount is left when the set-points of this tick are at rest.
+    // Last: the drives are left when the set-points of this tick stand still.
     if (m_end.leaves(m_motion.atRest() && !m_mount.changesHands(), m_now)) {
         m_mount.leave(m_profile->control.onExit);
     }
 }
 
-// The motion ends with a trouble: the axes brake from their set-points.
+// A trouble ends the motion. The axes brake from their set-points.
 void StationControl::superviseMount()
 {
     const MountFindings found = m_mount.supervise({.wanted = !m_current.is(Activity::None),
@@ -455,7 +456,8 @@ void StationControl::superviseMount()
     }
 }
 
-// Behind a latched STOP nothing is moved by others' orders either, nor by a drive that comes back with them.
+// While STOP is latched, commands of another program must not move an axis either. A drive may still have such a
+// command when it is back.
 void StationControl::keepStopped()
 {
     if (m_arming.stopLatched() && m_mount.available() && !m_arming.closing()) {
@@ -489,7 +491,7 @@ void StationControl::watchCable()
                   m_current.keepsWrap());
 }
 
-// A drive that is not as it should be any more is not moved on.
+// Ends the motion when an interlock appears, for example because a drive is not safe any more.
 void StationControl::watchInterlock()
 {
     if (!m_mount.interlock() && moves() && !m_motion.atRest()) {
@@ -499,7 +501,7 @@ void StationControl::watchInterlock()
     }
 }
 
-// Ends a motion that has no way left because the region was drawn again. A stream of a client waits.
+// Ends a motion that has no permitted way left after a change of the region. A stream of a client waits instead.
 void StationControl::watchRegion()
 {
     if (m_current.goesToAPlace() && !m_motion.noWay().isEmpty()) {
@@ -535,7 +537,7 @@ void StationControl::moveOn(Seconds step)
             m_mount.retake();
         }
     } else {
-        m_motion.brake(step);  // one axis alone goes nowhere, nor does one that nobody sees
+        m_motion.brake(step);  // no motion with one axis alone, or with an axis whose place is unknown
     }
     for (const Axis axis : kAxes) {
         m_mount.command(axis, m_motion.setpoint(axis));

@@ -37,130 +37,128 @@
 
 #include <optional>
 
-// The only place that decides about motion: accepts or refuses every request, whoever sends it, and once per tick
-// turns the decision into one set-point for each axis of the mount. Holds the rules: nothing moves before an explicit
-// request, STOP latches, a fault or silence needs an explicit re-arm, the operator goes before the clients. Pure: time
-// comes from the injected clock; the Station gives it a mount and a timer. States and rules: README.md.
+// The only place that decides about motion. Accepts or refuses the requests of all sources. Once per tick, turns the
+// decision into one set-point for each axis of the mount. The rules: nothing moves before an explicit request, STOP
+// latches, a fault or silence needs an explicit re-arm, the operator goes before the clients. Pure: time comes from the
+// injected clock; the Station gives it a mount and a timer. States and rules: README.md.
 //
-// More than 15 members and 600 lines: it owns the parts of the control, each with a state of its own, keeps their order
-// in a tick, and answers for them.
+// More than 15 members and 600 lines: it owns the parts of the control, each with a state of its own. It calls them in
+// a fixed order in each tick, and answers questions for them.
 namespace boresight {
 
 class StationControl
 {
 public:
-    // Without a source of motion nothing moves.
-    // All but the sources outlive this.
+    // All arguments but the sources outlive this. Without a source of motion nothing moves.
     StationControl(const profile::InForce& profile, const Clock& clock, EventLog& log, AlarmBoard& alarms,
                    MountDriver& mount, const MakeSources& sources);
 
-    // Accepted, or the reason in words. Takes effect in the next tick.
+    // Accepts the request, or returns the reason for a refusal. It takes effect in the next tick.
     Result<> request(const Request& request, const Source& source);
-    // A client has connected; `host` is its address without the port.
-    // `readsOnly` by the profile.
+    // A client has connected. `host` is its address without the port. `readsOnly` comes from the profile.
     void clientCame(const Source& client, const std::string& host, bool readsOnly = false)
     {
         m_clientControl.came(client, host, readsOnly);
     }
-    // The source is gone for good: a `Move` of its own ends, a stream stops at its last point.
+    // The source is gone for good. Its `Move` ends. Its stream stops at the last point.
     void sourceGone(const Source& source);
-    // A client asks for a motion, also one that is refused before request() sees it.
+    // A client asks for a motion. Call this also for a motion that is refused before request().
     void clientAsked(const Source& client)
     {
         m_asked = m_now;
         m_clientControl.asked(client, m_now);
     }
-    // A client has read the measured position: if the running stream is its own, it is content until it sends a
+    // A client has read the measured position. A client that reads while its stream runs is satisfied with its last
     // point.
     void positionRead(std::uint64_t clientId);
 
-    // Judges what the mount reports, moves the set-points on and commands them.
+    // Judges the reports of the mount, moves the set-points on and sends them.
     void tick();
 
-    // The end of the program: decelerate, then bring the drives into the profile's `on_exit` state. Keep ticking until
-    // shutDownDone().
+    // Begins the end of the program: decelerates the mount, then brings the drives into the state `on_exit` of the
+    // profile. Keep ticking until shutDownDone().
     void shutDown();
     [[nodiscard]] bool shutDownDone() const { return m_end.done(); }
 
     [[nodiscard]] StationState state() const { return report().state(); }
-    // Everything this class knows; bus, clients and server are left to the Station.
+    // Everything that this class knows. The Station adds bus, clients and server.
     [[nodiscard]] StationStatus status() const;
-    // What the last tick commanded and what the drives have answered to it; empty before the first tick.
+    // The set-points of the last tick and the replies of the drives to them. Empty before the first tick.
     [[nodiscard]] std::optional<TickSample> sample() const { return report().sample(); }
-    // The mount still does what this source asked for last: nobody has ended it, nor asked for anything else.
+    // Whether the mount still carries out the last motion of this source.
     [[nodiscard]] bool obeys(const Source& source) const { return m_current.isFor(source) && moves(); }
     [[nodiscard]] bool followsClient() const { return m_current.commander().kind == SourceKind::Client && moves(); }
-    // Another one each time that the mount is sent somewhere or given away; the operator's jogs and steps, Hold and
-    // STOP leave it.
+    // Changes each time that the mount is sent somewhere or control is given away. Jogs and steps of the operator, Hold
+    // and STOP do not change it.
     [[nodiscard]] std::uint64_t motionId() const { return m_current.motionId(); }
-    // The operator enters the cable wrap of the axis, or has entered it. It may differ from the one before.
+    // Whether the operator is asked for the cable wrap of the axis. The wrap may then differ from the one before.
     [[nodiscard]] bool isTurnAsked(Axis axis) const { return m_mount.report(axis).wrapAsked; }
     [[nodiscard]] Authority authority() const { return m_arming.authority(); }
-    // Whether this source may send the mount anywhere now. The error names what is in the way.
+    // Whether this source may send the mount to a place now. The error names what is in the way.
     [[nodiscard]] Result<> mayPoint(const Source& source) const { return gates().mayPoint(source); }
-    // Whether this source has the control, as far as the operator and the other clients are concerned.
+    // Whether the operator and the other clients leave control to this source.
     [[nodiscard]] Result<> mayCommand(const Source& source) const { return gates().mayCommand(source); }
-    // Whether a shell of this computer may send the mount anywhere without taking the control from a client.
+    // Whether a shell of this computer may send the mount to a place without taking control from a client.
     [[nodiscard]] Result<> mayShellCommand() const { return gates().mayShellCommand(); }
-    // Another client re-armed the drives; this one kept sending and has to act before it moves the mount.
+    // Whether this client must act before it may move the mount: another client re-armed the drives meanwhile.
     [[nodiscard]] bool waitsSinceRearm(const Source& client) const { return m_clientControl.waits(client.clientId); }
-    // Whether the beam can be pointed there from where it is, by all that is permitted.
+    // Whether the beam can be pointed there from its present place, within everything that is permitted.
     [[nodiscard]] Result<> reaches(const SkyPointing& direction) const { return m_helm.reaches(direction); }
-    // The profile lets the beam at the Sun itself.
+    // Whether the profile permits the beam to point at the Sun.
     [[nodiscard]] Result<> mayFaceSun() const { return gates().mayFaceSun(); }
-    // Whether the operator may send the mount there, by the gates that a go-to passes.
+    // Whether the operator may send the mount there, judged by the gates of a go-to.
     [[nodiscard]] DirectionVerdict judge(const SkyPointing& direction) const { return m_helm.judge(direction); }
     [[nodiscard]] const pointing::PermittedRegion& region() const { return m_motion.region(); }
-    // Those of the profile, as far as the rotator can go along.
+    // The motion limits of the profile, reduced to what the rotator can do.
     [[nodiscard]] const tracking::MotionLimits& limits(Axis axis) const { return m_motion.limits(axis); }
-    // North and the terms of the pointing model are those of the main antenna.
+    // Whether the main antenna is in use. North and the pointing model are measured with it.
     [[nodiscard]] Result<> usesMainAntenna() const { return gates().usesMainAntenna(); }
-    // Whether other terms of the pointing model would leave the motion what it is.
+    // Whether the terms of the pointing model may change, which must not change a running motion.
     [[nodiscard]] Result<> mayChangePointing() const { return gates().mayChangePointing(); }
-    // What a client may do now, into its part of the status; `lastMotion` is when it last asked for a motion.
+    // Fills in what the client may do now. `lastMotion` is when it last asked for a motion.
     void describe(ClientStatus& client, const std::optional<SteadyTime>& lastMotion) const
     {
         m_clientDesk.describe(client, lastMotion);
     }
-    // The axes as measured; an error when unknown or older than 1 s.
+    // The measured axis angles. An error when they are unknown or older than 1 s.
     [[nodiscard]] Result<AxisPosition> measured() const;
-    // How that differs from what the axes show, as far as it is known with the axes that there are.
+    // The difference between true directions and axis angles, as far as it is known for the axes of this mount.
     [[nodiscard]] const pointing::PointingModel& pointing() const { return m_model.pointing(); }
     [[nodiscard]] bool isSeenToMove(Axis axis) const { return m_standstill.moves(axis); }
-    // Where the beam of the antenna in use points, while that is known and measured within the last second.
+    // Where the beam of the antenna in use points. Empty when that is unknown or older than 1 s.
     [[nodiscard]] std::optional<SkyPointing> direction() const;
-    // The same by other terms of the pointing model: those of the profile are of the main antenna.
+    // The same with other terms of the pointing model. The terms of the profile give the main beam.
     [[nodiscard]] std::optional<SkyPointing> directionBy(const pointing::PointingTerms& terms) const;
-    // What is added to the targets of the client that is followed now: it receives positions without it.
+    // The trim that is added to the targets of the client that is followed. The client gets positions without it.
     [[nodiscard]] std::optional<AxisPosition> trimInUse() const;
-    // Where the last point of the stream sends the axes: there, or to the nearest permitted place.
+    // The axis angles for the last point of the stream: the point itself, or the nearest permitted place.
     [[nodiscard]] std::optional<AxisPosition> streamGoal() const;
-    // The mount follows the stream of this client, or stays at its last point.
+    // Whether the mount follows the stream of this client, or stays at its last point.
     [[nodiscard]] bool streamsFor(std::uint64_t clientId) const;
-    // What the operator adds to whatever is followed.
+    // The correction by the operator that is added to every target that is tracked.
     [[nodiscard]] const AxisPosition& trim() const { return m_motion.trim(); }
-    // Both axes are this near to where they are sent.
+    // Whether both axes are this near to their target.
     [[nodiscard]] bool onTarget(Angle within) const { return report().onTarget(within); }
-    // Why not the target is driven but the nearest permitted place; empty: it is driven.
+    // Why the mount goes to the nearest permitted place instead of the target. Empty: it goes to the target.
     [[nodiscard]] QString limitedReason() const { return report().limitedReason(); }
     [[nodiscard]] AlarmBoard& alarms() { return m_alarms; }
-    // A drive was lost and nobody has re-armed yet; also while DISCONNECTED hides the word FAULT.
     [[nodiscard]] bool stopLatched() const { return m_arming.stopLatched(); }
+    // A drive was lost and nobody has re-armed yet. Also true in the state DISCONNECTED, which hides FAULT.
     [[nodiscard]] bool faultLatched() const { return m_arming.fault().has_value(); }
 
-    // What was worked out from the profile follows it: the region, the limits of a motion under way, the advice.
+    // Updates what is computed from the profile: the region, the limits of a motion under way, the advice.
     void profileChanged(const profile::Profile& before, const profile::Profile& after);
     [[nodiscard]] const MountDriver& mount() const { return m_mount; }
     [[nodiscard]] const pointing::Antenna& antenna() const { return m_antenna.inUse(); }
-    // For what has no antenna of its own.
+    // The antenna that is used for targets without an antenna of their own.
     [[nodiscard]] pointing::Antenna chosenAntenna() const { return m_antenna.chosen(); }
-    // Where a sensor measures the main beam. It counts only when the wrap is asked for.
+    // Where a sensor measures the main beam. It counts only while the operator is asked for the wrap.
     void setSensor(const std::optional<Angle>& azimuth, const std::optional<Angle>& elevation);
-    // What an anemometer reports, in m/s.
+    // A reading of the anemometer, in m/s.
     void takeWind(double speed) { m_wind.take(speed); }
-    // Why the wind lets only Park move the mount; empty: it forbids nothing.
+    // Why only Park may move the mount because of the wind. Empty: the wind forbids nothing.
     [[nodiscard]] QString windObstacle() const { return m_wind.obstacle(); }
-    // For the source of motion that waits for it. The error says why it is not believed.
+    // Passes a report to the source of motion that waits for it. The error says why the report is not believed.
     Result<> receive(const SourceReport& received);
 
 private:
@@ -228,8 +226,8 @@ private:
     TargetAlarm m_targetAlarm;
     AdviceAlarms m_adviceAlarms;
     OrderlyEnd m_end;
-    SteadyTime m_now{};    // of the running or last tick
-    SteadyTime m_asked{};  // somebody asked for something last
+    SteadyTime m_now{};    // time of the running or last tick
+    SteadyTime m_asked{};  // time of the last request
     std::uint64_t m_tick = 0;
     MotionSources m_sources;
 };

@@ -13,15 +13,15 @@
 namespace boresight {
 namespace {
 
-// Slower than this counts as standing: below the noise of the drive's velocity, far below any jog rate.
+// An axis whose set-point is slower than this counts as standing. The value is far below every jog rate.
 constexpr AngularRate kReportStanding = AngularRate::fromDegrees(0.02);
-// A place is reached when the set-points rest there and the antenna is this near.
+// A place is reached when the set-points stand there and the axes are this near.
 constexpr Angle kArrived = Angle::fromDegrees(0.3);
 
-// Forgives the rounding of a place exactly between two that can be reached.
+// Allows for rounding when a target lies exactly between two places that the rotator can reach.
 constexpr Angle kBetweenSteps = Angle::fromDegrees(0.001);
 
-// What an AxisStatus and an AxisSample share about the drive itself.
+// The values of the drive that AxisStatus and AxisSample have in common.
 void fillTelemetry(auto& values, const AxisReport& report)
 {
     values.busVoltage = report.voltage;
@@ -53,7 +53,7 @@ bool StatusReport::arrived() const
     return m_of.motion.atRest() && onTarget(kArrived);
 }
 
-// The client's target itself, or what the operator's trim makes of it.
+// The target is not permitted, or only the target with the operator's trim is not.
 QString StatusReport::limitedReason() const
 {
     return m_of.current.limitedReason().isEmpty() && m_of.motion.limited()
@@ -113,7 +113,7 @@ bool StatusReport::atTravelEnd(Axis axis) const
     return place - travel.min < kAtEdge || travel.max - place < kAtEdge;
 }
 
-// Wants to go on and can not: the end of the travel, a limit, a keep-out, the horizon.
+// Whether the end of the travel, a limit, a keep-out or the horizon stops a motion that would go on.
 bool StatusReport::atLimit(Axis axis) const
 {
     const bool pressed = !m_of.current.limitedReason().isEmpty() || m_of.current.runsFreely();
@@ -121,7 +121,7 @@ bool StatusReport::atLimit(Axis axis) const
            (atTravelEnd(axis) || (m_of.mount.wrapsKnown() && (m_of.motion.held(axis) || m_of.motion.limited(axis))));
 }
 
-// Of the place; of the last answer while there is no place.
+// The age of the place. While there is no place, the age of the last reply.
 std::optional<std::chrono::milliseconds> StatusReport::age(const AxisReport& report) const
 {
     if (!report.heard) {
@@ -144,7 +144,7 @@ AxisState StatusReport::axisState(Axis axis, const AxisReport& report) const
         return AxisState::Fault;
     }
     if (!report.answers) {
-        return AxisState::NoData;  // nobody knows what it does
+        return AxisState::NoData;  // the drive does not answer, so its state is unknown
     }
     switch (report.hand) {
         case AxisHand::Off:
@@ -214,7 +214,7 @@ AxisStatus StatusReport::axisStatus(Axis axis) const
     return status;
 }
 
-// From the set-points on.
+// The rest of the way, from the set-points on.
 std::vector<SkyPointing> StatusReport::route() const
 {
     std::vector<AxisPosition> way = m_of.slew.way(m_of.now);
@@ -225,7 +225,7 @@ std::vector<SkyPointing> StatusReport::route() const
     return beamPath(m_of.model, way);
 }
 
-// Only an answer to this very tick counts: an older one would be drawn as if it were new.
+// Only a reply to this tick counts. A chart would draw an older reply as if it were new.
 AxisSample StatusReport::axisSample(Axis axis) const
 {
     const AxisReport report = m_of.mount.report(axis);

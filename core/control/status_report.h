@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
-// What the control knows, as the world sees it: the state of the mount and of its axes, in values and words. Made again
-// from the parts each time that it is asked for; decides nothing. Station thread only.
+// The state of the mount and of its axes, in values and words. It is computed from the parts of the control each time
+// that it is needed. Decides nothing. Station thread only.
 namespace boresight {
 
 class StatusReport
@@ -16,17 +16,17 @@ class StatusReport
 public:
     explicit StatusReport(const ControlParts& parts) : m_of(parts) {}
 
-    // A target within this of the measured direction counts as tracked, not as slewed to.
+    // A stream whose target is nearer than this to the measured direction is TRACK. Else it is SLEW.
     static constexpr Angle kOnTarget = Angle::fromDegrees(1.0);
 
     [[nodiscard]] StationState state() const;
     [[nodiscard]] StationStatus status() const;
-    // What the last tick commanded and what the drives have answered to it; empty before the first tick.
+    // The set-points of the last tick and the replies of the drives to them. Empty before the first tick.
     [[nodiscard]] std::optional<TickSample> sample() const;
-    // Both axes are this near to where they are sent.
+    // Whether both axes are this near to their target.
     [[nodiscard]] bool onTarget(Angle within) const;
-    [[nodiscard]] bool arrived() const;  // at the place or direction that was asked for, and standing still there
-    // Why not the target is driven but the nearest permitted place; empty: it is driven.
+    [[nodiscard]] bool arrived() const;  // stands still at the requested place or direction
+    // Why the mount goes to the nearest permitted place instead of the target. Empty: it goes to the target.
     [[nodiscard]] QString limitedReason() const;
 
 private:

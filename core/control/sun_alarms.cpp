@@ -8,7 +8,7 @@
 namespace boresight {
 namespace {
 
-// A beam at the edge must not come and go with the noise of its encoder.
+// The alarm clears only this far outside the radius. Encoder noise must not raise and clear it again and again.
 constexpr Angle kClear = Angle::fromDegrees(0.05);
 
 }  // namespace

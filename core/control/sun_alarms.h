@@ -6,8 +6,8 @@
 
 #include <optional>
 
-// Raises the alarms about the Sun: the beam stands too near to it, or no clock gives its position. A mount that stands
-// while the Sun comes over it is left standing. Station thread only.
+// Raises the alarms about the Sun: the beam is too near to it, or its position is unknown because the clock is doubted.
+// A mount that stands still is not moved when the Sun comes into its beam. Station thread only.
 namespace boresight {
 
 class SunAlarms
@@ -15,8 +15,8 @@ class SunAlarms
 public:
     explicit SunAlarms(AlarmBoard& alarms) : m_alarms(alarms) {}
 
-    // Once in a tick; `distance` is that of the nearest beam, empty while nobody knows it; `missing` is the axis that
-    // the mount lacks.
+    // Call once in a tick. `distance` is the angle between the Sun and the nearest beam, empty while unknown. `missing`
+    // is the axis that the mount does not have.
     void update(const SunWatch& sun, const std::optional<Angle>& distance, std::optional<Axis> missing);
 
 private:

@@ -10,36 +10,38 @@
 #include <optional>
 #include <vector>
 
-// Where the Sun is now, as far as the profile wants the beam away from it, and the part of the sky that is forbidden
-// for it until it is looked for again. Without a clock to rely on that is every place that the Sun can have. The angle
-// of an axis that the mount does not have may be any, as in the region. Station thread only.
+// Computes where the Sun is, and which part of the sky is forbidden because of it until the next computation. It does
+// so only if the profile keeps the beam away from the Sun. While the clock is doubted, every place where the Sun can
+// ever be is forbidden. If the mount lacks an axis, every angle of that axis counts, as in the region. Station thread
+// only.
 namespace boresight {
 
 class SunWatch
 {
 public:
-    // How long one keep-out serves, and how much wider it is for that: the Sun goes 0.084° meanwhile, and the air may
-    // bend its light by 0.1° more or less than an ordinary one.
+    // How long one keep-out is used, and how much wider it is because of that. In this time the Sun moves by 0.084°.
+    // The refraction may differ by 0.1° from that of standard air.
     static constexpr std::chrono::seconds kRenewal{20};
     static constexpr Angle kMargin = Angle::fromDegrees(0.2);
 
     // The profile outlives this.
     explicit SunWatch(const profile::InForce& profile);
 
-    // Of another Sun or site: looks for it with the next update().
+    // After a change of the Sun settings or the site, the next update() computes the Sun again.
     void profileChanged(const profile::Profile& before, const profile::Profile& after);
-    // Beams that point this far from the one in use are kept away as well.
+    // The keep-out also protects beams that point up to this angle away from the beam in use.
     void setSpread(Angle spread);
-    // Looks for the Sun when it is time, or when the clock was set; true when the keep-outs have changed.
+    // Computes the Sun when it is time, or when the clock was set. Returns true when the keep-outs have changed.
     [[nodiscard]] bool update(const Clock& clock);
 
-    // Empty when the profile does not want it, and while the Sun is down.
+    // Empty when the profile wants no keep-out, and while the Sun is below the horizon.
     [[nodiscard]] const std::vector<pointing::KeepOut>& keepOuts() const { return m_keepOuts; }
-    // The Sun is to be kept away from, and no clock gives its position.
+    // The profile keeps the beam away from the Sun, but the clock is doubted, so the position of the Sun is unknown.
     [[nodiscard]] bool clockDoubted() const { return m_doubted; }
-    // While the clock is doubted: the beam is where the Sun can be, not at the edge of that.
+    // True while the clock is doubted and the beam is where the Sun can be. The edge of that band does not count.
     [[nodiscard]] bool mayBeAt(const SkyPointing& beam, std::optional<Axis> missing) const;
-    // How far a beam is from the middle of the Sun, at least; empty without a keep-out, and while the clock is doubted.
+    // The smallest possible angle between a beam and the middle of the Sun. Empty without a keep-out, and while the
+    // clock is doubted.
     [[nodiscard]] std::optional<Angle> distance(const SkyPointing& beam, std::optional<Axis> missing) const;
     [[nodiscard]] Angle radius() const { return m_profile->sun.radius; }
 
@@ -50,11 +52,11 @@ private:
 
     const profile::InForce& m_profile;
     ClockTrust m_trust;
-    std::optional<ephemeris::Almanac> m_almanac;  // while the Sun is watched
+    std::optional<ephemeris::Almanac> m_almanac;  // only while the Sun is watched
     std::optional<UtcTime> m_looked;
     bool m_doubted = false;
     Angle m_spread;
-    SkyPointing m_direction;  // where it appeared then
+    SkyPointing m_direction;  // where the Sun appeared at m_looked
     std::vector<pointing::KeepOut> m_keepOuts;
 };
 

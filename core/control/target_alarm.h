@@ -5,8 +5,8 @@
 
 #include <QString>
 
-// Raises an alarm for as long as not the target is driven but the nearest permitted place. The rotctld protocol has no
-// answer for that: the client receives "done". Station thread only.
+// Raises an alarm while the mount goes to the nearest permitted place instead of the target. The rotctld protocol has
+// no answer for this case: the client receives "done". Station thread only.
 namespace boresight {
 
 class TargetAlarm
@@ -14,7 +14,7 @@ class TargetAlarm
 public:
     explicit TargetAlarm(AlarmBoard& alarms) : m_alarms(alarms) {}
 
-    // Once in a tick. `limitedReason` is empty while the target itself is driven.
+    // Call once in a tick. `limitedReason` is empty while the mount goes to the target itself.
     void update(const QString& limitedReason);
 
 private:

@@ -13,39 +13,39 @@
 #include <cstdint>
 #include <optional>
 
-// Whether the wind lets the mount move, and the alarms about it. In a strong wind only Park moves the mount, until the
-// wind was weak for a while, or for as long as the operator overrides that. Moves nothing itself: the source that parks
-// asks when it is due. Station thread only.
+// Decides whether the wind permits motion, and raises the alarms about the wind. In a strong wind only Park moves the
+// mount. This ends when the wind was weak for some minutes, and pauses while the operator overrides it. The guard moves
+// nothing itself: a source of motion asks the guard when the mount has to be parked. Station thread only.
 namespace boresight {
 
 class WindGuard
 {
 public:
-    // All of them outlive the guard.
+    // All arguments outlive the guard.
     WindGuard(const profile::InForce& profile, const Clock& clock, AlarmBoard& alarms);
 
     // A reading, in m/s.
     void take(double speed);
-    // Once in a tick, before the sources.
+    // Call once in a tick, before the sources.
     void step();
-    // Once in a tick, after the sources. `parks`: the mount is parked, or on its way.
+    // Call once in a tick, after the sources. `parks`: the mount is parked, or on its way to the park position.
     void tell(bool parks);
     void profileChanged(const profile::Profile& before, const profile::Profile& after);
 
     [[nodiscard]] bool forbids() const { return m_forbids; }
-    // Why only Park moves the mount, in one or two sentences. Empty: the wind forbids nothing.
+    // Why only Park may move the mount, in one or two sentences. Empty: the wind forbids nothing.
     [[nodiscard]] QString obstacle() const { return m_forbids ? causeText() + QLatin1Char('.') : QString(); }
-    // The same as a refusal, with what it waits for.
+    // The same as a refusal, and when it ends.
     [[nodiscard]] Result<> admits() const;
-    // Another one each time that the mount shall be parked because of the wind.
+    // Counts how often the mount had to be parked because of the wind.
     [[nodiscard]] std::uint64_t onsets() const { return m_onsets; }
     [[nodiscard]] Result<> mayOverride() const;
-    // The operator may move the mount for the time of the profile. Then it is to be parked again.
+    // Permits motion for the time that the profile sets. After that the mount has to be parked again.
     void override();
     [[nodiscard]] WindStatus status() const;
 
 private:
-    // With the time that this computer slept: a reading from before is old.
+    // Includes the time that this computer slept, so that a reading from before the sleep is old.
     [[nodiscard]] SteadyTime now() const;
     [[nodiscard]] bool isStrong() const { return m_watch.cause() != wind::WindWatch::Cause::None; }
     [[nodiscard]] QString causeText() const;
@@ -57,14 +57,14 @@ private:
     AlarmBoard& m_alarms;
     wind::WindWatch m_watch;
     std::uint64_t m_onsets = 0;
-    bool m_forbids = false;  // as of the last tick
+    bool m_forbids = false;  // since the last tick
     bool m_isSilent = false;
-    QString m_lastHeard;  // when the last reading came, before the silence
+    QString m_lastHeard;  // the time of the last reading before the silence
     std::uint64_t m_accepted = 0;
     struct Override
     {
         SteadyTime until;
-        UtcTime utc;  // the same
+        UtcTime utc;  // the same time in UTC
     };
     std::optional<Override> m_override;
 };

@@ -17,10 +17,10 @@
 namespace boresight {
 namespace {
 
-constexpr std::uint16_t kMjbotsVendor = 0x1209;  // pid.codes, shared by many
+constexpr std::uint16_t kMjbotsVendor = 0x1209;  // of pid.codes, shared by many makers
 constexpr std::uint16_t kMjcanfd = 0x2323;       // mjcanfd-usb-1x
 constexpr std::uint16_t kStVendor = 0x0483;
-constexpr std::uint16_t kFdcanusb = 0x5740;  // of any serial port made with ST's example
+constexpr std::uint16_t kFdcanusb = 0x5740;  // used by every serial port that is made with ST's example
 constexpr int kTypeOfCan = 280;              // ARPHRD_CAN of linux/if_arp.h
 constexpr unsigned kInterfaceUp = 1;         // IFF_UP of linux/if.h
 
@@ -50,7 +50,7 @@ Adapter serialAdapter(const SerialPortFacts& port)
             .serialPort = isRecognised(port) ? QString() : path};
 }
 
-// Soldered to the board: the box of a rotator may be there, drives are not.
+// A port on the mainboard can lead to the control box of a rotator, but not to drives.
 Adapter boxPort(const SerialPortFacts& port)
 {
     return {.bus = QStringLiteral("serial:") + port.device,

@@ -10,7 +10,7 @@ namespace boresight {
 namespace {
 
 constexpr std::chrono::seconds kBetweenQuestions{1};
-// The two clocks of the kernel that differ by it are read one after the other.
+// A shorter difference is no sleep: the two clocks of the kernel are read one after the other.
 constexpr Seconds kShortestSleep{0.1};
 const QString kSource = QStringLiteral("station");
 
@@ -41,7 +41,7 @@ void ClockGuard::tick()
     }
 }
 
-// What is over at once stays on the screen until it is acknowledged.
+// An alarm that is raised and cleared at once stays on the screen until it is acknowledged.
 void ClockGuard::noticeSleep(Seconds slept)
 {
     const QString seconds = QString::number(slept.count(), 'f', 1);

@@ -7,19 +7,19 @@
 #include "core/messages/station_status.h"
 #include "core/sources/steered_utc.h"
 
-// Watches the clock of this computer. Reports how far it is off, when somebody set it, and when the computer slept. It
-// changes nothing. Station thread only.
+// Watches the clock of this computer. Reports the error of the clock, and alarms when the clock was set or the computer
+// slept. Changes nothing. Station thread only.
 namespace boresight {
 
 class ClockGuard
 {
 public:
-    // All of them outlive this.
+    // All arguments outlive this.
     ClockGuard(const Clock& clock, EventLog& log, AlarmBoard& alarms)
         : m_clock(clock), m_log(log), m_alarms(alarms), m_slept(clock.slept())
     {}
 
-    // Once per tick.
+    // Call once per tick.
     void tick();
     [[nodiscard]] const ClockStatus& status() const { return m_status; }
 

@@ -82,7 +82,7 @@ void MessageCommands::profileChanged(const profile::Profile& before, const profi
     }
 }
 
-// A broker that knows no user of Boresight knows none of the others.
+// Boresight connects without a user name, so everybody who reaches the broker can probably send commands.
 void MessageCommands::tellOpenBroker()
 {
     const profile::BrokerSettings& settings = m_profile->mqtt;
@@ -130,7 +130,7 @@ std::vector<rotctld::ClientInfo> MessageCommands::clients() const
              .leap = habits.leap()}};
 }
 
-// Its address is no address of a computer: no profile can lock the mount to whoever reaches the broker.
+// The address of this client is a topic, not a computer. A profile can therefore not lock the mount to this client.
 void MessageCommands::begin()
 {
     if (m_commandTopic.isEmpty()) {
@@ -156,7 +156,7 @@ void MessageCommands::end(const QString& reason)
 
 void MessageCommands::take(const QString& topic, const QByteArray& payload, mqtt::Retain retain)
 {
-    const std::shared_ptr<mqtt::CommandTalk> talk = m_talk;  // a STOP ticks, and a tick may end it
+    const std::shared_ptr<mqtt::CommandTalk> talk = m_talk;  // STOP runs a tick at once, and the tick may reset m_talk
     if (!talk || (topic != m_commandTopic && topic != m_stopTopic)) {
         return;
     }

@@ -13,8 +13,8 @@
 #include <memory>
 #include <vector>
 
-// The commands that arrive by the MQTT broker, where the profile permits them. Those who write to its topics are one
-// client of the mount while the broker is connected, and another one after the next connection. Station thread.
+// Receives commands by the MQTT broker, where the profile permits them. All senders to its topics together are one
+// client of the mount. Each new connection to the broker makes a new client. Station thread.
 namespace boresight {
 
 class MessageCommands : public QObject
@@ -22,7 +22,7 @@ class MessageCommands : public QObject
     Q_OBJECT
 
 public:
-    // All but the parent outlive this. `newestClient` is that of all servers of this rotator.
+    // All arguments but the parent outlive this. All servers of this rotator share `newestClient`.
     MessageCommands(AlarmBoard& alarms, const profile::InForce& profile, EventLog& log, const Clock& clock,
                     StationBroker& broker, rotctld::Rotator& rotator, std::shared_ptr<std::uint64_t> newestClient,
                     mqtt::LatchStop latchStop, QObject* parent);
@@ -30,9 +30,9 @@ public:
     void open();
     void close();
     void profileChanged(const profile::Profile& before, const profile::Profile& after);
-    // Ends the client of a connection that is lost.
+    // Ends the client when the connection to the broker is lost.
     void tick();
-    // False: the client is not of the broker. Else it begins anew, without the control.
+    // Replaces the client by a new one without control authority. False: it is not the client of the broker.
     bool disconnect(std::uint64_t client, const QString& reason);
 
     [[nodiscard]] std::vector<rotctld::ClientInfo> clients() const;
@@ -51,7 +51,7 @@ private:
     rotctld::Rotator& m_rotator;
     std::shared_ptr<std::uint64_t> m_newestClient;
     mqtt::LatchStop m_latchStop;
-    // Empty: not opened.
+    // The topics are empty while not open.
     QString m_commandTopic;
     QString m_stopTopic;
     QString m_answerTopic;

@@ -9,8 +9,8 @@
 
 #include <memory>
 
-// Short messages for one reader, from a UDP port of this computer, a topic of the broker, or a page of a web server
-// that is read again and again. Station thread. Port, broker and page have threads of their own.
+// Receives short messages for one reader. They come from a UDP port of this computer, a topic of the broker, or a page
+// of a web server that is read periodically. Station thread. Port, broker and page have threads of their own.
 namespace boresight {
 
 class MessageInlet : public QObject
@@ -18,19 +18,19 @@ class MessageInlet : public QObject
     Q_OBJECT
 
 public:
-    // The broker outlives this. `name` is that of the thread of a port or a page.
+    // The broker outlives this. The thread of a port or a page gets this `name`.
     MessageInlet(const QString& name, StationBroker& broker, QObject* parent);
 
-    // Each closes what was open before.
+    // Each of these closes the previous source.
     void openPort(const QString& host, std::uint16_t port);
     void openTopic(const QString& topic);
     void openPage(const QUrl& url, std::chrono::milliseconds period);
     void close();
-    // Why no message arrives; empty: nothing is wrong, or it is closed.
+    // Why no message arrives. Empty: there is no problem, or nothing is open.
     [[nodiscard]] QString trouble() const;
 
 Q_SIGNALS:
-    // A message that the broker has kept is of some time before, and is left out.
+    // Retained messages of the broker are left out, because their age is unknown.
     void received(const QByteArray& message);
 
 private:
@@ -38,10 +38,10 @@ private:
 
     QString m_name;
     StationBroker& m_broker;
-    // At most one of them is there.
+    // At most one of these three is in use.
     std::unique_ptr<datagrams::DatagramPort> m_port;
     std::unique_ptr<page::PagePoll> m_page;
-    QString m_topic;  // subscribed to; empty: none
+    QString m_topic;  // the subscribed topic; empty: none
 };
 
 }  // namespace boresight

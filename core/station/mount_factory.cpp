@@ -20,7 +20,7 @@ MountFactory::MountFactory(const profile::Profile& profile, const Clock& clock) 
 {
     const LinkMaker links(profile, clock);
     m_sensor = links.simulated();
-    // Every kind of rotator: a new one is a line here, its offer below, and its name in core/profile/axis_driver.h.
+    // All kinds of rotator. A new kind needs a line here, its offer below, and its name in core/profile/axis_driver.h.
     m_kinds = {
         {AxisDriver::Moteus, moteusRotators(links)},
         {AxisDriver::Gs232, gs232::gs232Rotators()},
@@ -43,7 +43,7 @@ MountMaker MountFactory::make(const profile::Profile& profile, const MountStart&
 {
     const Result<> fits = start.simulation.on ? Result<>{} : profile::fitsRealMount(profile);
     if (!fits) {
-        // The bus of a real mount is not opened with such a profile: what it says of the axes is not so.
+        // The profile does not describe the axes of a real mount, so the bus of a real mount is not opened with it.
         return moteusRotator(std::make_unique<UnusableLink>(toQString(profile.bus), fits.error()),
                              {start.stateDir, start.simulation, start.standingAt});
     }

@@ -12,30 +12,30 @@
 #include <memory>
 #include <vector>
 
-// Makes the mounts of one program, one after the other. The simulated ones stay the same: after a reconnect they stand
-// where they stood.
+// Makes the mounts of one program, one after the other. A simulated mount is kept: after a reconnect it stands where it
+// stood before.
 namespace boresight {
 
-// Those that a person can choose, in the order of the list.
+// The rotators that the operator can choose, in the order of the list on the screen.
 [[nodiscard]] std::vector<RotatorOffer> rotatorOffers();
-// Of the offer that has models. Runs a program and waits for it: not on a thread that has anything else to do.
+// The models of the Hamlib rotator. Runs a program and waits for it: call it on a thread with nothing else to do.
 [[nodiscard]] RotatorModels rotatorModels();
 
 class MountFactory
 {
 public:
-    // The clock outlives it.
+    // The clock outlives this.
     MountFactory(const profile::Profile& profile, const Clock& clock);
 
-    // Each axis has the driver of the profile, or of the simulation. Of `start` the axes do not count.
+    // Each axis gets the driver of the profile, or of the simulation. The axes in `start` are ignored.
     [[nodiscard]] MountMaker make(const profile::Profile& profile, const MountStart& start) const;
-    // Also of the sensor on the simulated mount, while that one is connected.
+    // Makes the sensor of the profile. A simulated sensor exists only with the simulated mount that carries it.
     [[nodiscard]] SensorMaker sensors(const profile::Profile& profile, const Simulation& simulation) const;
 
 private:
     const Clock& m_clock;
     std::map<profile::AxisDriver, MountKind> m_kinds;
-    std::shared_ptr<SimulatedMount> m_sensor;  // the mount that carries the simulated one
+    std::shared_ptr<SimulatedMount> m_sensor;  // the simulated mount that carries the simulated sensor
 };
 
 }  // namespace boresight

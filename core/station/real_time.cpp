@@ -19,16 +19,16 @@
 namespace boresight {
 namespace {
 
-// Above ordinary programs, below the kernel's own threads (50) and audio servers (20).
+// Above ordinary programs, below audio servers (20) and the threads of the kernel (50).
 constexpr int kPriority = 10;
-// Without a pause; rtkit allows 0.2 s at most. The kernel sends SIGXCPU then.
+// The longest computing without a pause. After it the kernel sends SIGXCPU. rtkit permits at most 0.2 s.
 constexpr rlim_t kLongestTurn = 100'000;    // µs
 constexpr rlim_t kRtkitsLongest = 200'000;  // µs
 
 std::atomic<pid_t> theThread{0};
 
-// A program that runs wild must not take the computer with it. Only calls that are safe in a signal handler. An
-// ordinary user may not take SCHED_RESET_ON_FORK back.
+// Ends real-time scheduling, so that an endless loop in the program does not block the computer. Uses only calls that
+// are safe in a signal handler. SCHED_RESET_ON_FORK stays, because an ordinary user may not clear it.
 void giveBack(int)
 {
     const sched_param ordinary{};
@@ -90,7 +90,7 @@ void RealTime::askKernel()
     }
 }
 
-// Answers through the event loop: nobody waits for it.
+// The answer arrives through the event loop. Nothing waits for it.
 void RealTime::askRtkit()
 {
     QDBusMessage call = QDBusMessage::createMethodCall(
@@ -101,7 +101,7 @@ void RealTime::askRtkit()
     if (!bus.isConnected()) {
         return;
     }
-    limitTurns(kRtkitsLongest);  // it refuses a program without this limit
+    limitTurns(kRtkitsLongest);  // rtkit refuses a program without this limit
     auto* const answer = new QDBusPendingCallWatcher(bus.asyncCall(call), this);
     connect(answer, &QDBusPendingCallWatcher::finished, this, [this, answer] {
         m_granted = !answer->isError();
@@ -109,7 +109,7 @@ void RealTime::askRtkit()
     });
 }
 
-// Only where there is no limit: with one, memory could not be had any more when it is reached.
+// Locks memory only without a limit. With a limit, the program would get no more memory when the limit is reached.
 void RealTime::lockMemory()
 {
     raiseToHard(RLIMIT_MEMLOCK);
@@ -120,7 +120,7 @@ void RealTime::lockMemory()
 bool RealTime::isRealTime() const
 {
     const int policy = sched_getscheduler(theThread) & ~SCHED_RESET_ON_FORK;
-    return policy == SCHED_FIFO || policy == SCHED_RR;  // rtkit gives the second
+    return policy == SCHED_FIFO || policy == SCHED_RR;  // rtkit gives SCHED_RR
 }
 
 QString RealTime::text() const

@@ -4,10 +4,10 @@
 #include <QObject>
 #include <QString>
 
-// Asks the system that the control ticks come before other work: real-time scheduling for the thread that
-// calls ask(), from the kernel where the resource limits allow it, else from the service rtkit; and that the program's
-// memory stays in RAM. The thread gives real-time scheduling back when it computes for 0.1 s without a pause.
-// Lives on the thread that it asks for. At most one in a program.
+// Asks the system to run the control ticks before other work. The thread that calls ask() gets real-time scheduling
+// from the kernel if the resource limits allow it, else from the service rtkit. The memory of the program is locked in
+// RAM. The thread gives real-time scheduling back when it computes for 0.1 s without a pause. An object lives on the
+// thread that it serves. At most one in a program.
 namespace boresight {
 
 class RealTime : public QObject
@@ -19,9 +19,9 @@ public:
 
     void ask();
 
-    // Whether the thread is scheduled so now.
+    // Whether the thread has real-time scheduling now.
     [[nodiscard]] bool isRealTime() const;
-    // One line: what was granted, and what to do about what was not. Empty before ask().
+    // One line: what was granted, and what the operator can do about the rest. Empty before ask().
     [[nodiscard]] QString text() const;
 
 private:

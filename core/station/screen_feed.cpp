@@ -6,7 +6,7 @@
 namespace boresight {
 namespace {
 
-// More than this is not read by anybody at once; the log file has it all.
+// Nobody reads more lines at once. The log file has all of them.
 constexpr std::size_t kMostLogLines = 500;
 
 }  // namespace

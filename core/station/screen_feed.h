@@ -10,24 +10,24 @@
 #include <optional>
 #include <vector>
 
-// What waits for the screen: answers to its requests, what the drives did in each tick, new lines of the log. A screen
-// that is slow gets one update at a time, and after a stall what it missed, as far as that is kept. Station thread
-// only.
+// Keeps what the screen still has to get: answers to its requests, a sample of the drives for each tick, new lines of
+// the log. A slow screen gets one update at a time. After a stall it gets what it missed, as far as that was kept.
+// Station thread only.
 namespace boresight {
 
 class ScreenFeed
 {
 public:
-    // The charts of a screen that was stalled for so long miss nothing; after a longer stall they show a gap. It is
-    // the shortest time that they show whole, and at 50 Hz some 120 kB.
+    // After a stall of the screen of up to this time its charts miss nothing. After a longer stall they show a gap. The
+    // shortest time span of a chart is this long. At 50 Hz the samples take about 120 kB.
     static constexpr std::chrono::seconds kSamplesKept{10};
 
     void answer(Answer answer) { m_answers.push_back(std::move(answer)); }
     void keep(const TickSample& sample);
-    // The screen has taken the last update, or shall have one although it has not.
+    // Call when the screen has taken the last update, or when it shall get another one before that.
     void want() { m_wanted = true; }
-    // All that waits, once it is wanted.
     [[nodiscard]] bool isWanted() const { return m_wanted; }
+    // Everything that waits for the screen. Call while isWanted().
     [[nodiscard]] StationUpdate take(StationStatus status, const EventLog& log);
 
 private:

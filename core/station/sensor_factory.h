@@ -8,7 +8,7 @@
 #include <functional>
 #include <memory>
 
-// Makes the source of orientations that a profile names. Not opened yet.
+// Makes the orientation sensor that a profile names. The sensor is not opened yet.
 namespace boresight::mqtt {
 class Connection;
 }
@@ -17,16 +17,16 @@ namespace boresight {
 
 struct SimulatedMount;
 
-// Of one program; called on the station thread. The connection is the one to the station's broker and outlives
-// what is made. Nothing if the profile names none, or one that cannot be had here.
+// Makes the sensor of a profile. Called on the station thread. The connection to the broker of the station outlives the
+// sensor. Null if the profile names no sensor, or one that does not exist here.
 using SensorMaker =
     std::function<std::unique_ptr<orientation::SensorSource>(const profile::Profile&, mqtt::Connection&)>;
 
-// Of what needs nothing but the profile. `simulated`: the mount whose sensor is the simulated one; may be null. The
-// clock outlives the maker and what it makes.
+// `simulated` is the mount that carries the simulated sensor; it may be null. The clock outlives the maker and the
+// sensors that it makes.
 [[nodiscard]] SensorMaker sensorMaker(const Clock& clock, std::shared_ptr<SimulatedMount> simulated);
 
-// Whether the one profile needs another source than the other.
+// Whether the two profiles need different sensors.
 [[nodiscard]] bool namesAnotherSensor(const profile::Profile& a, const profile::Profile& b);
 
 }  // namespace boresight

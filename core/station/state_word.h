@@ -7,7 +7,7 @@
 
 namespace boresight {
 
-// "TRACK". For programs, so in no other language.
+// The name of a state for programs, for example "TRACK". It is never translated.
 [[nodiscard]] QString protocolWord(StationState state);
 
 }  // namespace boresight

@@ -19,8 +19,8 @@ namespace boresight {
 namespace {
 
 constexpr std::chrono::seconds kReopenPeriod{1};
-// Who starts the program and asks for the position at once shall get one, if there is one to be had: where no drive
-// answers there is none, and drives that answer are checked first.
+// How long started() waits for a position, so that a client can ask for it at once. If no drive answers, there will be
+// no position. Drives that answer are checked first, which takes longer.
 constexpr std::chrono::milliseconds kStartPatience{500};
 constexpr std::chrono::seconds kDriveCheckPatience{6};
 
@@ -81,7 +81,7 @@ Station::Station(const profile::Profile& profile, const MountMaker& mount, const
       m_reopenTimer(this),
       m_lateness(std::chrono::round<std::chrono::milliseconds>(profile.control.tickPeriod()))
 {
-    m_mount->setParent(this);  // so that it moves to the station thread with us
+    m_mount->setParent(this);  // so that it moves to the station thread with the station
     for (const Axis axis : kAxes) {
         if (!m_mount->driver().capabilities().has(axis)) {
             m_sensor.watch().leaveOut(axis);
@@ -115,7 +115,7 @@ Station::Station(const profile::Profile& profile, const MountMaker& mount, const
 
 Station::~Station()
 {
-    m_server.close();  // while the rotator still lives
+    m_server.close();  // while the rotator still exists
     m_mount->setParent(nullptr);
 }
 
@@ -152,7 +152,7 @@ void Station::openAll()
     m_eventFile.tick();
 }
 
-// A service has no guide that leads there.
+// A line in the log, because a service has no window with a guide.
 void Station::tellDirections()
 {
     if (m_profile->mount.directions == profile::Directions::Unconfirmed) {
@@ -164,7 +164,7 @@ void Station::tellDirections()
     }
 }
 
-// Another program commands these drives and writes their journal: this one leaves all of it alone.
+// Another program commands these drives and writes their position journal. This station opens neither bus nor server.
 void Station::refuseToStart()
 {
     const QString problem = m_mount->mine().error().text;
@@ -210,7 +210,7 @@ void Station::tellStart()
     }
 }
 
-// Before the next tick: by now the drives have answered the last one, and the set-points are still those it sent.
+// Called before a tick: the drives have answered the last tick, and its set-points are still the current ones.
 void Station::keepSample()
 {
     if (const auto sample = m_control.sample()) {
@@ -243,7 +243,7 @@ void Station::tick()
     }
 }
 
-// What the sensor on the antenna says is compared, shown and reported. It does nothing more.
+// Cross-checks the mount with the sensor on the antenna and passes the result on. The sensor moves and stops nothing.
 void Station::witness()
 {
     double amperes = 0.0;
@@ -278,7 +278,7 @@ void Station::finish()
     m_wind.close();
     m_broker.close();
     m_mount->close();
-    m_screen.want();  // the last words, also to a screen that is slow: who asked for the end has an answer to get
+    m_screen.want();  // the last update, also to a slow screen: it has the answer to the request to end
     publish();
     qCInfo(lcTick, "ticks %llu, late p50 %.1f ms, p99 %.1f ms, max %.1f ms",
            static_cast<unsigned long long>(m_lateness.count()), m_lateness.percentile(0.5).count() * 1e3,
@@ -312,7 +312,7 @@ void Station::request(const NumberedRequest& numbered)
     hurry(numbered.request);
 }
 
-// Of two that wait the newer one counts.
+// Only the newest request waits: a table ends the waiting for a rotator, and the other way round.
 void Station::readTable(const QString& path, StationTables::Then then)
 {
     m_follow.forget();
@@ -336,7 +336,7 @@ void Station::answer(const NumberedRequest& asked, const Result<>& outcome)
                      .verdict = outcome && judged ? std::optional(m_control.judge(judged->direction)) : std::nullopt});
 }
 
-// Programs may repeat STOP at will: only the one that latches it ticks.
+// A program may repeat STOP as often as it likes. Only a STOP that latches runs a tick at once.
 Result<> Station::askNow(const Request& request, const Source& by)
 {
     const bool wasStopped = m_control.stopLatched();
@@ -388,7 +388,7 @@ void Station::reload(const Result<profile::Profile>& read)
                                       .arg(waiting.join(QStringLiteral(", "))));
 }
 
-// What StationControl has admitted, but does not do itself.
+// Carries out the requests that StationControl has accepted but leaves to the station.
 Result<> Station::carryOut(const Request& request, const Source& by)
 {
     if (const auto* const wanted = std::get_if<request::Disconnect>(&request)) {
@@ -417,7 +417,8 @@ Result<> Station::carryOut(const Request& request, const Source& by)
     return m_mount->carryOut(request);
 }
 
-// From where the mount stands. While that is not known, from where it is parked.
+// The rehearsal begins at the measured position of the mount, or at the park position while the measured one is
+// unknown.
 Result<> Station::rehearse(const request::Rehearse& wanted)
 {
     if (!wanted.on) {
@@ -438,7 +439,7 @@ std::optional<DrivesStatus> Station::drives() const
     return status.drives;
 }
 
-// What speaks against a profile in place of the one in force, because of the mount that is connected.
+// Whether the connected mount permits this profile in place of the one in force. The error has the reason.
 Result<> Station::fits(const profile::Profile& wanted) const
 {
     if (profile::namesNoBus(wanted) != profile::namesNoBus(*m_profile)) {
@@ -449,7 +450,7 @@ Result<> Station::fits(const profile::Profile& wanted) const
     return m_mount->simulated() ? Result<>{} : profile::fitsRealMount(wanted);
 }
 
-// Whoever leaves the simulation is given a profile for the real mount by the program.
+// After a simulation the program itself provides a profile for the real mount, so nothing is checked then.
 Result<> Station::mayConnect(const profile::Profile& next) const
 {
     return m_mount->simulated() || profile::namesNoBus(next) ? Result<>{} : profile::fitsRealMount(next);
@@ -481,8 +482,8 @@ void Station::apply(const profile::Profile& wanted)
     Q_EMIT profileApplied(wanted);
 }
 
-// Whoever must react, in this order: what moves and where it may, the mount itself, those who move it, then those who
-// only watch. The calibrations come last: what they do now asks the control by its new limits.
+// The order matters: first the control with its limits, then the mount, then the parts that send commands and the other
+// inputs. The calibrations come last, because they ask the control, which must have its new limits by then.
 void Station::profileChanged(const profile::Profile& before)
 {
     const profile::Profile& after = *m_profile;
@@ -501,7 +502,7 @@ void Station::profileChanged(const profile::Profile& before)
     m_calibration.profileChanged(before, after);
 }
 
-// As if the operator had typed it into the profile.
+// Applies the result of a calibration like a change of the profile by the operator.
 void Station::applyCalibration()
 {
     if (const auto change = m_calibration.takeChange()) {

@@ -41,9 +41,10 @@
 #include <memory>
 #include <vector>
 
-// The station as a running thing: StationControl with a mount, a timer, the rotctld server, a log file and a feed of
-// updates. Building it reads files. Built on the station thread, or moved there before start(); from there on all is
-// called there, from other threads by queued signals. It decides nothing about motion itself.
+// The running station: StationControl with a mount, a timer, the rotctld server, a log file and a feed of updates. It
+// decides nothing about motion itself. The constructor reads files. The station is built on the station thread, or
+// moved there before start(). After that everything is called on this thread; other threads use queued signals.
+//
 // More than 15 members and 600 lines: the parts that it makes and connects.
 namespace boresight {
 
@@ -54,39 +55,39 @@ class Station : public QObject
 public:
     static constexpr std::chrono::milliseconds kUpdatePeriod{50};
 
-    // `clock` must outlive the station. The state folder has its log and what calibrations found.
+    // `clock` must outlive the station. The state folder has the log and the results of calibrations.
     Station(const profile::Profile& profile, const MountMaker& mount, const QString& stateDir, const Clock& clock);
     ~Station() override;
 
-    // How the orientation sensor is reached, if not by the profile alone. Before start().
+    // Replaces how the orientation sensor is made. Call before start().
     void setSensorMaker(SensorMaker maker) { m_sensor.setMaker(std::move(maker)); }
 
-    // The commands of boresightctl for which rotctld has no words are taken by a socket in this folder, or the log says
-    // why not. Before start().
+    // Opens a socket in this folder for the commands of boresightctl that rotctld does not know. If that fails, the log
+    // has the reason. Call before start().
     void serveShell(const QString& runtimeFolder) { m_shell.setRuntimeFolder(runtimeFolder); }
 
-    // Asks for real-time scheduling of the thread that start() runs on. Before start().
+    // start() then asks for real-time scheduling of its thread. Call before start().
     void wantRealTime() { m_wantsRealTime = true; }
 
     [[nodiscard]] StationStatus status() const;
     [[nodiscard]] const TickLateness& lateness() const { return m_lateness; }
 
-    // The profile was read again: what applies at once is in force, the rest is named in the log. What could not be
-    // read, or is refused now, leaves all as it was.
+    // Applies a profile that was read again. Settings that apply at once are in force, the log names the others. A
+    // profile that could not be read or is refused changes nothing.
     void reload(const Result<profile::Profile>& read);
 
 public Q_SLOTS:
-    // Opens the mount and the server and begins to tick; started() tells how that went, as soon as there is a position
-    // to be told or it is clear that there will be none. A mount that does not open is an alarm and is tried again each
+    // Opens the mount and the server and begins to tick. started() reports the result as soon as there is a position,
+    // or when it is clear that there will be none. A mount that does not open is an alarm and is tried again each
     // second.
     void start();
     void request(const boresight::NumberedRequest& request);
-    // The screen has taken the last update: the next may come.
+    // The screen has taken the last update, so the next one may be sent.
     void updateTaken();
-    // Decelerates, leaves the drives as the profile wants, then finished().
+    // Decelerates the mount, leaves the drives as the profile says, then emits finished().
     void shutDown();
 
-    // What the timers call; tests with a hand-turned clock call them themselves after openAll().
+    // The timers call these. Tests with a hand-turned clock call them directly, after openAll().
     void tick();
     void publish();
     void openAll();
@@ -94,15 +95,15 @@ public Q_SLOTS:
     void tellDirections();
 
 Q_SIGNALS:
-    // `listening` is the address of the rotctld server, empty when it could not listen, and then `problem` is the
-    // reason.
+    // `listening` is the address of the rotctld server. It is empty when the server could not listen. `problem` then
+    // has the reason.
     void started(const QString& listening, const QString& problem);
     void updated(const boresight::StationUpdate& update);
     void finished();
-    void ticked();  // the control loop is alive
-    // The operator's settings were taken over: they are worth saving.
+    void ticked();  // each tick; shows that the control loop is alive
+    // New settings of the operator are in force and have to be saved.
     void profileApplied(const boresight::profile::Profile& profile);
-    // In place of finished(): reconnect to the mount, with this profile.
+    // Emitted instead of finished(): build the next station, with this profile.
     void reconnectWanted(const boresight::profile::Profile& profile);
 
 private:
@@ -129,7 +130,7 @@ private:
     void finish();
     void keepSample();
 
-    profile::InForce m_profile;  // before all who read it
+    profile::InForce m_profile;  // first, because the other members read it
     const Clock& m_clock;
     EventLog m_log;
     AlarmBoard m_alarms;
@@ -168,7 +169,7 @@ private:
     SteadyTime m_opened{};
     bool m_startTold = false;
     bool m_finished = false;
-    std::optional<profile::Profile> m_next;  // to start again with
+    std::optional<profile::Profile> m_next;  // the profile for the reconnect; empty: no reconnect is wanted
 };
 
 }  // namespace boresight

@@ -24,7 +24,7 @@ void StationAzel::look()
     });
 }
 
-// Of the file that the profile names now.
+// Ignores a reading of a file that the profile does not name any more.
 void StationAzel::take(const azel::AzelReading& reading)
 {
     m_looking = false;

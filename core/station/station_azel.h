@@ -8,8 +8,8 @@
 #include <QThreadPool>
 #include <QTimer>
 
-// Looks at the azel.dat of WSJT-X, beside the station thread: a folder of another computer may keep a reader waiting.
-// Until the last look is over there is no next one. Station thread only.
+// Reads the azel.dat of WSJT-X on a thread of its own, because a folder of another computer may block a reader. One
+// reading ends before the next one begins. Station thread only.
 namespace boresight {
 
 class StationAzel : public QObject
@@ -25,7 +25,7 @@ public:
     void open() { m_timer.start(); }
     void close() { m_timer.stop(); }
 
-    // What the timer calls.
+    // The timer calls this.
     void look();
 
 Q_SIGNALS:
@@ -37,7 +37,7 @@ private:
     const profile::InForce& m_profile;
     QTimer m_timer{this};
     bool m_looking = false;
-    QThreadPool m_reader;  // last: it ends before what it tells
+    QThreadPool m_reader;  // last member: its work ends before the other members are destroyed
 };
 
 }  // namespace boresight

@@ -20,7 +20,7 @@ const QString kBrokerSource = QStringLiteral("mqtt");
 constexpr int kBrokerLinesPerSecond = 1;
 constexpr qint64 kKilobyte = 1024;
 
-// As for the rotctld clients: what is older is no position, and neither is one on a turn that nobody knows.
+// As for rotctld clients: an older position does not count, nor does one on an unknown cable wrap.
 constexpr std::chrono::seconds kPositionAge{1};
 
 std::optional<Angle> place(const AxisStatus& axis)
@@ -80,7 +80,7 @@ mqtt::Offered offeredBy(profile::BrokerCommands commands)
     return mqtt::Offered::Nothing;
 }
 
-// Nothing where Home Assistant is not wanted.
+// The description for Home Assistant. Empty if it is not wanted.
 std::vector<mqtt::Message> descriptionOf(const profile::Profile& profile)
 {
     const profile::BrokerSettings& settings = profile.mqtt;

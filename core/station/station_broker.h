@@ -15,12 +15,12 @@
 #include <optional>
 #include <vector>
 
-// The MQTT broker as the station uses it: one connection, by which the station's state goes out and the sensor's
-// messages come in. What happens to it is logged and never moves or stops anything. Station thread; the broker
-// itself is served by a thread of its own.
+// The connection of the station to the MQTT broker. It publishes the state of the station and receives messages, for
+// example of the sensor. Problems with the broker are logged. They never move or stop the mount. Station thread; a
+// thread of its own serves the broker.
 namespace boresight {
 
-// The broker of the profile, for a connection with this name where the profile has none.
+// The broker of the profile. `ownId` is the name of the connection where the profile has no client id.
 [[nodiscard]] mqtt::Broker brokerOf(const profile::BrokerSettings& settings, const QString& ownId);
 
 class StationBroker : public QObject
@@ -28,25 +28,25 @@ class StationBroker : public QObject
     Q_OBJECT
 
 public:
-    // Profile, log and clock outlive this; any thread may read the clock.
+    // Profile, log and clock outlive this. Any thread may read the clock.
     StationBroker(const profile::InForce& profile, EventLog& log, const Clock& clock, QObject* parent);
 
-    // Connects if somebody needs the broker.
+    // Connects to the broker if it is needed for publishing or for a reader.
     void open() { connectAnew(); }
-    // What did not change stays as it is.
+    // Reconnects only if the settings of the broker have changed.
     void profileChanged(const profile::Profile& before, const profile::Profile& after);
-    // Whether the orientation sensor comes by the broker.
+    // Whether the messages of the orientation sensor come by the broker.
     void setSensorWanted(bool wanted);
-    // Somebody reads a topic of the broker, and reads it no more.
+    // A reader of a topic begins, and ends.
     void addReader();
     void removeReader();
     void close();
 
     [[nodiscard]] mqtt::Connection& connection() { return m_client; }
     [[nodiscard]] bool isPublishing() const { return m_publisher != nullptr && m_client.isConnected(); }
-    // To be called some times a second, while it publishes.
+    // Call several times a second while isPublishing().
     void show(const StationStatus& status);
-    // What has no reader now is lost.
+    // Publishes a moment of the schedule. It is lost unless isPublishing().
     void tell(const QByteArray& momentOfTheSchedule);
     [[nodiscard]] BrokerStatus status() const;
 
@@ -60,13 +60,13 @@ private:
     const profile::InForce& m_profile;
     EventLog& m_log;
     const Clock& m_clock;
-    QString m_ownId;      // while the profile has none
-    LogThrottle m_lines;  // about messages that others cause at will
+    QString m_ownId;      // the client id while the profile has none
+    LogThrottle m_lines;  // limits the lines that others can cause at will
     mqtt::ThreadedClient m_client;
     std::unique_ptr<mqtt::StatePublisher> m_publisher;
-    std::vector<mqtt::Message> m_description;  // for Home Assistant; empty: it is not wanted
+    std::vector<mqtt::Message> m_description;  // for Home Assistant; empty: not wanted
     bool m_sensorWanted = false;
-    int m_readers = 0;  // besides the sensor
+    int m_readers = 0;  // without the sensor
 };
 
 }  // namespace boresight

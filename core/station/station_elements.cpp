@@ -50,7 +50,8 @@ void StationElements::profileChanged(const profile::Profile& before, const profi
     }
 }
 
-// A Gpredict that is not there is no mistake of anybody, and what is not downloaded yet is told by the download.
+// The files to read. A missing Gpredict is not a problem. A file that is not downloaded yet is reported by the
+// download.
 QStringList StationElements::paths() const
 {
     QStringList all;
@@ -106,7 +107,7 @@ void StationElements::take(const Reading& reading)
     Q_EMIT changed();
 }
 
-// The thread begins with the first address.
+// The download thread starts with the first address.
 void StationElements::download()
 {
     const auto addresses = orbit::elementAddresses(m_profile->orbit.elements);
@@ -128,7 +129,7 @@ void StationElements::takeDownloadProblems(const QStringList& problems)
     tell(problems, std::exchange(m_downloadProblems, problems));
 }
 
-// Those that were not told before.
+// Logs the problems that were not reported before.
 void StationElements::tell(const QStringList& problems, const QStringList& before)
 {
     for (const QString& problem : problems.mid(0, kMostProblems)) {
@@ -152,7 +153,7 @@ void StationElements::tellKept(std::size_t count)
     }
 }
 
-// A file that was replaced is watched again: the watcher loses it.
+// Called before each reading, because the watcher loses a file that is replaced.
 void StationElements::watch()
 {
     if (const QStringList watched = m_watcher.files() + m_watcher.directories(); !watched.isEmpty()) {

@@ -12,7 +12,7 @@
 namespace boresight {
 namespace {
 
-// By a name or an address of this computer.
+// Whether this is the name or an address of this computer.
 bool isThisComputer(const QString& host)
 {
     const QHostAddress address(host);
@@ -106,7 +106,7 @@ void StationFollow::close()
     drop(m_followed);
 }
 
-// Whatever else moved the mount meanwhile has another motion id.
+// A different motion id shows that another command has moved the mount meanwhile.
 void StationFollow::tick()
 {
     if (m_wanted && m_control.motionId() != m_motionId) {
@@ -120,7 +120,7 @@ void StationFollow::tick()
     }
 }
 
-// Who is answered may ask for another one.
+// m_then is cleared first, because the callback may request another rotator.
 void StationFollow::answer(const Result<QString>& found)
 {
     if (const Then then = std::exchange(m_then, {})) {
@@ -128,7 +128,7 @@ void StationFollow::answer(const Result<QString>& found)
     }
 }
 
-// It may be the one who calls.
+// Deletes later, because this may run inside a signal of the object.
 void StationFollow::drop(rotctl::FollowedRotctld*& one)
 {
     if (one) {

@@ -10,8 +10,8 @@
 #include <cstdint>
 #include <functional>
 
-// The rotctld of another rotator that the mount follows, or shall follow once it has reported where it is. What it
-// reports goes to the control. Station thread only.
+// Connects to the rotctld of another rotator that the mount follows, or will follow after its first position. Its
+// reports go to the control. Station thread only.
 namespace boresight {
 
 class StationFollow : public QObject
@@ -19,18 +19,18 @@ class StationFollow : public QObject
     Q_OBJECT
 
 public:
-    // Gets the name of the rotator that has reported a position, or why there is none. Its own result: whether the
-    // mount follows that one now.
+    // Receives the name of the rotator that has reported a position, or the reason why there is none. Returns whether
+    // the mount follows this rotator now.
     using Then = std::function<Result<>(const Result<QString>& found)>;
 
-    // They outlive this.
+    // All arguments but the parent outlive this.
     StationFollow(StationControl& control, const profile::InForce& profile, const Clock& clock, QObject* parent);
 
-    // "rotctld:HOST:PORT". `then` is called once. One that is followed is followed until then.
+    // `name` is "rotctld:HOST:PORT". `then` is called once. Until then the mount goes on following another rotator.
     void find(const QString& name, Then then);
-    // The mount was asked for something else meanwhile: who waits is refused.
+    // The mount got another command: the request that waits is refused.
     void forget();
-    // The same, and nobody is followed.
+    // As forget(). The mount also stops following.
     void close();
     void tick();
 
@@ -44,10 +44,10 @@ private:
     StationControl& m_control;
     const profile::InForce& m_profile;
     const Clock& m_clock;
-    rotctl::FollowedRotctld* m_followed = nullptr;  // both belong to this
+    rotctl::FollowedRotctld* m_followed = nullptr;  // m_followed and m_wanted are children of this
     rotctl::FollowedRotctld* m_wanted = nullptr;
-    Then m_then;                   // empty: nobody waits
-    std::uint64_t m_motionId = 0;  // of the mount, when it was asked for
+    Then m_then;                   // empty: no request waits
+    std::uint64_t m_motionId = 0;  // motion id of the mount at the time of the request
 };
 
 }  // namespace boresight

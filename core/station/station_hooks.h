@@ -9,8 +9,8 @@
 
 #include <QObject>
 
-// What a moment of the schedule leads to outside: a program of the profile, and a message to the broker. How the
-// program ended is a line of the log, and nothing more follows from it. Station thread.
+// At a moment of the schedule, starts a program of the profile and sends a message to the broker. The result of the
+// program is a line in the log and has no other effect. Station thread.
 namespace boresight {
 
 class StationHooks : public QObject

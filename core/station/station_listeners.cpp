@@ -34,7 +34,7 @@ rotctld::ServerSettings serverSettings(const Listener& listener, const std::shar
             .newestClient = newestClient};
 }
 
-// The line to add for a protocol of another kind.
+// A new protocol needs a line here.
 rotctld::StartConversation talkOf(Protocol protocol, rotctld::Rotator& rotator, const Clock& clock,
                                   const profile::InForce& profile)
 {
@@ -78,7 +78,7 @@ void StationListeners::open()
     for (const std::string& line : m_profile->listeners) {
         const auto listener = listeners::parseListener(line);
         if (!listener) {
-            continue;  // the profile with it was refused
+            continue;  // cannot happen: a profile with such a line is refused
         }
         auto server = std::make_unique<rotctld::Server>(
             serverSettings(*listener, m_newestClient, static_cast<std::size_t>(m_profile->rotctld.maxClients)),

@@ -10,21 +10,21 @@
 #include <memory>
 #include <vector>
 
-// The listeners for programs that do not speak rotctld, by the profile. Each is a server of its own in front of the
-// same rotator, so that its clients pass what rotctld clients pass. Station thread.
+// The listeners of the profile, for programs that do not speak rotctld. Each one is a server of its own for the same
+// rotator, so its clients pass the same gates as rotctld clients. Station thread.
 namespace boresight {
 
 class StationListeners
 {
 public:
-    // All of them outlive this.
+    // All arguments but the parent outlive this.
     StationListeners(AlarmBoard& alarms, const profile::InForce& profile, EventLog& log, rotctld::Rotator& rotator,
                      const Clock& clock, std::shared_ptr<std::uint64_t> newestClient, QObject* parent);
 
-    // Those that cannot be opened are named by one alarm.
+    // One alarm names all listeners that cannot be opened.
     void open();
     void close() { m_servers.clear(); }
-    // False when it is none of theirs.
+    // False: the client is not one of these listeners' clients.
     bool disconnect(std::uint64_t client, const QString& reason);
 
     [[nodiscard]] std::vector<rotctld::ClientInfo> clients() const;

@@ -10,8 +10,8 @@
 #include <stop_token>
 #include <vector>
 
-// Searches passes beside the station thread, one search after the other, and tells on the station thread what it found.
-// Its end ends a search. Station thread only.
+// Searches passes on a thread of its own, one search after the other. The result arrives on the station thread. The
+// destructor stops a running search. Station thread only.
 namespace boresight {
 
 class StationPasses : public QObject
@@ -27,7 +27,7 @@ public:
 
 private:
     std::stop_source m_stop;
-    QThreadPool m_worker;  // last: it ends before what it tells
+    QThreadPool m_worker;  // last member: its work ends before the other members are destroyed
 };
 
 }  // namespace boresight

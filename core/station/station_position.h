@@ -9,8 +9,8 @@
 
 #include <QObject>
 
-// Where the positions of a balloon or a rocket come from: the UDP port or the topic that the profile names, opened and
-// closed as the profile changes. Station thread.
+// Receives the positions of a balloon or a rocket from the UDP port or the topic that the profile names. The source is
+// opened and closed when the profile changes. Station thread.
 namespace boresight {
 
 class StationPosition : public QObject
@@ -18,17 +18,17 @@ class StationPosition : public QObject
     Q_OBJECT
 
 public:
-    // All but the parent outlive this.
+    // All arguments but the parent outlive this.
     StationPosition(const profile::InForce& profile, EventLog& log, const Clock& clock, StationBroker& broker,
                     QObject* parent);
 
     void open();
     void close();
-    // What did not change goes on.
+    // A source that did not change stays open.
     void profileChanged(const profile::Profile& before, const profile::Profile& after);
-    // What arrived was not believed. That others fly, too, is no trouble.
+    // Logs why a position was refused. A position of another balloon or rocket is not logged.
     void tellRefused(const Error& why);
-    // Where they come from, and what is wrong with that.
+    // Fills in the source of the positions and its trouble.
     void describe(PositionStatus& status) const;
 
 Q_SIGNALS:

@@ -10,8 +10,8 @@
 
 #include <memory>
 
-// The line of the received power as the station uses it: the one that the profile names, opened and closed as the
-// profile changes; its troubles go to the log. Station thread; the line itself is served by a thread of its own.
+// The line of the received power that the profile names. It is opened and closed when the profile changes. Problems of
+// the line go to the log. Station thread; a thread of its own serves the line.
 namespace boresight {
 
 class StationPower : public QObject
@@ -19,14 +19,14 @@ class StationPower : public QObject
     Q_OBJECT
 
 public:
-    // Profile, clock and log outlive this; any thread may read the clock.
+    // Profile, clock and log outlive this. Any thread may read the clock.
     StationPower(const profile::InForce& profile, const Clock& clock, EventLog& log, QObject* parent);
 
     void open();
     void close();
-    // A line that did not change goes on.
+    // A line that did not change stays open.
     void profileChanged(const profile::Profile& before, const profile::Profile& after);
-    // How the line does now. Once per tick.
+    // Returns the state of the line. Call once per tick.
     PowerLineStatus tick();
 
 Q_SIGNALS:
@@ -36,8 +36,8 @@ private:
     const profile::InForce& m_profile;
     const Clock& m_clock;
     LogThrottle m_lines;
-    std::unique_ptr<power::ThreadedLine> m_line;  // null: the profile names none, or it is closed
-    QString m_problem;                            // reported last
+    std::unique_ptr<power::ThreadedLine> m_line;  // null: the profile names no line, or the line is closed
+    QString m_problem;                            // the last one that was logged
     bool m_open = false;
 };
 

@@ -10,8 +10,8 @@
 
 #include <stop_token>
 
-// Rehearses the schedule beside the station thread, one rehearsal at a time. Its end ends a rehearsal. Station thread
-// only.
+// Rehearses the schedule on a thread of its own, one rehearsal at a time. The destructor stops a running rehearsal.
+// Station thread only.
 namespace boresight {
 
 class StationRehearsal : public QObject
@@ -31,7 +31,7 @@ private:
 
     RehearsalStatus m_status;
     std::stop_source m_stop;
-    QThreadPool m_worker;  // last: it ends before what it tells
+    QThreadPool m_worker;  // last member: its work ends before the other members are destroyed
 };
 
 }  // namespace boresight

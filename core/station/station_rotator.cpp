@@ -13,17 +13,17 @@
 namespace boresight {
 namespace {
 
-// Hamlib compares in single precision, so that 450.00001 still passes as 450; this much it forgives at most.
+// Hamlib compares in single precision, so its clients may send 450.00001 for 450. The error is at most this tolerance.
 constexpr Angle kLimitTolerance = Angle::fromDegrees(1e-4);
 constexpr int kFastestSpeed = 100;
 constexpr int kFastestLevel = 4;
-// A tracking client sends one target a second; what is more would only push the rest out of the log.
+// A tracking client sends one target a second. More lines would only push others out of the log.
 constexpr int kCommandsPerSecond = 2;
 constexpr int kRemarksPerSecond = 20;
 constexpr int kRefusalsPerSecond = 4;
 constexpr int kConnectionsPerSecond = 4;
 
-// The sentences have places for the value and for the limit.
+// `below` and `above` have %1 for the value and %2 for the limit.
 Result<> inside(Angle value, Angle min, Angle max, const QString& below, const QString& above)
 {
     if (value < min - kLimitTolerance) {
@@ -35,20 +35,20 @@ Result<> inside(Angle value, Angle min, Angle max, const QString& below, const Q
     return {};
 }
 
-// 90.00001° means 90°, not a flip over the top.
+// A value just outside the range becomes its end: 90.00001° means 90°, not a flip over the top.
 Angle snapped(Angle value, Angle min, Angle max)
 {
     const Angle inRange = std::clamp(value, min, max);
     return abs(value - inRange) <= kLimitTolerance ? inRange : value;
 }
 
-// What can be true of an axis; rather a little too wide than a target withheld.
+// The true angles that an axis can reach. A little too wide: a client must not hold back a reachable target.
 TravelRange trueRange(const TravelRange& travel, Angle offset, Angle rest)
 {
     return {.min = travel.min + offset - rest, .max = travel.max + offset + rest};
 }
 
-// An axis that ends at the zenith does not look over the top because the mast leans.
+// The elevations of an axis that ends at the zenith stay at or below 90°, even if the mast leans.
 TravelRange trueElevations(const TravelRange& travel, const pointing::PointingTerms& terms)
 {
     const Angle rest = pointing::PointingModel(terms).skew() + abs(terms.elevationSag);
@@ -96,8 +96,8 @@ rotctld::Limits StationRotator::limits() const
                            .maxAzimuth = azimuth.max,
                            .minElevation = elevation.min,
                            .maxElevation = elevation.max};
-    // Clients check a target against these numbers before they send it, and any azimuth of their own convention is a
-    // direction here: it must not be withheld because the cable is counted differently.
+    // Clients check a target against these limits before they send it. Every azimuth of their convention is a valid
+    // direction here, so the limits cover the whole convention, however the cable wrap is counted.
     if (m_profile->rotctld.azimuth == profile::AzimuthConvention::ZeroTo360) {
         limits.minAzimuth = std::min(limits.minAzimuth, 0_deg);
         limits.maxAzimuth = std::max(limits.maxAzimuth, 360_deg);
@@ -112,7 +112,7 @@ Result<SkyPointing> StationRotator::position(const rotctld::Client& client)
 {
     m_control.positionRead(client.id);
     return m_control.measured().map([this](AxisPosition axes) {
-        // In the client's own frame: else it would go on correcting what the operator has trimmed.
+        // The client gets the position without the operator's trim. Otherwise the client would correct the trim away.
         if (const auto trim = m_control.trimInUse()) {
             axes = {axes.azimuth - trim->azimuth, axes.elevation - trim->elevation};
         }
@@ -166,7 +166,7 @@ Result<> StationRotator::permitted(const rotctld::PointRequest& request) const
         });
 }
 
-// The turn that a client means which counts them; none beyond the travel.
+// The axis angles that a client with a continuous azimuth means. Empty if they are outside the travel.
 std::optional<AxisPosition> StationRotator::placeOf(const SkyPointing& continuous) const
 {
     const TravelRange& azimuths = m_profile->azimuth.geometry.travel;
@@ -261,7 +261,7 @@ Result<> StationRotator::reset(const rotctld::Client& client, int)
     if (m_control.faultLatched() || m_control.waitsSinceRearm(clientSource(client))) {
         return ask(client, request::Rearm{}, QStringLiteral("R"));
     }
-    return m_control.measured().map([](const AxisPosition&) {});  // nothing to re-arm; but are the drives there?
+    return m_control.measured().map([](const AxisPosition&) {});  // nothing to re-arm: only check that the drives reply
 }
 
 Result<> StationRotator::setSpeedLevel(const rotctld::Client& client, int level)

@@ -9,8 +9,8 @@
 
 #include <optional>
 
-// The mount as the rotctld server sees it: translates the clients' commands into requests to StationControl and its
-// measured position into the azimuth convention of the profile. Clients know true directions only. Station thread only.
+// The mount for the rotctld server. Translates commands of clients into requests to StationControl, and the measured
+// position into the azimuth convention of the profile. Clients see true directions only. Station thread only.
 namespace boresight {
 
 class StationRotator final : public rotctld::Rotator
@@ -50,17 +50,17 @@ private:
 
     StationControl& m_control;
     const profile::InForce& m_profile;
-    int m_speedLevel = 2;  // of 1…4, as Hamlib's dummy starts
-    // Lines that clients can cause at will; each kind has a share of its own, so that none hides another.
+    int m_speedLevel = 2;  // 1…4; the dummy rotator of Hamlib starts with this level
+    // Limits the lines that clients can cause at will. Each kind has its own limit, so that no kind hides another.
     LogThrottle m_remarks;      // dropped clients, foreign protocols, odd commands
     LogThrottle m_refusals;     // refused commands
     LogThrottle m_commands;     // accepted commands
     StreamLog m_points;         // accepted positions of a stream
-    StreamLog m_refusedPoints;  // the same, refused
-    LogThrottle m_connections;  // who comes and goes
+    StreamLog m_refusedPoints;  // refused positions of a stream
+    LogThrottle m_connections;  // connects and disconnects
 };
 
-// How a client is named in the log and as a commander.
+// The name of a client in the log and as the source of a motion.
 [[nodiscard]] Source clientSource(const rotctld::Client& client);
 
 }  // namespace boresight

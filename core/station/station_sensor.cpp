@@ -47,7 +47,7 @@ void StationSensor::open()
     connect(m_source.get(), &orientation::SensorSource::statusChanged, this,
             [this](const orientation::SourceStatus& status) {
                 m_watch.show(status);
-                // The broker's own trouble has its line already.
+                // A problem of the broker is already in the log.
                 if (!status.problem.isEmpty() && status.problem != m_broker.connection().problem()) {
                     m_log.add(Severity::Warning, kSensorSource, status.problem);
                 }
@@ -57,7 +57,7 @@ void StationSensor::open()
     m_watch.show(m_source->status());
 }
 
-// What was refused, and what the sensor says of itself, comes without a value.
+// The counts of refused messages and the firmware do not depend on a value, so they come from the source.
 SensorStatus StationSensor::status() const
 {
     SensorStatus status = m_watch.status();
@@ -91,7 +91,7 @@ void StationSensor::profileChanged(const profile::Profile& before, const profile
     const bool elsewhere = before.site != after.site || before.sensor.declinationFile != after.sensor.declinationFile;
     m_watch.profileChanged(before, after);
     if (elsewhere) {
-        m_watch.setSiteDeclination(std::nullopt);  // what was read was of the site or the file of before
+        m_watch.setSiteDeclination(std::nullopt);  // it was for the previous site or file
     }
     if (m_open && another) {
         open();

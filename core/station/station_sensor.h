@@ -12,9 +12,8 @@
 #include <optional>
 #include <string>
 
-// The orientation sensor as the station uses it: the source that the profile names, opened and closed as the profile
-// changes, and what SensorWatch makes of its values. The magnetic model is read in a
-// thread of its own. Station thread.
+// The orientation sensor that the profile names. It is opened and closed when the profile changes. SensorWatch judges
+// its values. A thread of its own reads the magnetic model. Station thread.
 namespace boresight {
 
 class StationSensor : public QObject
@@ -26,11 +25,11 @@ public:
     StationSensor(const profile::InForce& profile, const Clock& clock, EventLog& log, AlarmBoard& alarms,
                   StationBroker& broker, QObject* parent);
 
-    // Before open().
+    // Call before open().
     void setMaker(SensorMaker maker) { m_maker = std::move(maker); }
     void open();
     void close();
-    // A source that did not change goes on.
+    // A sensor that did not change stays open.
     void profileChanged(const profile::Profile& before, const profile::Profile& after);
 
     [[nodiscard]] SensorStatus status() const;
@@ -38,13 +37,13 @@ public:
     [[nodiscard]] SensorWatch& watch() { return m_watch; }
 
 Q_SIGNALS:
-    void modelRead();  // from the reader, to this object
+    void modelRead();  // emitted on the reader thread, received by this object
 
 private:
     struct ModelAnswer
     {
         Result<Angle> declination;
-        QString model;  // its name and its years
+        QString model;  // name and years of the model
         QString expiry;
     };
     static ModelAnswer askModel(const QString& path, const Site& site, double year);
@@ -60,10 +59,10 @@ private:
     SensorMaker m_maker;
     std::unique_ptr<orientation::SensorSource> m_source;
     bool m_open = false;
-    ModelAnswer m_model;       // the reader's until it has read
-    bool m_isReading = false;  // takeModel() is still to come
-    bool m_readAgain = false;  // asked for meanwhile
-    QThreadPool m_reader;      // one thread; last, so that it ends first
+    ModelAnswer m_model;       // the reader thread writes it until modelRead()
+    bool m_isReading = false;  // until takeModel()
+    bool m_readAgain = false;  // wanted again while reading
+    QThreadPool m_reader;      // one thread; last member, so that it ends first
 };
 
 }  // namespace boresight

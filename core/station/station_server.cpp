@@ -67,7 +67,7 @@ void StationServer::close()
     m_further.close();
 }
 
-// Whoever reaches the port moves the mount: the protocol knows no password.
+// The protocol has no password: everybody who reaches the port can move the mount.
 void StationServer::tellOpenPort()
 {
     const profile::RotctldSettings& settings = m_profile->rotctld;
@@ -78,7 +78,7 @@ void StationServer::tellOpenPort()
     m_control.alarms().raise(alarmEntry("rotctld.open"), {address()});
 }
 
-// The server knows no profile.
+// The server does not know the profile, so it gets the settings here.
 void StationServer::profileChanged()
 {
     const rotctld::ServerSettings settings = serverSettings(m_profile->rotctld);

@@ -11,27 +11,28 @@
 #include <memory>
 #include <vector>
 
-// The rotctld server of a station, by the profile: where it listens, who may connect, what the log and the alarms say
-// about it, and its clients as the screen shows them, with those of the further listeners. Station thread.
+// The rotctld server of a station. The profile says where it listens and who may connect. This class writes the log
+// lines and alarms about the server, and lists its clients and those of the other listeners for the screen. Station
+// thread.
 namespace boresight {
 
 class StationServer
 {
 public:
-    // All of them outlive this.
+    // All arguments but the parent outlive this.
     StationServer(StationControl& control, const profile::InForce& profile, EventLog& log, const Clock& clock,
                   QObject* parent);
 
-    // Where it does not listen there is an alarm, too.
+    // A server that cannot listen also raises an alarm.
     Result<> open();
     void close();
     void profileChanged();
-    // NotAvailable: it has gone by itself.
+    // NotAvailable: the client has already disconnected.
     Result<> disconnect(std::uint64_t client, const QString& reason);
 
     [[nodiscard]] std::uint16_t port() const { return m_server.port(); }
     [[nodiscard]] QString address() const;  // empty: it does not listen
-    // Those of the listeners, and others of the same rotator.
+    // Adds the clients of the listeners and `others`, which use the same rotator.
     [[nodiscard]] std::vector<ClientStatus> clients(std::vector<rotctld::ClientInfo> others) const;
     [[nodiscard]] rotctld::Rotator& rotator() { return m_rotator; }
     [[nodiscard]] const std::shared_ptr<std::uint64_t>& newestClient() const { return m_server.newestClient(); }
@@ -43,7 +44,7 @@ private:
     const profile::InForce& m_profile;
     EventLog& m_log;
     StationRotator m_rotator;
-    rotctld::Server m_server;  // they end before the rotator
+    rotctld::Server m_server;  // after the rotator, so that its clients end first
     StationListeners m_further;
 };
 

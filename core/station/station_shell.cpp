@@ -15,7 +15,7 @@ namespace boresight {
 namespace {
 
 constexpr int kShellLinesPerSecond = 4;
-// In place of a target.
+// Words that a shell can send in place of a target.
 const QByteArray kPositionWord = "position";
 const QByteArray kAzelWord = "azel.dat";
 
@@ -67,7 +67,7 @@ QJsonObject windObject(const WindStatus& wind)
              wind.overriddenUntil ? QJsonValue(timeOfDayText(*wind.overriddenUntil)) : QJsonValue()}};
 }
 
-// As the header of the window shows it. `motion` is what the mount carries out.
+// The state as the header of the window shows it. `motion` is what the mount does now.
 QByteArray statusJson(const StationStatus& status)
 {
     const QString reason = status.stateReason == status.targetText ? QString() : status.stateReason;
@@ -80,7 +80,7 @@ QByteArray statusJson(const StationStatus& status)
     return QJsonDocument(all).toJson(QJsonDocument::Compact);
 }
 
-// An object without fields: the profile names no output.
+// An object without fields means that the profile names no output.
 QByteArray transmitJson(const TransmitStatus& transmit)
 {
     QJsonObject all;
@@ -113,7 +113,7 @@ void StationShell::open(std::uint16_t port)
         m_lines.insist(Severity::Advisory, shellSource().name, Text::tr("listening on %1").arg(m_server.path()));
         return;
     }
-    // A program without a session of its user has no folder for it.
+    // NotAvailable is usual: a program outside a user session has no folder for sockets.
     const bool isUsual = listening.error().code == ErrorCode::NotAvailable;
     m_lines.insist(isUsual ? Severity::Advisory : Severity::Warning, shellSource().name,
                    Text::tr("The local socket did not open: %1. Commands of the shell that need it do not reach this "
@@ -156,7 +156,7 @@ local::LocalAnswer StationShell::answerNow(const local::LocalRequest& asked)
     return told(asked, m_station.ask(requestOf(asked), shellSource()).map([] { return QByteArray(); }));
 }
 
-// A refusal is in the log, too.
+// Returns the answer and logs a refusal.
 local::LocalAnswer StationShell::told(const local::LocalRequest& asked, local::LocalAnswer answer)
 {
     if (!answer) {
@@ -174,7 +174,7 @@ Result<> StationShell::mayTrack() const
     });
 }
 
-// A file is read first, and another rotator is asked first. Who has the control is asked again then.
+// Reading a file or asking another rotator takes time, so the permission to track is checked again afterwards.
 void StationShell::track(const QByteArray& text, const local::Reply& reply)
 {
     const Result<> may = mayTrack();
@@ -208,7 +208,7 @@ void StationShell::track(const QByteArray& text, const local::Reply& reply)
               .and_then([this](const targets::Target& target) { return track(target); }));
 }
 
-// The answer is the name of what it is.
+// The answer is the name of the target.
 local::LocalAnswer StationShell::track(const targets::Target& target)
 {
     return mayTrack().and_then([&] { return m_station.ask(request::Track{target}, shellSource()); }).map([&] {

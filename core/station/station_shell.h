@@ -15,9 +15,9 @@
 #include <optional>
 #include <vector>
 
-// The local socket as the station uses it: translates the commands of the shell into requests of the operator, and
-// lists the satellites. A target is tracked where a client of this computer could move the mount, or the operator has
-// the control. Station thread only.
+// Serves the local socket: translates commands of the shell into requests of the operator, and answers its questions.
+// The shell may track a target when a client of this computer may move the mount, or when the operator has control.
+// Station thread only.
 namespace boresight {
 
 class StationShell
@@ -40,11 +40,11 @@ public:
     // Log and clock outlive this.
     StationShell(Station station, EventLog& log, const Clock& clock, QObject* parent);
 
-    // Where the user's sockets are, as core/local_socket reports it. Without this there is no socket, and no line in
-    // the log about it.
+    // The folder of the user's sockets, as core/local_socket reports it. Without this call there is no socket and no
+    // line about it in the log.
     void setRuntimeFolder(const QString& folder) { m_runtimeFolder = folder; }
 
-    // The socket of the station whose rotctld server has this port. That it does not open is a line of the log.
+    // The name of the socket contains the port of the rotctld server. A socket that does not open is a line in the log.
     void open(std::uint16_t port);
     void close() { m_server.close(); }
 

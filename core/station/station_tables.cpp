@@ -75,7 +75,7 @@ void StationTables::take(std::uint64_t number, const Result<targets::Target>& ta
     }
 }
 
-// Who is answered may ask for the next.
+// m_then is cleared first, because the callback may request the next table.
 void StationTables::answer(const Result<targets::Target>& table)
 {
     if (const Then then = std::exchange(m_then, {})) {

@@ -15,8 +15,8 @@
 #include <functional>
 #include <optional>
 
-// Reads the file of a table beside the station thread: a large one takes seconds, and a folder of another computer may
-// keep a reader waiting. Station thread only.
+// Reads the file of a table on a thread of its own: a large file takes seconds, and a folder of another computer may
+// block a reader. Station thread only.
 namespace boresight {
 
 class StationTables : public QObject
@@ -26,19 +26,19 @@ class StationTables : public QObject
 public:
     using Then = std::function<void(const Result<targets::Target>& table)>;
 
-    // Nobody expects a motion later than this. A hung folder of another computer may take longer.
+    // After this time nobody expects a motion any more. A blocked folder of another computer may take longer.
     static constexpr std::chrono::seconds kLongestReading{30};
 
     explicit StationTables(QObject* parent);
 
-    // `then` gets what the file has, or the reason why not, once and from the event loop. `path` is absolute: the
-    // station has its own folder.
+    // `then` is called once, from the event loop, with the table or the reason why there is none. `path` is absolute,
+    // because the station has another working folder.
     void read(const QString& path, Then then);
-    // The mount was asked for something else meanwhile, which must not end when a file is read: who waits is refused.
+    // The mount got another request. A file read later must not end it, so the request that waits is refused.
     void noticed(const Request& request);
-    // Each tick: whatever else moved the mount or stopped it meanwhile has another motion id.
+    // Call each tick. Another motion id shows that the mount was moved or stopped meanwhile.
     void tick(std::uint64_t motionId, SteadyTime now);
-    // Who waits is refused.
+    // Refuses the request that waits.
     void forget();
 
 private:
@@ -51,10 +51,10 @@ private:
     void take(std::uint64_t number, const Result<targets::Target>& table);
     void answer(const Result<targets::Target>& table);
 
-    Then m_then;  // empty: nobody waits
+    Then m_then;  // empty: no request waits
     std::optional<Asked> m_asked;
     std::uint64_t m_last = 0;
-    QThreadPool m_reader;  // last: it ends before what it tells
+    QThreadPool m_reader;  // last member: its work ends before the other members are destroyed
 };
 
 }  // namespace boresight

@@ -26,7 +26,7 @@ using transmit::OutputKind;
 const QString kTransmitSource = QStringLiteral("transmit");
 constexpr int kTransmitLinesPerSecond = 2;
 
-// A broker disconnects the first of two clients with one name.
+// A client id of its own: a broker disconnects the first of two clients with the same id.
 mqtt::Broker ownBroker(profile::BrokerSettings settings)
 {
     if (!settings.clientId.empty()) {
@@ -46,7 +46,7 @@ bool isLive(const AxisStatus& axis)
     return axis.state == AxisState::Missing || (axis.age && *axis.age < StationTransmit::kOldestReport);
 }
 
-// What has nothing to do with directions.
+// The reasons to stay off that do not depend on the distance between beam and target.
 Obstacle obstacleOf(const StationStatus& status)
 {
     if (status.stopLatched) {
@@ -62,7 +62,7 @@ Obstacle obstacleOf(const StationStatus& status)
     if (status.tracked && !status.tracked->isUp) {
         return Obstacle::NotUp;
     }
-    // The direction in the status may then be that of the nearest permitted place.
+    // While limited, the target in the status may be the nearest permitted place.
     return status.limited ? Obstacle::OutOfReach : Obstacle::None;
 }
 
@@ -157,8 +157,8 @@ void StationTransmit::begin()
     }
 }
 
-// It keeps its port or file until it is off, and the next one may need the same. What still runs is not waited for: it
-// tells its end.
+// Switches the output off and keeps it until it is off. The next output may need the same port or file, so it begins
+// after that. Nothing waits here: a signal of the output reports its end.
 void StationTransmit::retire()
 {
     if (m_output) {
@@ -185,7 +185,7 @@ void StationTransmit::settleAnew()
     m_decision = {};
 }
 
-// A change may have moved the target, the beam or its width.
+// The output goes off, because a change of the profile may have moved the target, the beam or the beam width.
 void StationTransmit::profileChanged(const profile::Profile& before, const profile::Profile& after)
 {
     const auto name = transmit::parseOutput(after.transmit.output);
@@ -241,7 +241,7 @@ void StationTransmit::order(bool on)
     m_output->set(on);
 }
 
-// What failed to be on is all right again when it is on, or need not be.
+// A failure is over when the output is as decided: on again, or off and not needed.
 void StationTransmit::reached(bool on)
 {
     m_switching.isOn = on;

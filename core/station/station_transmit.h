@@ -16,9 +16,9 @@
 #include <memory>
 #include <optional>
 
-// Holds the transmitter until the beam is on its target: the output that the profile names, switched as TransmitGate
-// decides. Off from open() on, at close(), after each change of the profile, and whenever its output fails. Station
-// thread. What an output does with files, ports and programs has threads of its own.
+// Keeps the transmitter off until the beam is on its target. Switches the output that the profile names, as
+// TransmitGate decides. The output is off after open(), at close(), after each change of the profile, and when it
+// fails. Station thread; outputs have threads of their own for files, ports and programs.
 namespace boresight {
 
 class StationTransmit : public QObject
@@ -28,42 +28,42 @@ class StationTransmit : public QObject
 public:
     using MakeOutput = std::function<std::unique_ptr<transmit::TransmitOutput>(const transmit::OutputName& name)>;
 
-    // Measured before that is no position: the beam may be elsewhere.
+    // An older measured position does not count, because the beam may be elsewhere.
     static constexpr std::chrono::milliseconds kOldestReport{500};
-    // The output is set again, so that one that was lost is found and its reader knows that Boresight is alive.
+    // The output is set again after this time. So a lost output is found, and its reader knows that Boresight is alive.
     static constexpr std::chrono::seconds kRepeat{1};
-    // An output that failed to be on stays off for so long.
+    // An output that failed while it should be on stays off for this time.
     static constexpr std::chrono::seconds kStaysOff{10};
-    // An output that does not answer has failed.
+    // An output that does not answer within this time has failed.
     static constexpr std::chrono::seconds kPatience{5};
 
-    // All but the parent outlive this. Any thread may read the clock.
+    // All arguments but the parent outlive this. Any thread may read the clock.
     StationTransmit(const profile::InForce& profile, bool simulated, const Clock& clock, EventLog& log,
                     AlarmBoard& alarms, QObject* parent);
     ~StationTransmit() override;
 
-    // In place of the outputs of this computer. Before open().
+    // Replaces how outputs are made. Call before open().
     void setMaker(MakeOutput make) { m_make = std::move(make); }
 
     void open();
-    // Off, without waiting for it. The end of this waits.
+    // Switches the output off without waiting for its answer. The destructor waits.
     void close();
     void profileChanged(const profile::Profile& before, const profile::Profile& after);
 
     [[nodiscard]] bool isWanted() const { return m_output != nullptr; }
-    // Each tick while it is wanted, with what the control knows. Else it does nothing.
+    // Call each tick with the status of the control. Does nothing unless isWanted().
     void tick(const StationStatus& status);
     [[nodiscard]] TransmitStatus status() const;
 
 private:
-    // What the output was asked for, and what it answered.
+    // The last order to the output, and its answer.
     struct Switching
     {
         bool ordered = false;
-        bool isOn = false;  // by its last word
+        bool isOn = false;  // by its last answer
         std::optional<SteadyTime> orderedAt = {};
         std::optional<SteadyTime> unanswered = {};  // the oldest order without an answer
-        std::optional<SteadyTime> failedOn = {};    // failed to be on
+        std::optional<SteadyTime> failedOn = {};    // when it failed while it should be on
         QString problem = {};
     };
 
@@ -84,9 +84,9 @@ private:
     AlarmBoard& m_alarms;
     MakeOutput m_make;
     bool m_open = false;
-    std::unique_ptr<transmit::TransmitOutput> m_output;  // null: none is named, or another one has to end first
-    std::unique_ptr<transmit::TransmitOutput> m_former;  // until it is off
-    Angle m_within;                                      // of the target, for the antenna in use
+    std::unique_ptr<transmit::TransmitOutput> m_output;  // null: the profile names none, or m_former has to end first
+    std::unique_ptr<transmit::TransmitOutput> m_former;  // the previous output, until it is off
+    Angle m_within;                                      // permitted distance to the target for the antenna in use
     transmit::TransmitGate m_gate;
     transmit::GateDecision m_decision;
     Switching m_switching;

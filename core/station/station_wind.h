@@ -10,7 +10,8 @@
 
 #include <cstdint>
 
-// The readings of an anemometer, from where the profile says. Opened and closed as the profile changes. Station thread.
+// Receives the readings of an anemometer from the source that the profile names. The source is opened and closed when
+// the profile changes. Station thread.
 namespace boresight {
 
 class StationWind : public QObject
@@ -18,15 +19,15 @@ class StationWind : public QObject
     Q_OBJECT
 
 public:
-    // All but the parent outlive this.
+    // All arguments but the parent outlive this.
     StationWind(const profile::InForce& profile, EventLog& log, const Clock& clock, StationBroker& broker,
                 QObject* parent);
 
     void open();
     void close();
-    // What did not change goes on.
+    // A source that did not change stays open.
     void profileChanged(const profile::Profile& before, const profile::Profile& after);
-    // What is wrong with where they come from, and what could not be read.
+    // Fills in the trouble of the source, and the readings that were refused.
     void describe(WindStatus& status) const;
 
 Q_SIGNALS:

@@ -12,7 +12,7 @@
 namespace boresight {
 namespace {
 
-constexpr Angle kSame = Angle::fromDegrees(0.05);  // what one decimal can show
+constexpr Angle kSame = Angle::fromDegrees(0.05);  // half a step of the one decimal that is shown
 
 bool same(const SkyPointing& one, const SkyPointing& other)
 {
@@ -31,7 +31,7 @@ QString turnsText(int turns)
     }
 }
 
-// 360° is 0°, and -180° is 180°: nobody takes that for another turn.
+// Whether the two are the same end of the circle: 360° and 0°, or -180° and 180°. This does not count as another turn.
 bool endOfTheCircle(Angle asked, Angle goal)
 {
     const auto near = [](Angle angle, Angle end) { return abs(angle - end) < kSame; };

@@ -7,9 +7,9 @@
 
 namespace boresight {
 
-// What became of a target that a client sent, in words: "az 40.0° (one turn less)". `goal` is where the beam goes, with
-// the azimuth that the client is told there; `limited` is why the target itself is not reached. Empty when the client
-// wrote the same: also for 360° where the circle is counted from 0°.
+// Describes where the beam goes for a target of a client, for example "az 40.0° (one turn less)". `goal` is the
+// direction of the beam, with the azimuth that the client receives there. `limited` is why the target itself is not
+// reached. Empty when the client sent this direction, also as 360° for 0°.
 [[nodiscard]] QString targetReading(const SkyPointing& asked, const SkyPointing& goal, const QString& limited);
 
 }  // namespace boresight

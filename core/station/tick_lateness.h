@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <optional>
 
-// How late the control ticks come, as a histogram in steps of 0.1 ms up to 100 ms and of 10 ms up to 10 s: for the
-// benchmark and for an operator who wonders whether this computer is up to it. Station thread only.
+// How late the control ticks come: a histogram with steps of 0.1 ms up to 100 ms, and of 10 ms up to 10 s. It serves
+// the benchmark, and an operator who wants to know whether this computer is fast enough. Station thread only.
 namespace boresight {
 
 class TickLateness
@@ -19,7 +19,7 @@ public:
     void tick(SteadyTime now);
 
     [[nodiscard]] std::uint64_t count() const { return m_count; }
-    // The lateness that a share of the ticks (0…1) did not exceed; of all of them it is exact.
+    // The lateness that this share of the ticks (0…1) did not exceed. For a share of 1 the value is exact.
     [[nodiscard]] Seconds percentile(double share) const;
 
 private:
@@ -29,7 +29,7 @@ private:
     Seconds m_period;
     std::optional<SteadyTime> m_last;
     std::array<std::uint64_t, 1000> m_fine{};
-    std::array<std::uint64_t, 1000> m_coarse{};  // its first ten stay empty; its last is open
+    std::array<std::uint64_t, 1000> m_coarse{};  // the first ten stay empty; the last also counts everything above 10 s
     Seconds m_most{};
     std::uint64_t m_count = 0;
 };

@@ -11,7 +11,7 @@
 // One axis as seen in one tick. Mechanical angles, Nm, V, °C.
 namespace boresight::supervision {
 
-// PlaceBelief::Leap in mechanical angles.
+// PlaceBelief::Leap, converted to mechanical angles.
 struct AngleLeap
 {
     Angle by;  // signed
@@ -22,26 +22,26 @@ struct AngleLeap
 struct AxisObservation
 {
     SteadyTime now{};
-    UtcTime utc{};          // the same moment, for sentences
-    SteadyTime received{};  // when the last reply came
-    bool fresh = false;     // a new reply since the last tick
-    bool placed = true;     // it says a place that is believed; else `actual` is older and says nothing new
+    UtcTime utc{};          // the same moment, for the text of an alarm
+    SteadyTime received{};  // when the last reply arrived
+    bool fresh = false;     // a new reply has arrived since the last tick
+    bool placed = true;     // the last reply has a believed place; else `actual` is from an older reply
     Angle actual;           // the last believed place
-    // What an earlier reply said, and has turned out to be false.
+    // The place of an earlier reply that has turned out to be false.
     std::optional<AngleLeap> falsePlace{};
-    // Several replies that agree have shown that the angle has jumped to `actual`.
+    // Several agreeing replies have shown that the angle has jumped to `actual`.
     std::optional<AngleLeap> jumped{};
-    bool engaging = false;  // the drive was commanded to hold, and has not yet reported that it does
-    bool engaged = false;   // set-points are sent
-    Angle commanded;        // the set-point last sent; these two count only while engaged
+    bool engaging = false;  // the drive was commanded to hold its position and has not confirmed it yet
+    bool engaged = false;   // set-points are sent to the drive
+    Angle commanded;        // the last set-point; it and its rate are valid only while engaged
     AngularRate commandedRate;
-    // Each is empty if the drive does not say it.
+    // Empty: the drive does not report this value.
     std::optional<double> torque{};
     std::optional<double> voltage{};
     std::optional<double> boardTemperature{};
     std::optional<double> motorTemperature{};
-    QString limit{};  // of the drive now, to be added to a sentence: "; limit 102 of the drive: …"; empty: none
-    bool turnKnown = false;  // else `actual` is right but for whole turns of the rotor
+    QString limit{};         // reported by the drive, added to an alarm: "; limit 102 of the drive: …"; empty: none
+    bool turnKnown = false;  // else `actual` may be wrong by whole turns of the rotor
 };
 
 }  // namespace boresight::supervision

@@ -13,28 +13,29 @@
 namespace boresight::supervision {
 namespace {
 
-// A set-point is sent a tick after the reply it is compared with, and a drive follows it with a bandwidth of some 6 Hz.
+// How late a healthy axis follows. The set-point is sent one tick after the reply that it is compared with, and a drive
+// follows with a bandwidth of about 6 Hz.
 constexpr Seconds kLag{0.05};
 
-// Motion against the command that no control makes by itself.
+// More motion against the command than a control loop makes by itself.
 constexpr Angle kAgainst = Angle::fromDegrees(0.5);
 
-// A stop that one bad sample could cause waits for so long.
+// A value that could cause a stop must last this long, so that one bad sample stops nothing.
 constexpr Seconds kConfirm{0.1};
 
-// How long a limit that the drive has reported explains what the axis does.
+// How long a limit reported by the drive counts as the cause of what the axis does.
 constexpr Seconds kLimitExplains{0.5};
 
-// A sustained need of torque, not that of a gust or an acceleration.
+// A high torque must last this long: longer than in a gust or during an acceleration.
 constexpr Seconds kTorqueLasts{2.0};
-// An axis that stands this far from its set-point while its drive gives all it may does not get there. Nearer than ten
-// steps of the drive's position it is there.
+// An axis that stands farther than this from its set-point, while its drive gives all the permitted torque, is blocked.
+// The distance is ten steps of the position that the drive reports.
 constexpr Angle kNotThere = Angle::fromDegrees(0.05);
 constexpr double kAllTorque = 0.9;
 
-constexpr double kSupplyReturns = 0.5;  // V
-constexpr double kCoolsBy = 3.0;        // °C
-constexpr double kTrendNear = 30.0;     // °C below a limit: what a cold board does after switching on is no trend
+constexpr double kSupplyReturns = 0.5;  // V: hysteresis of the alarms about the supply
+constexpr double kCoolsBy = 3.0;        // °C: hysteresis of the alarms about heat
+constexpr double kTrendNear = 30.0;     // °C below a limit: a cold board that warms up after switching on is farther
 
 }  // namespace
 
@@ -147,7 +148,7 @@ void AxisSupervisor::judgeProgress(const AxisObservation& seen)
         return sentence.arg(m_names.axis, words(m_progress.asked()), words(seen.commandedRate),
                             words(m_progress.underCommand()), words(m_progress.moved()));
     };
-    // Told to turn round, an axis runs on for as long as its drive, which gives all it may, needs to stop it.
+    // After the command reverses, the axis runs on until the drive, which is at a limit, has stopped it.
     const bool runsOn = !limit(seen.now).isEmpty() && m_progress.slowsDown();
     const double against = runsOn ? 0.0 : m_progress.against().degrees();
     m_wrongWay.update(seen.now, against, {.stop = kAgainst.degrees(), .release = kAgainst.degrees()}, [&] {
@@ -263,7 +264,7 @@ void AxisSupervisor::judgeTorque(const AxisObservation& seen)
         [&] { return needs(Text::tr("%1 needs %2 Nm, %3 % of the %4 Nm allowed, while its cable wrap is unknown")); });
 }
 
-// An axis that was stopped by something just before its target is asked for too little to be found by its progress.
+// Finds an axis that is blocked just before its target. The rest of the way is too short for judgeProgress().
 void AxisSupervisor::judgePush(const AxisObservation& seen, double share)
 {
     const Angle apart = abs(seen.commanded - seen.actual);
@@ -292,7 +293,7 @@ void AxisSupervisor::judgeSupply(const AxisObservation& seen)
         return;
     }
     const double voltage = *seen.voltage;
-    // Smaller is worse, so both sides of the comparison are turned round.
+    // A lower voltage is worse and Watch compares upwards, so value and limits are negative.
     WatchLimits low{.hint = -m_profile->supervision.supplyLow,
                     .release = -(m_profile->supervision.supplyLow + kSupplyReturns)};
     low.after = kConfirm;
@@ -361,7 +362,7 @@ void AxisSupervisor::judgeTrend(Watch& watch, const AxisObservation& seen, const
     const auto line = trend.line();
     const double distance = line ? (to.fromBelow ? to.value - line->now : line->now - to.value) : -1.0;
     const auto left = distance > 0.0 && distance < to.near ? line->timeTo(to.value) : std::nullopt;
-    // Sooner is worse.
+    // A shorter time is worse and Watch compares upwards, so times are negative.
     const double soon = left ? -left->count() : -std::numeric_limits<double>::infinity();
     const double ahead = m_profile->supervision.trendAhead.count();
     watch.update(seen.now, soon, {.hint = -ahead, .release = -1.5 * ahead, .quietFor = Seconds(10.0)}, [&] {

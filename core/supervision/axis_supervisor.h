@@ -14,9 +14,9 @@
 
 #include <vector>
 
-// Looks at one axis once per tick and says what is wrong with it, independently of the drive's own fault codes. Pure:
-// time is passed in; mechanical angles, Nm, V, °C. Decides nothing: the station stops the mount, raises the alarm and
-// asks for a re-arm. What is judged and how: README.md.
+// Checks one axis once per tick and reports what is wrong with it, independently of the drive's own fault codes. It
+// decides nothing: the station stops the mount, raises the alarm and asks for a re-arm. Pure: time is passed in. Units:
+// mechanical angles, Nm, V, °C. What is judged and how: README.md.
 // More than 15 members: one for each thing that is watched.
 namespace boresight::supervision {
 
@@ -26,19 +26,19 @@ public:
     // The profile outlives this.
     AxisSupervisor(Axis axis, const profile::InForce& profile);
 
-    // Once per tick, from the first reply on. Everything that is wrong now, at most one of each kind, stops first. A
-    // text keeps the numbers of the moment when it began, became a stop or had doubled.
+    // Call once per tick, from the first reply on. Returns everything that is wrong now: at most one entry for each
+    // symptom, stops before hints. A text keeps its numbers until the symptom becomes a stop or its value has doubled.
     [[nodiscard]] std::vector<Observed> observe(const AxisObservation& seen);
 
-    // Call with every re-arm: forgets what stopped the mount, so that what lasts stops it again.
+    // Call with every re-arm. Forgets what stopped the mount. A cause that still lasts stops the mount again.
     void rearmed();
-    // Call when the reported angle was changed on purpose (the turn was set) and when the drive was
-    // power-cycled: forgets what was commanded and measured before, and what was found in it. Trends go on.
+    // Call when the reported angle was changed on purpose (the cable wrap was set) and when the drive was power-cycled.
+    // Forgets earlier commands, measured angles and the symptoms found in them. Trends go on.
     void forgetMotion();
-    // The drive was silent, which is not the same as late.
+    // Call when the drive was silent. The silence does not count as a late reply.
     void forgetReplies();
-    // Call when the axis gets a new set-point that is no motion, as when its drive was engaged. An angle that jumps
-    // meanwhile, as that of a drive that was power-cycled, is found all the same.
+    // Call when the axis gets a new set-point without a motion, for example when its drive was engaged. A jump of the
+    // reported angle is still found, for example after a power cycle of the drive.
     void forgetCommand();
 
 private:
@@ -46,12 +46,12 @@ private:
     {
         double value = 0.0;
         bool fromBelow = true;  // a temperature rises to its limit, a supply falls to it
-        double near = 0.0;      // a trend farther from the limit is none yet
+        double near = 0.0;      // a trend that is farther from the limit is not reported
         QString unit{};
         int decimals = 0;
     };
 
-    void judgeMotion(const AxisObservation& seen);  // with a fresh reply
+    void judgeMotion(const AxisObservation& seen);  // call only with a fresh reply
     void judgeFollowing(const AxisObservation& seen);
     void judgeProgress(const AxisObservation& seen);
     void judgeStanding(const AxisObservation& seen);
@@ -60,7 +60,7 @@ private:
     void judgeTorque(const AxisObservation& seen);
     void judgePush(const AxisObservation& seen, double share);
     void noteLimit(const AxisObservation& seen);
-    [[nodiscard]] QString limit(SteadyTime now) const;  // of the drive, while it explains something; else empty
+    [[nodiscard]] QString limit(SteadyTime now) const;  // reported by the drive in the last 0.5 s; else empty
     void judgeReplies(const AxisObservation& seen);
     void judgeSupply(const AxisObservation& seen);
     void judgeBoard(const AxisObservation& seen);

@@ -8,25 +8,25 @@
 namespace boresight::supervision {
 namespace {
 
-// So much must be asked before anything is judged: ten times backlash and encoder, a thirtieth of a beam of 10°.
+// The shortest commanded way that is judged: ten times backlash and encoder error, a thirtieth of a beam of 10°.
 constexpr Angle kAsked = Angle::fromDegrees(0.3);
-// An axis that makes this share of the way moves; the following error judges how well.
+// An axis that covers this share of the commanded way is moving. The following error judges how well it follows.
 constexpr double kMoves = 0.25;
 constexpr Angle kMoved = Angle::fromDegrees(0.1);
 
 constexpr AngularRate kAtRest = AngularRate::fromDegrees(0.001);
 constexpr Angle kSameSetpoint = Angle::fromDegrees(0.001);
 
-// An axis is still when it has stayed within this for so long. One that never gets still, because it creeps, is
-// measured from where it was after the longest stop.
+// An axis stands still when it has stayed within kStill for kStillFor. A creeping axis never does: it is measured from
+// where it was after kStopsWithin.
 constexpr Angle kStill = Angle::fromDegrees(0.1);
 constexpr Seconds kStillFor{0.5};
 constexpr Seconds kStopsWithin{3.0};
 
-// After this time without a reply what was asked and what was done can not be compared any more.
+// After a longer time without a reply, command and motion can not be compared.
 constexpr Seconds kGap{0.25};
 
-// The set-point was put somewhere else instead of moved: it is set to the actual place after every stop.
+// Whether the set-point was replaced instead of moved. After every stop it is set to the measured place.
 bool stepped(Angle from, const AxisObservation& seen, Seconds passed)
 {
     return abs(seen.commanded - from) > kMoved + 2.0 * (abs(seen.commandedRate) * passed);
@@ -54,7 +54,7 @@ void Progress::look(const AxisObservation& seen)
     m_lastCommanded = seen.commanded;
 }
 
-// Empty until there are three replies: the middle one of how far the axis was from its set-point.
+// The set-point plus the median of the last three distances between axis and set-point. Empty before three replies.
 std::optional<Angle> Progress::actual(const AxisObservation& seen)
 {
     m_behind[m_replies++ % m_behind.size()] = seen.actual - seen.commanded;

@@ -9,24 +9,24 @@
 #include <cstddef>
 #include <optional>
 
-// What the supervisor remembers of the motion of one axis, each piece for one symptom. Pure; all judge by measured
-// angles, because a rate near rest is mostly noise of the encoder. Given fresh replies only.
+// What the supervisor remembers of the motion of one axis. All classes judge by measured angles, because a measured
+// rate near standstill is mostly noise of the encoder. They get fresh replies only. Pure.
 namespace boresight::supervision {
 
-// Command and motion since the axis last obeyed: for "does not move" and "moves the wrong way". Each
-// place is judged with the two before it, so that one that is false by too little to be doubted counts for nothing.
+// Command and motion since the axis last obeyed: for "does not move" and "moves the wrong way". Each place is judged
+// together with the two before it. A single place with an error too small to be doubted then has no effect.
 class Progress
 {
 public:
     void look(const AxisObservation& seen);
     void forget();
 
-    [[nodiscard]] Angle asked() const { return m_asked; }                  // signed, set-point since the anchor
-    [[nodiscard]] Angle moved() const { return m_moved; }                  // signed, axis since the anchor
+    [[nodiscard]] Angle asked() const { return m_asked; }  // signed, motion of the set-point since the anchor
+    [[nodiscard]] Angle moved() const { return m_moved; }  // signed, motion of the axis since the anchor
     [[nodiscard]] Seconds underCommand() const { return m_underCommand; }  // time with a moving set-point since then
-    [[nodiscard]] bool missing() const;                                    // asked to move and has hardly moved
-    [[nodiscard]] Angle against() const;                                   // moved against the command; 0 if with it
-    [[nodiscard]] bool slowsDown() const { return m_slowsDown; }  // its motion against the command, or has ended
+    [[nodiscard]] bool missing() const;                                    // commanded to move, but has hardly moved
+    [[nodiscard]] Angle against() const;                                   // motion against the command; 0 if it obeys
+    [[nodiscard]] bool slowsDown() const { return m_slowsDown; }  // motion against the command slows down or has ended
 
 private:
     struct Anchor
@@ -40,7 +40,7 @@ private:
     void lookAtRate(Angle actual, Seconds passed);
 
     std::optional<Anchor> m_anchor;
-    std::array<Angle, 3> m_behind{};  // the axis against its set-point, in the last replies
+    std::array<Angle, 3> m_behind{};  // axis minus set-point, in the last three replies
     std::size_t m_replies = 0;
     SteadyTime m_last{};
     Angle m_lastCommanded;
@@ -52,8 +52,8 @@ private:
     Seconds m_underCommand{0.0};
 };
 
-// How far an axis has moved that should stand still: from where it rested after its set-point came to rest, or after
-// the drive was left off.
+// How far an axis has moved that should stand still. The reference is where the axis stood still after its set-point
+// stopped, or after its drive was engaged or released.
 class Standing
 {
 public:
@@ -67,15 +67,15 @@ private:
     [[nodiscard]] bool shouldStand(const AxisObservation& seen);
 
     std::optional<Angle> m_rested;      // where it should stand
-    std::optional<Angle> m_candidate;   // not known yet to rest there
-    SteadyTime m_still{};               // at the candidate since
-    std::optional<SteadyTime> m_since;  // should stand since
+    std::optional<Angle> m_candidate;   // where it may stand still
+    SteadyTime m_still{};               // when it was first at the candidate
+    std::optional<SteadyTime> m_since;  // since when it should stand
     Angle m_actual;
     Angle m_lastCommanded;
     bool m_lastEngaged = false;
 };
 
-// Beyond the travel, and whether on the way farther out.
+// How far the axis is beyond its travel, and whether it moves farther out.
 class Outside
 {
 public:
@@ -87,7 +87,7 @@ public:
 
 private:
     Angle m_beyond;
-    std::optional<Angle> m_reference;  // where it last was on the way out or in
+    std::optional<Angle> m_reference;  // m_beyond at the last motion out or in
     SteadyTime m_moved{};
     bool m_outwards = false;
 };

@@ -8,12 +8,13 @@ namespace {
 
 // Wind and control may drive an axis faster than its profile.
 constexpr double kFaster = 1.5;
-// From rest to that speed, or back, an axis needs at least this long: something hard in its way stops it so.
+// The shortest time from standing still to that speed or back. A hard obstacle stops an axis this fast.
 constexpr Seconds kSpeedsUpIn{0.05};
-// The rate follows half as fast, so that a reply that is false by little does not spoil it; still faster than a drive
-// brakes by its own ramp.
+// The estimated rate follows half as fast, so that a reply with a small error does not spoil it. This is still faster
+// than a drive brakes by its own ramp.
 constexpr double kRateFollows = 0.5;
-// Of one reply in ten that are false, three are in a row and each by less than the allowance once in hours.
+// If one reply in ten is false, three false ones in a row with errors below the allowance come once in hours. So one of
+// four believed places is true.
 constexpr std::size_t kCourses = 4;
 
 // Where the axis is expected at the time of the reply.
@@ -24,7 +25,7 @@ MotorTurns ahead(MotorTurns place, const std::optional<MotorRate>& rate, Seconds
 
 }  // namespace
 
-// By how much the rate can change.
+// By how much the rate can change within this time.
 MotorRate PlaceBelief::gain(const Course& course, Seconds within) const
 {
     const double share = course.rate ? std::clamp(within / kSpeedsUpIn, 0.0, 1.0) : 1.0;
@@ -36,8 +37,8 @@ MotorTurns PlaceBelief::miss(const Course& course, const Reply& reply)
     return abs(*reply.place - ahead(course.place, course.rate, reply.asked - course.asked));
 }
 
-// The drive has measured at any time between question and reply: the way has taken at least from the first reply to the
-// second question, and at most from the first question to the second reply.
+// Whether the axis can have moved to this place. The drive measures at any time between question and reply. The motion
+// took at least from the first reply to the second question, and at most from the first question to the second reply.
 bool PlaceBelief::reaches(const Course& course, const Reply& reply) const
 {
     const Seconds longest = std::max(Seconds(reply.received - course.asked), Seconds(0.0));
@@ -49,7 +50,7 @@ bool PlaceBelief::reaches(const Course& course, const Reply& reply) const
     return moved >= least - slack && moved <= most + slack;
 }
 
-// Questions are sent by our own clock: they show the rate better than replies, which may come late.
+// The rate is computed between the times of the questions, because replies may come late.
 PlaceBelief::Course PlaceBelief::continued(const Course& course, const Reply& reply) const
 {
     const Seconds passed = reply.asked - course.asked;
@@ -74,7 +75,7 @@ void PlaceBelief::take(const Reply& reply)
     const Course* const from = courseTo(reply);
     const bool expected = from != nullptr && reaches(*from, reply);
     const bool agrees = m_doubted && reaches(*m_doubted, reply);
-    // After replies without a place the axis can have gone far: then one alone is not believed.
+    // After kAgree replies without a believed place the axis can be far away. One reply alone is then not believed.
     if (expected && m_without < kAgree && !(agrees && miss(*m_doubted, reply) < miss(*from, reply))) {
         m_false = m_doubt ? m_doubt : m_false;
         believe(continued(*from, reply));
@@ -98,8 +99,8 @@ void PlaceBelief::take(const Reply& reply)
     believe(*m_doubted);
 }
 
-// A place that was false by little was believed, or two were: the next true one seems to leap back from there, and
-// continues the course before them. Null: nothing is believed yet.
+// The believed course that the reply continues. Places with a small error may have been believed. The next true place
+// then seems to leap back, but continues the course from before them. Null: nothing is believed yet.
 const PlaceBelief::Course* PlaceBelief::courseTo(const Reply& reply) const
 {
     if (m_believed.empty()) {
@@ -136,15 +137,15 @@ void PlaceBelief::believe(const Course& course)
     m_place = Place{.position = course.place, .moved = course.place - before, .received = course.received};
 }
 
-// Where the axis is expected, one reply that is false or says no place does not break a row of those that agree.
+// Whether this reply is skipped. Where the axis is expected, one bad reply does not break a row of agreeing replies.
 bool PlaceBelief::skip()
 {
     const bool expected = m_doubted && !m_believed.empty() && !m_doubt;
     return expected && !std::exchange(m_skipped, true);
 }
 
-// Two rows of places alternate, and the axis can have gone to either: which is true, nobody knows. Each breaks the
-// other.
+// Whether two rows of places alternate and the axis can be at either. Nobody knows which row is true, so each breaks
+// the other.
 bool PlaceBelief::rivals(const Reply& reply)
 {
     const bool rivals = m_rival && reaches(*m_rival, reply);
@@ -155,7 +156,7 @@ bool PlaceBelief::rivals(const Reply& reply)
 void PlaceBelief::passWithout(SteadyTime now)
 {
     ++m_without;
-    const int most = m_believed.empty() ? kJump : kAgree;  // another is expected, and takes longer to be believed
+    const int most = m_believed.empty() ? kJump : kAgree;  // without believed places, a new one needs kJump replies
     if (m_place && m_without >= most && now - m_place->received >= kForgotten) {
         m_place.reset();
     }

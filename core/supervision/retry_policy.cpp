@@ -12,7 +12,7 @@ namespace {
 using profile::Retry;
 
 constexpr Seconds kHealth{3600.0};
-constexpr double kCoolDown = 5.0;  // °C, so that the first motion does not heat it up to the limit again
+constexpr double kCoolDown = 5.0;  // °C: a smaller margin would be used up by the first motion
 // A board this far below its limit did not cause the fault, and waiting for it to cool would never end.
 constexpr double kCool = 25.0;  // °C
 
@@ -59,9 +59,9 @@ QString supplyRefusal(const profile::SupervisionSettings& settings, const std::o
     return low.isEmpty() ? supplyTooHigh(*now, settings.supplyHigh) : low;
 }
 
-// Fault 38 does not say whether the board or the motor was too hot: the motor, if the board was far from its limit.
-// That one must cool down by some degrees, and neither may be hot now: a motor warms up for minutes after it was
-// switched off.
+// Fault 38 does not say whether the board or the motor was too hot. It was the motor if the board was far from its
+// limit. The part that was too hot must cool down by kCoolDown. The other one must not be hot now either: a motor warms
+// up for minutes after it was switched off.
 QString heatRefusal(double boardLimit, double motorHot, const DriveConditions& atLoss, const DriveConditions& now)
 {
     if (!now.boardTemperature) {

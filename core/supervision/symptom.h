@@ -5,7 +5,7 @@
 
 #include <vector>
 
-// What Boresight itself sees going wrong on an axis, whatever the drive says about it. Plain values for alarms.
+// What Boresight itself finds wrong with an axis, whatever the drive reports. Plain values for alarms.
 namespace boresight::supervision {
 
 enum class Symptom
@@ -13,7 +13,7 @@ enum class Symptom
     FollowingError,    // too far behind or ahead of its set-point
     Stalled,           // does not move although commanded
     WrongWay,          // moves against its command
-    MovesUncommanded,  // moves although it should stand: a hint while the drive is off
+    MovesUncommanded,  // moves although it should stand still; only a hint while the drive is off
     EncoderJump,       // the reported angle changed faster than the axis can turn
     OutsideTravel,
     RepliesLate,
@@ -22,21 +22,21 @@ enum class Symptom
     BoardHot,
     MotorHot,
     TorqueHigh,
-    TorqueGuard  // against resistance while the turn of the axis is unknown
+    TorqueGuard  // too much torque while the cable wrap of the axis is unknown
 };
 inline constexpr int kSymptomCount = 13;
 
 enum class Weight
 {
     Hint,  // notify the operator
-    Stop   // come to rest, targets to actual, explicit re-arm
+    Stop   // stop the mount; only an explicit re-arm lets it move again
 };
 
 struct Observed
 {
     Symptom symptom = Symptom::FollowingError;
     Weight weight = Weight::Hint;
-    QString what;  // with the numbers: "the azimuth does not move: 2.4° commanded in 0.80 s, 0.1° moved"
+    QString what;  // with numbers: "the azimuth does not move: it moved 0.1° in 0.80 s instead of 2.4° (at 3.0°/s)"
 
     bool operator==(const Observed&) const = default;
 };

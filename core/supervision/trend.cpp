@@ -9,12 +9,12 @@ namespace {
 constexpr Seconds kWindow{60.0};
 constexpr Seconds kEnough{40.0};
 constexpr Seconds kMeanOver{1.0};
-// After a longer gap the drive may have been cut off: another story begins.
+// After a longer gap the drive may have been off, so a new trend begins.
 constexpr Seconds kTrendGap{10.0};
-// The share of the variance that the line must explain. One step explains 3/4 at best, two equal steps 8/9; the warming
-// of a board, an exponential of 180 s, more than 0.99.
+// The share of the variance that the line must explain. A value with one step reaches 3/4 at most, one with two equal
+// steps 8/9. A warming board (an exponential of 180 s) reaches more than 0.99.
 constexpr double kStraight = 0.9;
-constexpr double kResolution = 0.1;  // V or °C per minute: the step of a reply
+constexpr double kResolution = 0.1;  // V or °C per minute: the reported values have steps of this size
 
 struct Moments
 {

@@ -6,7 +6,7 @@
 #include <deque>
 #include <optional>
 
-// Where a slowly changing value is heading: the least-squares line through its means of each second over the last
+// Where a slowly changing value is heading: a least-squares line through the mean value of each second of the last
 // minute. Pure.
 namespace boresight::supervision {
 
@@ -15,16 +15,16 @@ class Trend
 public:
     struct Line
     {
-        double now = 0.0;  // on the line
+        double now = 0.0;  // the value of the line at the last point
         double perMinute = 0.0;
 
-        // Until the line reaches `limit`; empty if it leads away from it.
+        // Time until the line reaches `limit`. Empty if the line leads away from it.
         [[nodiscard]] std::optional<Seconds> timeTo(double limit) const;
     };
 
     void add(SteadyTime at, double value);
-    // Empty with less than 40 s to judge from, and unless the values lie along a line: a supply under load and a fan
-    // switched on change in steps.
+    // Empty with less than 40 s of values, when the value hardly changes, and when the values do not lie along a line.
+    // A supply under load changes in steps, and so does a temperature when a fan is switched on.
     [[nodiscard]] std::optional<Line> line() const;
 
 private:
@@ -35,7 +35,7 @@ private:
     };
 
     std::deque<Point> m_points;
-    Point m_sum;  // of the running second, which began at `at`
+    Point m_sum;  // sum of the running second, which began at `at`
     int m_count = 0;
 };
 

@@ -4,7 +4,7 @@
 namespace boresight::supervision {
 namespace {
 
-// Keeps `since` at the moment from which a condition has held; true once it has held for `time`.
+// Keeps in `since` when the condition became true. Returns true once the condition has held for `time`.
 bool heldFor(std::optional<SteadyTime>& since, bool condition, SteadyTime now, Seconds time)
 {
     if (!condition) {

@@ -8,17 +8,17 @@
 #include <limits>
 #include <optional>
 
-// One symptom with hysteresis in value and in time, so that an alarm does not flicker: it begins when a value has
-// stayed at or beyond a limit for a time, and ends when it has stayed below a lower value for another. Pure.
+// One symptom with hysteresis in value and in time, so that its alarm does not flicker. The symptom begins when a value
+// has stayed at or above a limit for `after`. It ends when the value has stayed below `release` for `quietFor`. Pure.
 namespace boresight::supervision {
 
 struct WatchLimits
 {
     double hint = std::numeric_limits<double>::infinity();
     double stop = std::numeric_limits<double>::infinity();
-    double release = 0.0;   // ends below it
-    Seconds after{0.0};     // at or beyond a limit for so long
-    Seconds quietFor{1.0};  // below `release` for so long
+    double release = 0.0;   // the symptom ends below this value
+    Seconds after{0.0};     // time at or above a limit until the symptom begins
+    Seconds quietFor{1.0};  // time below `release` until the symptom ends
 };
 
 class Watch
@@ -26,7 +26,7 @@ class Watch
 public:
     explicit Watch(Symptom symptom) : m_symptom(symptom) {}
 
-    // `words` is asked when the symptom begins, becomes a stop or has doubled: the text keeps the numbers of then.
+    // Calls `words` when the symptom begins, becomes a stop, or its value has doubled. Else the text stays as it is.
     void update(SteadyTime now, double value, const WatchLimits& limits, const std::function<QString()>& words);
     void forget() { *this = Watch(m_symptom); }
 
