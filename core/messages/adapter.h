@@ -6,18 +6,18 @@
 
 #include <vector>
 
-// What a mount may be reached by, with the names that people and profiles use. Plain value.
+// A device of this computer by which a mount may be reached, with its names for people and profiles. Plain value.
 namespace boresight {
 
 struct Adapter
 {
-    QString bus;              // as a profile names it: its kind, and the path that stays the same
-    QString name;             // as it calls itself: maker and product
-    QString detail;           // serial number, port: what tells two of a kind apart
-    bool recognised = false;  // made for these drives; else it may be something else altogether
-    bool simulated = false;   // a program answers there, and no real drive
-    bool hasDrives = true;    // may have; else the box of a rotator answers there
-    QString serialPort;       // where the box of a rotator may answer instead; empty: nowhere
+    QString bus;              // as in a profile: its kind and a path that stays the same
+    QString name;             // maker and product, as the device reports them
+    QString detail;           // serial number or port, which distinguishes two devices of one kind
+    bool recognised = false;  // known to be made for these drives; false: it may be any device
+    bool simulated = false;   // a program answers instead of a real drive
+    bool hasDrives = true;    // true: drives may answer; false: a rotator control box may answer
+    QString serialPort;       // the port on which a rotator control box may answer instead; empty: none
 
     bool operator==(const Adapter&) const = default;
 };

@@ -23,9 +23,9 @@
 #include <string>
 #include <vector>
 
-// What the calibration desk tells the screen: one immutable snapshot, made again when something changed. Unknown is
-// empty; sentences are translated. Angles of the axes are mechanical, directions are true. Nothing in here is in force
-// but `present`: the rest is found, and waits for the operator's Apply.
+// What the calibration desk reports to the screen: one immutable snapshot, which is replaced after each change. An
+// unknown value is empty. Sentences are translated. Angles of the axes are mechanical, directions are true. Only
+// `present` is in force. Everything else was measured and waits for the operator's Apply.
 namespace boresight {
 
 enum class CalibrationRun
@@ -44,10 +44,10 @@ struct CalibrationProgress
     Seconds left{0.0};
     QString text;     // "turning clockwise, 143 samples"
     QString outcome;  // how the last run ended: why there is no result, or that there is one; empty before the first
-    bool failed = false;  // the last run gave nothing
+    bool failed = false;  // the last run gave no result
 };
 
-// Where a swing will turn, told before it starts.
+// Where a compass swing will turn the mount, reported before the swing starts.
 struct SwingPlan
 {
     TravelRange azimuth;  // both ends are visited, within the limits of operation
@@ -55,8 +55,8 @@ struct SwingPlan
     AngularRate rate;
     int headings = 0;  // stops each way; 0: one sweep each way, without a stop
     Seconds duration{0.0};
-    QString text;      // both, in a sentence
-    QString obstacle;  // why it can not start now; empty: it can
+    QString text;      // the range and the duration, in a sentence
+    QString obstacle;  // why the swing cannot start now; empty: it can
 };
 
 struct SwingOutcome
@@ -65,22 +65,22 @@ struct SwingOutcome
     std::vector<calibration::SwingSample> samples;  // SwingResidual::sample counts through these
     calibration::CompassSwing fit;
     std::optional<calibration::AxisTilt> tilt;
-    QString noTilt;  // why there is none
+    QString noTilt;  // why `tilt` is empty
 };
 
-// A body that calibrates: where it appears now, as the beam sees it.
+// A body used for calibration, and its present direction as the beam sees it.
 struct BodyNow
 {
     ephemeris::Body body = ephemeris::Body::Sun;
-    SkyPointing direction;  // true azimuth; bent by the air as chosen
+    SkyPointing direction;  // true azimuth, with the chosen refraction
     bool isUp = false;
-    QString obstacle;            // why the beam can not be pointed there now; empty: it can
+    QString obstacle;            // why the beam cannot be pointed there now; empty: it can
     QString obstacleOverTheTop;  // the same with the boom past the zenith
     std::optional<UtcTime> nextRise;
     std::optional<UtcTime> nextSet;
 };
 
-// Where the beam is seen from the source: across is azimuth × cos(elevation), clockwise positive.
+// The direction of the beam minus that of the source. `across` is azimuth × cos(elevation), clockwise positive.
 struct PointResidual
 {
     Angle across;
@@ -93,21 +93,21 @@ struct PointStatus
     UtcTime when;
     AxisPosition axes;
     SkyPointing truth;
-    Angle sigma;  // of how well it was centred
+    Angle sigma;  // uncertainty of the centring
     bool isUsed = true;
     PointResidual before;                // with the terms in force
-    std::optional<PointResidual> after;  // with those of the fit
-    std::optional<Angle> leftOut;        // how far the fit of the others misses it
+    std::optional<PointResidual> after;  // with the terms of the fit
+    std::optional<Angle> leftOut;        // residual of this point against a fit of the other points
 };
 
-// One term of the pointing model: what is in force, and what would be.
+// One term of the pointing model: its value in force and its proposed value.
 struct TermStatus
 {
-    std::string key;  // of its setting: "pointing.tilt_north_deg"
+    std::string key;  // the key of its setting: "pointing.tilt_north_deg"
     Angle present;
     Angle proposed;
-    std::optional<Angle> sigma;  // of what is proposed; empty: nothing was found out about it
-    bool isOn = false;           // the points support it, or it was given
+    std::optional<Angle> sigma;  // uncertainty of `proposed`; empty: the points do not determine the term
+    bool isOn = false;           // the points support the term, or the operator entered it
 };
 
 struct PointFitStatus
@@ -119,7 +119,7 @@ struct PointFitStatus
     std::vector<QString> remarks;  // which terms are on and why the others are not, which point stands out
 };
 
-// What the points that are used say of the terms in force, and of those proposed: rms on the sky.
+// The rms error on the sky of the used points, with the terms in force and with the proposed terms.
 struct ProposalResiduals
 {
     Angle before;
@@ -130,16 +130,16 @@ struct ProposalResiduals
 // What Apply would do.
 struct CalibrationProposal
 {
-    std::uint64_t number = 0;  // to be given back with ApplyCalibration: what was seen is what is applied
+    std::uint64_t number = 0;  // ApplyCalibration repeats it, so that only the proposal on the screen is applied
     QString title;             // "North from the compass swing"
-    QString reason;            // where it comes from: "typed", "compass swing"
-    QString text;              // in words, with the figures that change
+    QString reason;            // its origin: "typed", "compass swing"
+    QString text;              // in words, with the values that change
     QString remark;            // "Your level is off by 0.40° ± 0.05°."; mostly empty
     std::vector<TermStatus> terms;
     std::optional<ProposalResiduals> residuals;  // empty: there are no points to compare with
-    bool changesSensor = false;                  // its mounting or curve, too
+    bool changesSensor = false;                  // it also changes the mounting or the curve of the sensor
     std::vector<QString> warnings;               // "the place is magnetically hopeless: …"
-    QString obstacle;                            // why it can not be applied now; empty: it can
+    QString obstacle;                            // why it cannot be applied now; empty: it can
 };
 
 struct CalibrationHistoryEntry
@@ -147,48 +147,49 @@ struct CalibrationHistoryEntry
     UtcTime when;
     QString title;
     QString change;  // "azimuth offset 0.00° → 37.41°, …"
-    QString place;   // the site, and "other drives" where a drive's uuid is not today's
+    QString place;   // the site, and "other drives" if the uuid of a drive has changed since
     bool inForce = false;
-    bool superseded = false;  // undone, and another was applied since: kept to be read, Redo does not lead to it
-    bool otherMount = false;  // another site, or another drive: what it says may not hold any more
+    bool superseded = false;  // undone before another one was applied: shown, but Redo cannot restore it
+    bool otherMount = false;  // made at another site or with another drive, so it may be wrong for this mount
 };
 
 struct CalibrationStatus
 {
     CalibrationProgress progress;
     pointing::PointingTerms present;
-    calibration::TermSheet sheet;  // the same with all that is known of it, to be exported
-    QString otherMount;            // what was applied last was for another drive or site; empty: it was not
+    calibration::TermSheet sheet;  // `present` with all known details, for the export
+    QString otherMount;            // set if the last applied calibration was for another drive or site; else empty
     std::optional<calibration::SensorOffset> sensorOffset;
-    QString sensorObstacle;                         // why the sensor is no evidence now; empty: it is
+    QString sensorObstacle;                         // why the sensor cannot be used now; empty: it can
     QString averageObstacle;                        // why MeasureSensorOffset would be refused now; empty: it would not
-    SwingPlan swingPlan;                            // for what was planned last, at first with the usual rate
-    std::vector<calibration::SwingDot> swingSoFar;  // while it turns, thinned to some hundreds
-    std::shared_ptr<const SwingOutcome> swing;      // the last; null before the first
-    QString noSite;                                 // why there is neither Sun nor Moon; empty: there are
+    SwingPlan swingPlan;                            // of the last PlanSwing request, at first with the usual rate
+    std::vector<calibration::SwingDot> swingSoFar;  // of the running swing, thinned to a few hundred
+    std::shared_ptr<const SwingOutcome> swing;      // of the last swing; null before the first
+    QString noSite;                                 // why Sun and Moon are not computed; empty: they are
     std::vector<BodyNow> bodies;                    // Sun, Moon
     ephemeris::Refraction refraction = ephemeris::Refraction::Light;
-    std::optional<ephemeris::Body> body;  // the mount was led to last, and to nothing else since: TakePoint means it
-    bool following = false;               // and the mount follows it now
-    bool overTheTop = false;              // with the boom past the zenith
-    QString warning;                      // of eyes and feed, while the beam is at the Sun
-    QString pointObstacle;                // why TakePoint would be refused now; empty: it would not
-    QString knownPointObstacle;           // the same for TakeKnownPoint
-    QString noRoom;                       // why there can be no further point; empty: there can
+    std::optional<ephemeris::Body>
+        body;                    // the last target of the mount; empty after any other motion. TakePoint uses it
+    bool following = false;      // the mount follows `body` now
+    bool overTheTop = false;     // with the boom past the zenith
+    QString warning;             // about eyes and feed, while the beam points at the Sun
+    QString pointObstacle;       // why TakePoint would be refused now; empty: it would not
+    QString knownPointObstacle;  // the same for TakeKnownPoint
+    QString noRoom;              // why no further point can be added; empty: it can
     std::vector<PointStatus> points;
     std::optional<PointFitStatus> fit;
-    QString noFit;  // why the points that are used speak for no model; empty: they do, or there are none
+    QString noFit;  // why the used points give no model; empty: they give one, or there are no points
     std::optional<calibration::CrossScan> scan;
-    std::optional<double> power;  // dB, given last
+    std::optional<double> power;  // dB, the last one entered or received
     bool wantsPower = false;      // a scan waits for the power at this place
-    PowerLineStatus powerLine;    // that the profile names
+    PowerLineStatus powerLine;    // of the line in the profile
     std::optional<CalibrationProposal> proposal;
     std::vector<CalibrationHistoryEntry> history;  // newest first
-    QString historyProblem;                        // why it could not be read or written; mostly empty
+    QString historyProblem;                        // why the history could not be read or written; else empty
     bool canUndo = false;
     bool canRedo = false;
-    QString undoObstacle;  // where there is something to take back: why not now; empty: it can be
-    QString redoObstacle;
+    QString undoObstacle;  // why Undo would be refused now, if there is something to undo; empty: it would not
+    QString redoObstacle;  // the same for Redo
 };
 
 }  // namespace boresight

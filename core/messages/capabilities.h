@@ -7,17 +7,17 @@
 #include <array>
 #include <optional>
 
-// What a rotator can do: control asks no more of it, and the screen shows no more. Constant for the life of a driver.
-// Plain values.
+// What a rotator can do. Control requests nothing else, and the screen offers nothing else. Constant for the life of a
+// driver. Plain values.
 namespace boresight {
 
 struct AxisCapabilities
 {
-    Angle step{};                          // its places are multiples of it: it reports and reaches nothing else
-    Angle miss{};                          // it may end this far beyond a step from where it was sent
-    std::optional<AngularRate> fastest{};  // empty: whatever the profile permits
-    Seconds silence{0.0};                  // after this long without an answer it is reported
-    bool watchdog = false;                 // it stops by itself when the orders end
+    Angle step{};                          // the axis reports and reaches only multiples of this angle
+    Angle miss{};                          // the axis may stop this far from its target, beyond the rounding to a step
+    std::optional<AngularRate> fastest{};  // empty: limited by the profile only
+    Seconds silence{0.0};                  // without an answer for this time, an alarm is raised
+    bool watchdog = false;                 // the axis stops by itself when no more commands arrive
 };
 
 struct Capabilities
@@ -25,9 +25,9 @@ struct Capabilities
     std::array<std::optional<AxisCapabilities>, 2> axes{AxisCapabilities{}, AxisCapabilities{}};  // empty: no such axis
 
     [[nodiscard]] bool has(Axis axis) const { return axes[index(axis)].has_value(); }
-    // An axis that runs to where it is sent by itself may be far behind its set-point.
+    // An axis that runs to its target by itself may be far behind its set-point.
     [[nodiscard]] bool lags(Axis axis) const { return has(axis) && axes[index(axis)]->miss > Angle{}; }
-    // A place of an axis that was reached can be this far from what was asked for.
+    // The largest distance between the place that an axis has reached and the place that was requested.
     [[nodiscard]] Angle inexactness(Axis axis) const
     {
         return has(axis) ? 0.5 * axes[index(axis)]->step + axes[index(axis)]->miss : Angle{};

@@ -10,13 +10,13 @@
 
 namespace boresight {
 
-// How an axis stopped when it was really not fed any more.
+// How an axis stopped in a crash-stop test, in which its drive really received no more commands.
 struct CrashStop
 {
     QString drive;                      // its UUID
-    AngularRate rate;                   // at the last order
-    Angle angle;                        // from there to standstill
-    std::chrono::milliseconds time{0};  // from there to standstill
+    AngularRate rate;                   // at the last command
+    Angle angle;                        // from the last command to standstill
+    std::chrono::milliseconds time{0};  // from the last command to standstill
     UtcTime when;
 
     bool operator==(const CrashStop&) const = default;

@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
-// The settings by which a drive controls its position, as far as they may be tuned from here. Plain values, part of a
-// StationStatus where the mount has such drives.
+// The position-control gains of a drive that Boresight can tune. Plain values. Part of a StationStatus if the mount has
+// such drives.
 namespace boresight {
 
 enum class Gain
@@ -22,13 +22,13 @@ enum class Gain
     Count
 };
 
-// The drive keeps single precision and prints six digits.
+// Compares with a tolerance, because the drive stores single precision and prints six digits.
 [[nodiscard]] inline bool isSameGain(double one, double other)
 {
     return std::abs(other - one) <= 1e-6 + 1e-5 * std::abs(one);
 }
 
-// Neither was read: the same.
+// Two gains that were not read are the same.
 [[nodiscard]] inline bool isSameGain(const std::optional<double>& one, const std::optional<double>& other)
 {
     return one && other ? isSameGain(*one, *other) : one == other;
@@ -39,12 +39,12 @@ struct GainLine
     QString key;                     // as the drive calls it
     QString unit;                    // may be empty
     std::optional<double> value{};   // in force; empty: not read
-    std::optional<double> first{};   // as it was found first: what is put back
-    std::optional<double> stored{};  // with which the drive comes back after a power-up
-    double least = 0.0;              // what may be written
-    double most = 0.0;
-    QString bounds;         // why no more and no less
-    bool needsOff = false;  // written only while the drives are off
+    std::optional<double> first{};   // as first read; PutGainsBack restores it
+    std::optional<double> stored{};  // in the memory of the drive, in force after a power-up
+    double least = 0.0;              // the smallest value that may be written
+    double most = 0.0;               // the largest value that may be written
+    QString bounds;                  // the reason for these bounds
+    bool needsOff = false;           // written only while the drives are off
 
     bool operator==(const GainLine&) const = default;
 };
@@ -54,9 +54,9 @@ struct DriveGains
     std::vector<GainLine> lines;  // in the order of Gain; empty: this drive has none that can be tuned
     bool read = false;
     bool busy = false;     // they are being read or written
-    bool onTrial = false;  // in force, and neither stored nor put back
-    QString text;          // what is done now, or how it ended
-    bool failed = false;   // the last reading or writing
+    bool onTrial = false;  // changed gains are in force, neither stored nor put back
+    QString text;          // the running action, or the result of the last one
+    bool failed = false;   // the last reading or writing has failed
 
     bool operator==(const DriveGains&) const = default;
 };

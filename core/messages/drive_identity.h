@@ -3,7 +3,7 @@
 
 #include <QString>
 
-// Who a drive on the bus is. Plain values.
+// What identifies a drive on the bus. Plain values.
 namespace boresight {
 
 struct DriveIdentity
@@ -15,17 +15,17 @@ struct DriveIdentity
     bool operator==(const DriveIdentity&) const = default;
 };
 
-// A board that the last look at the bus has found.
+// A board that the last scan of the bus has found.
 struct BoardOnBus
 {
     int id = 0;
-    QString uuid;         // empty: it did not tell
+    QString uuid;         // empty: the board did not report it
     bool shared = false;  // another board has the same id: their answers collide
 
     bool operator==(const BoardOnBus&) const = default;
 };
 
-// A board on the bus that is none of ours.
+// A board on the bus that the profile does not name.
 struct UnknownBoard
 {
     int id = 0;

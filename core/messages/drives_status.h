@@ -14,20 +14,20 @@
 #include <optional>
 #include <vector>
 
-// What the station tells about drives that can be read and set: who they are, whether their own protections are right,
-// what the operator is asked about the turn of each axis, and how they stop when nobody feeds them. Plain values, part
-// of a StationStatus where the mount has such drives.
+// What the station reports about drives that can be read and set: their identity, their safety settings, the question
+// to the operator about the wrap of each axis, and how they stop without commands. Plain values. Part of a
+// StationStatus if the mount has such drives.
 namespace boresight {
 
 enum class DriveCheckState
 {
-    NotDone,  // nobody answers, or the bus was lost since
+    NotDone,  // no drive answers, or the bus was lost after the last check
     Running,  // scan, identification or reading
     Fixing,   // settings are being written
     Done,
 };
 
-// What a drive reports itself, as it says it. Empty: it did not report this.
+// The values that a drive reports, unchanged. Empty: the drive did not report this value.
 struct DriveReadings
 {
     std::optional<double> motorTurns;
@@ -39,11 +39,11 @@ struct DriveReadings
     std::optional<double> boardTemperature;  // °C
     std::optional<double> motorTemperature;  // °C
     std::optional<double> power;             // W
-    QString mode;                            // in the drive's own words, with its number
-    QString fault;                           // the same; "none"
+    QString mode;                            // in the words of the drive, with its number
+    QString fault;                           // in the words of the drive, with its number, or "none"
     std::optional<std::chrono::milliseconds> age;
     std::uint64_t sent = 0;      // since the line was opened
-    std::uint64_t answered = 0;  // of those
+    std::uint64_t answered = 0;  // how many of them were answered
 };
 
 // The gear in the drive differs from the profile, and can be set.
@@ -51,21 +51,21 @@ struct GearCorrection
 {
     QString found;   // "1"
     QString wanted;  // "0.01"
-    QString effect;  // what else depends on it, in sentences
+    QString effect;  // what else depends on the gear, in sentences
 };
 
 struct DriveStatus
 {
-    bool present = true;  // this axis has such a drive; else nothing more is told
-    int id = 0;           // on the bus; 0 until somebody answered
+    bool present = true;  // this axis has such a drive; false: the other members mean nothing
+    int id = 0;           // on the bus; 0 until the drive has answered
     DriveIdentity identity;
     DriveReadings readings;
-    QString registers;  // what it says of itself, in its own words: mode and fault; may be empty
+    QString registers;  // mode and fault in the words of the drive; may be empty
     std::vector<ProtectionLine> protections;
     std::optional<TurnQuestion> turnQuestion;  // waits for the operator
-    std::optional<CrashStop> crashStop;        // of the last proof
+    std::optional<CrashStop> crashStop;        // of the last crash-stop test
     DriveGains gains;
-    std::optional<GearCorrection> gear;  // empty: it is right, or unread
+    std::optional<GearCorrection> gear;  // empty: the gear is right or was not read
 };
 
 // An id or a gear that is written into one board.
@@ -73,7 +73,7 @@ struct BoardWork
 {
     bool running = false;
     bool failed = false;
-    QString text;  // what it does, or how it ended; empty: nothing was asked for
+    QString text;  // the running action, or the result of the last one; empty: nothing was requested
 };
 
 // A board on the bus that turns no axis.
@@ -88,16 +88,16 @@ struct DrivesStatus
 {
     DriveCheckState driveCheck = DriveCheckState::NotDone;
     QString driveCheckText;                   // while running: "reading servo.timeout_mode of azimuth"
-    QString armingObstacle;                   // why nothing may move yet; empty when the drives are fit
+    QString armingObstacle;                   // the interlock: why nothing may move yet; empty: the drives are ready
     bool released = false;                    // the bus is left to other tools
-    bool switchedOn = false;                  // a drive is under our orders: settings can not be written
-    bool fixable = false;                     // Fix has something to write or to store
-    bool proofRunning = false;                // the crash-stop proof moves the mount
-    QString proofText;                        // what it does now, or how it ended
-    std::vector<UnknownBoard> unknownBoards;  // boards that the profile does not know
-    std::vector<BoardOnBus> boards;           // all of them, by their ids
-    BoardWork boardWork;                      // an id that is given to a board, until the boards change
-    BoardWork gearWork;
+    bool switchedOn = false;                  // a drive obeys Boresight, so its settings cannot be written
+    bool fixable = false;                     // Fix has a setting to write or to store
+    bool proofRunning = false;                // the crash-stop test moves the mount
+    QString proofText;                        // the present step of the crash-stop test, or its result
+    std::vector<UnknownBoard> unknownBoards;  // boards that the profile does not name
+    std::vector<BoardOnBus> boards;           // all boards, ordered by id
+    BoardWork boardWork;                      // writing an id into a board; kept until the boards change
+    BoardWork gearWork;                       // writing a gear into a drive
     DriveStatus azimuth;
     DriveStatus elevation;
     std::vector<WatchedDrive> watched;

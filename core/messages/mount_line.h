@@ -7,21 +7,21 @@
 
 namespace boresight {
 
-// The line that leads to the mount, whatever it is: a bus, a port, a socket. Plain value.
+// The connection to the mount: a bus, a port or a socket. Plain value.
 struct MountLine
 {
     enum class State
     {
-        Closed,  // not opened yet, or closed by us
+        Closed,  // not opened yet, or closed by Boresight
         Up,
-        Down,  // it is there and carries nothing; may come back by itself
-        Lost,  // it is gone, and is opened again
+        Down,  // present, but no data pass; may recover by itself
+        Lost,  // gone; Boresight tries to open it again
     };
 
     State state = State::Closed;
-    QString kind = {};           // in a short word, for the screen; empty: nothing is shown of it
-    QString name = {};           // as the profile names it
-    QString problem = {};        // what, where, what to do; empty while all is well
+    QString kind = {};           // a short word for the screen; empty: the screen does not show the line
+    QString name = {};           // as in the profile
+    QString problem = {};        // what, where, what to do; empty: no problem
     std::uint64_t sent = 0;      // frames
     std::uint64_t received = 0;  // frames
     std::uint64_t dropped = 0;   // frames that were lost or unreadable

@@ -3,7 +3,7 @@
 
 #include <chrono>
 
-// When a reading is too old to be one: the station reports no data then, and the screen shows no number any more.
+// The age from which a reading is too old. Then the station reports no data, and the screen shows no number.
 namespace boresight {
 
 inline constexpr std::chrono::milliseconds kNoDataAfter{2000};

@@ -10,9 +10,9 @@
 #include <array>
 #include <cstddef>
 
-// What the operator may ask of the station now: each action with the reason why not, in words. Made on the station
-// thread once per status, from the gates that judge the requests themselves. The screen shows it and has no rules of
-// its own. A refused request is still answered with its reason: this only keeps the screen from offering it.
+// What the operator may request from the station now. Each refused action has a reason in words. Made on the station
+// thread once per status, by the same gates that judge the requests. The screen shows the permissions and has no rules
+// of its own. They only keep the screen from offering an action: the station still judges every request.
 namespace boresight {
 
 enum class JogDirection
@@ -98,7 +98,7 @@ enum class Action
     PutElevationGainsBack,
     StoreAzimuthGains,
     StoreElevationGains,
-    TuneAzimuth,  // a tuning run of this axis; why one kind has not the room stands in its plan
+    TuneAzimuth,  // a tuning run of this axis; its plan has the reason if one kind of run lacks room
     TuneElevation,
     EndTuning,
     Count
@@ -154,7 +154,7 @@ template <class Which>
 class Permissions
 {
 public:
-    // Nothing is allowed: nobody has asked the gates yet.
+    // Nothing is allowed, because the gates have not been asked yet.
     Permissions();
     // Everything is allowed, but fastestJog is 0: what the gates begin with.
     [[nodiscard]] static Permissions all() { return Permissions(QString()); }
@@ -170,7 +170,7 @@ public:
         }
     }
 
-    // By hand: less while the wrap of an axis is unknown, or which way the axes turn.
+    // The fastest jog by hand. It is lower while the wrap of an axis is unknown or the directions are unconfirmed.
     AngularRate fastestJog;
 
 private:

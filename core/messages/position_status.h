@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <optional>
 
-// What is known of the balloon or rocket whose position arrives, and whether the mount follows it. Plain values.
+// The balloon or rocket that reports its position, and whether the mount follows it. Plain values.
 namespace boresight {
 
 enum class PositionPhase
@@ -23,16 +23,16 @@ enum class PositionPhase
 struct PositionStatus
 {
     QString source = {};   // "UDP 127.0.0.1:55673"; empty: the profile names none
-    QString name = {};     // of what flies; empty: not reported
+    QString name = {};     // call sign of the balloon or rocket; empty: not reported
     QString problem = {};  // why it cannot be tracked now; empty: it can
-    QString trouble = {};  // of the port or the broker; empty: none
+    QString trouble = {};  // the problem of the port or the broker; empty: none
     std::optional<Site> place = {};
     std::optional<Seconds> age = {};
     std::optional<SkyPointing> direction = {};  // now, also below the horizon
     std::optional<double> kilometres = {};
     std::uint64_t accepted = 0;
     std::uint64_t refused = 0;
-    QString refusal = {};  // the last one
+    QString refusal = {};  // the reason of the last refusal
     PositionPhase phase = PositionPhase::Off;
 };
 

@@ -3,7 +3,7 @@
 
 #include <QString>
 
-// A setting of a drive that protects the mount, as it is shown: what it should be, what was found. Plain values.
+// A safety setting of a drive as the screen shows it: the wanted value and the value in the drive. Plain values.
 namespace boresight {
 
 enum class Verdict
@@ -11,7 +11,7 @@ enum class Verdict
     Unread,
     Right,
     Advised,    // works, but is worth fixing
-    Dangerous,  // nothing moves before it is right
+    Dangerous,  // nothing moves until it is corrected
 };
 
 // One setting of a drive that protects the mount.
@@ -19,20 +19,20 @@ struct ProtectionLine
 {
     QString key;     // as the drive calls it
     QString wanted;  // with its unit: "-0.258 turns (-93.0°)"
-    QString found;   // empty while unread
-    // The same two where there is little room: "-93.0°".
+    QString found;   // empty: not read
+    // Short forms of both for narrow places: "-93.0°".
     QString wantedBrief;
     QString foundBrief;
-    QString reason;  // why it matters, for the operator
-    QString fix;     // what Fix would write, with its unit; empty: it is right, or only a person may change it
+    QString reason;  // why the setting matters, for the operator
+    QString fix;     // the value that Fix would write, with its unit; empty: Fix does not change this setting
     Verdict verdict = Verdict::Unread;
-    // A bound of a drive that counts against the axis: its lower one is the axis's upper.
+    // The drive counts opposite to the axis, so the lower bound of the drive is the upper bound of the axis.
     bool reversed = false;
 
     bool operator==(const ProtectionLine&) const = default;
 };
 
-// Worth fixing, by Fix or by a person.
+// True if the setting should be corrected, by Fix or by a person.
 [[nodiscard]] inline bool differs(const ProtectionLine& line)
 {
     return line.verdict == Verdict::Advised || line.verdict == Verdict::Dangerous;

@@ -23,14 +23,14 @@
 // refuses each with a reason; the effect is seen in the next status.
 namespace boresight::request {
 
-struct PointSky  // go to a direction, the nearest permitted turn
+struct PointSky  // go to a direction, on the nearest permitted wrap
 {
     SkyPointing direction;
 };
-struct PointAxes  // go to mechanical angles: chooses the turn
+struct PointAxes  // go to mechanical angles, which also determine the wrap
 {
     AxisPosition position;
-    QString purpose = {};  // is shown and logged. Empty: it is a go-to
+    QString purpose = {};  // for the screen and the log. Empty: a go-to
 };
 struct PointAxis  // go to this azimuth or elevation of a direction; the other axis stays where it is
 {
@@ -48,32 +48,32 @@ struct Jog  // dead-man: must be repeated within kJogKeepAlive, else the axes st
 struct Move  // runs until Hold, a limit, or the end of the client that asked
 {
     AxisRates rates;
-    QString purpose = {};  // is shown and logged. Empty: a client moves the mount
+    QString purpose = {};  // for the screen and the log. Empty: a client moves the mount
 };
 struct Step  // move by a fixed amount from the present target
 {
     Angle azimuth;
     Angle elevation;
 };
-struct Follow  // one point of the operator's own stream: what is followed is there now
+struct Follow  // one point of the stream of a calibration: the present direction of the Sun or the Moon
 {
     SkyPointing direction;
     QString what;       // "Sun"
-    bool anew = false;  // the points before say nothing about this one
+    bool anew = false;  // the stream begins again: earlier points must not be used to predict this one
 };
-struct Track  // go to where it rises, follow it until it sets, then hold; stay where it does neither
+struct Track  // wait where the target rises, follow it until it sets, then hold. A fixed target: go there and stay
 {
     targets::Target target;
 };
-struct TrackFile  // the same with the table of a file, once the station has read it. Answered then
+struct TrackFile  // the same with the table of a file. The answer comes after the station has read the file
 {
     QString path;  // absolute
 };
-struct FollowAzel  // keep the beam on the Moon of WSJT-X's azel.dat; below the horizon the mount is parked
+struct FollowAzel  // track the Moon by azel.dat of WSJT-X; while the Moon is below the horizon the mount is parked
 {};
-struct FollowPosition  // keep the beam on what reports its position
+struct FollowPosition  // keep the beam on the balloon or rocket that reports its position
 {};
-struct FollowRotator  // point where another rotator points, once the station knows where that is. Answered then
+struct FollowRotator  // point where another rotator points. The answer comes after its position was received
 {
     QString name;  // "rotctld:10.0.0.7:4533"
 };
@@ -88,12 +88,12 @@ struct Horizon  // elevation 0°, or the lowest permitted, at the present azimut
 {
     std::optional<Angle> azimuth;
 };
-struct UseAntenna  // all directions are those of its beam from now on. Moves what Boresight tracks itself, and nothing
-                   // else
+struct UseAntenna  // from then on all directions are those of the beam of this antenna. The mount moves only if
+                   // Boresight tracks a target itself
 {
-    std::string name;  // "main", or one of the profile
+    std::string name;  // "main", or the name of an antenna in the profile
 };
-struct OverrideWind  // the mount may move in a strong wind, for the time of the profile. Moves nothing
+struct OverrideWind  // the mount may move in a strong wind, for the time in the profile. Moves nothing
 {};
 struct Hold  // decelerate and hold; not latched
 {};
@@ -105,25 +105,25 @@ struct Park
 {};
 struct Home  // azimuth 0°, elevation at its lower limit or 0°
 {};
-struct Unwind  // the same direction, on the turn where the azimuth cable is wound least
+struct Unwind  // the same direction, on the wrap where the azimuth cable is wound least
 {};
-struct HoldAtEnd  // what is tracked keeps its wrap: at the end of the cable the mount waits until the target comes back
+struct HoldAtEnd  // tracking keeps its wrap: at the end of the cable the mount waits until the target comes back
 {};
-struct Trial  // of a tuning run: dead-man like Jog, repeated in every tick; zero rates rest
+struct Trial  // from a tuning run: dead-man like Jog, repeated in every tick; zero rates mean standing still
 {
     AxisRates rates;
 };
 struct Rearm  // clears a drive fault or time-out; the mount then stands in STANDBY
 {};
-struct TakeAuthority  // clients' motion is refused until GiveAuthority
+struct TakeAuthority  // motion commands of clients are refused until GiveAuthority
 {};
 struct GiveAuthority
 {};
-struct GiveControl  // this client moves the mount from now on, and the operator gives control back
+struct GiveControl  // the operator hands control to the clients, and this client becomes the active one
 {
     std::uint64_t clientId = 0;
 };
-struct SetReadOnly  // its motion commands are refused
+struct SetReadOnly  // motion commands of this client are refused
 {
     std::uint64_t clientId = 0;
     bool readOnly = true;
@@ -138,7 +138,7 @@ struct AcknowledgeAlarm
 {
     std::uint64_t alarmId = 0;
 };
-struct ApplyProfile  // what applies now is in force with the next tick; the rest waits for Reconnect
+struct ApplyProfile  // settings that apply at once are in force with the next tick; the others wait for Reconnect
 {
     profile::Profile profile;
 };
@@ -146,33 +146,33 @@ struct Reconnect  // decelerate, leave the drives as on_exit says, begin again w
 {
     profile::Profile profile;
 };
-struct ReadDrives  // scan, identify, read the drives' protections again
+struct ReadDrives  // scan the bus, identify the drives, and read their safety settings again
 {};
-struct FixDrives  // write the protections that differ; the drives must be switched off
+struct FixDrives  // write the safety settings that differ; the drives must be switched off
 {};
 struct AssignBoard  // the only board on the bus gets the id of this axis: set, read back, stored
 {
-    QString board;  // its UUID, as the operator has confirmed it; empty: it tells none
+    QString board;  // its UUID, as the operator has confirmed it; empty: the board reports none
     Axis axis = Axis::Azimuth;
 };
 struct SetGear  // the ratio of the profile is written into the drive of this axis: set, read back, stored
 {
     Axis axis = Axis::Azimuth;
 };
-struct SwitchOff  // the drives off: an unbalanced elevation falls. Also the answer to "how do I let go"
+struct SwitchOff  // switch the drives off, so that the axes turn freely: an unbalanced elevation falls
 {
-    std::optional<Axis> axis{};  // this one alone, and the other goes on holding
+    std::optional<Axis> axis{};  // only this axis, and the other one continues to hold; empty: both
 };
 struct ReleaseBus  // leave the adapter to other tools
 {};
 struct TakeBus
 {};
-struct ChooseTurn  // the operator has looked: the axis stands at this angle
+struct ChooseTurn  // the operator has looked at the mount: the axis stands at this angle
 {
     Axis axis = Axis::Azimuth;
     Angle angle;
 };
-struct ProveCrashStop  // move each axis at `rate`, really stop feeding its drive, measure
+struct ProveCrashStop  // move each axis at `rate`, really stop the commands to its drive, and measure the stop
 {
     AngularRate rate;
 };
@@ -182,22 +182,22 @@ struct ReadGains
 {
     Axis axis = Axis::Azimuth;
 };
-struct SetGain  // in force at once, until the drive loses its power; the axis stands
+struct SetGain  // in force at once, until the drive loses its power; the axis must stand still
 {
     Axis axis = Axis::Azimuth;
     Gain gain = Gain::Stiffness;
     double value = 0.0;
 };
-struct PutGainsBack  // as they were found first
+struct PutGainsBack  // restore the gains as they were first read
 {
     Axis axis = Axis::Azimuth;
 };
-struct StoreGains  // what is in force, for the next power-up; the drives are off
+struct StoreGains  // store the gains in force for the next power-up; the drives must be off
 {
     Axis axis = Axis::Azimuth;
 };
 
-// Those of the tuning desk; only the operator may ask them. What they find out is in StationStatus::tuning.
+// Requests to the tuning desk. Only the operator may send them. The results are in StationStatus::tuning.
 struct StartTuning
 {
     Axis axis = Axis::Azimuth;
@@ -206,16 +206,16 @@ struct StartTuning
 struct EndTuning  // the run ends without a result, the mount holds
 {};
 
-// Those of the calibration desk; only the operator may ask them. What they find out is in StationStatus::calibration.
-struct FollowBody  // keep the beam on it; Nudge trims. Ends by Hold, or any other motion
+// Requests to the calibration desk. Only the operator may send them. The results are in StationStatus::calibration.
+struct FollowBody  // keep the beam on the body; Nudge changes the trim. Hold or any other motion ends it
 {
     ephemeris::Body body = ephemeris::Body::Sun;
     ephemeris::Refraction refraction = ephemeris::Refraction::Light;
-    bool overTheTop = false;  // past the zenith, from the other side: tells the collimation from the azimuth's offset
+    bool overTheTop = false;  // past the zenith, which separates the collimation from the azimuth offset
 };
-struct TakePoint  // the body that was chosen last is centred now
+struct TakePoint  // the body that was followed last is centred in the beam now
 {};
-struct TakeKnownPoint  // something whose direction is known is centred now: a landmark
+struct TakeKnownPoint  // an object of known direction, such as a landmark, is centred in the beam now
 {
     SkyPointing truth;
     QString label;
@@ -231,9 +231,9 @@ struct UsePoint  // a point may stay in the list and be left out of the fit
 };
 struct DropAllPoints
 {};
-struct MeasureSensorOffset  // the mount stands still, the sensor is averaged
+struct MeasureSensorOffset  // average the sensor while the mount stands still
 {};
-struct PlanSwing  // only tells where it would turn, and how long
+struct PlanSwing  // only reports where a swing would turn the mount and how long it would take
 {
     AngularRate rate = AngularRate::fromDegrees(3.0);
     int headings = 0;  // stops each way; 0: a sweep each way
@@ -243,7 +243,7 @@ struct StartSwing
     AngularRate rate = AngularRate::fromDegrees(3.0);
     int headings = 0;
 };
-struct StartCrossScan  // across a body that is followed; wants the power at each place: GivePower
+struct StartCrossScan  // scan across the followed body; at each place the scan needs the power (GivePower)
 {
     Angle width;
     ephemeris::Body body = ephemeris::Body::Sun;
@@ -252,13 +252,13 @@ struct GivePower
 {
     double decibels = 0.0;
 };
-struct ProposeTerms  // all of them, as typed: what is proposed from now on
+struct ProposeTerms  // propose these terms, all of them as typed
 {
     pointing::PointingTerms terms;
 };
-struct ImportTerms  // the same from a text of core/calibration/terms_text.h
+struct ImportTerms  // propose the terms in a text of the form of core/calibration/terms_text.h
 {
-    QString name;  // of the file
+    QString name;  // name of the file
     std::string text;
 };
 struct EndCalibration  // the run ends without a result, the mount holds
@@ -267,7 +267,7 @@ struct ApplyCalibration
 {
     std::uint64_t proposal = 0;  // CalibrationProposal::number
 };
-struct DiscardCalibration  // what is proposed; the points stay
+struct DiscardCalibration  // drop the proposal; the points stay
 {
     std::uint64_t proposal = 0;
 };
@@ -276,14 +276,14 @@ struct UndoCalibration
 struct RedoCalibration
 {};
 
-// Those of the schedule. What it does is in StationStatus::schedule.
-struct ArmSchedule  // the mount tracks its passes, until somebody does anything else with it. Takes control
+// Requests to the schedule. Its state is in StationStatus::schedule.
+struct ArmSchedule  // the mount tracks the passes until any other motion is requested. Takes control
 {};
-struct DisarmSchedule  // what it moves ends, and the mount holds
+struct DisarmSchedule  // the motion of the schedule ends, and the mount holds
 {};
-struct Rehearse  // the schedule, ahead of time, on a copy of the mount: StationStatus::rehearsal. Moves nothing
+struct Rehearse  // run the schedule ahead of time on a simulated copy: StationStatus::rehearsal. Moves nothing
 {
-    bool on = true;  // else the rehearsal that runs ends without a result
+    bool on = true;  // false: the running rehearsal ends without a result
 };
 
 }  // namespace boresight::request
@@ -314,7 +314,7 @@ using AnyRequest =
                  request::FollowPosition, request::FollowRotator, request::Rehearse, request::TrackFile,
                  request::UseAntenna, request::OverrideWind, TuningRequest, CalibrationRequest, ScheduleRequest>;
 
-// Every source that includes this header would compile the copying of so many alternatives again. It is compiled once.
+// Copying so many alternatives is compiled once in request.cpp, and not in every source that includes this header.
 struct Request : AnyRequest
 {
     using AnyRequest::AnyRequest;

@@ -8,20 +8,20 @@
 
 #include <string>
 
-// A kind of rotator as a person chooses it: what it is called, and how its place is entered. Its driver describes it,
-// so that nobody else names it. Plain value.
+// A kind of rotator that a person can choose: its name, and how its address is entered. Its driver describes it, so no
+// other code names it. Plain value.
 namespace boresight {
 
 struct RotatorOffer
 {
     profile::AxisDriver driver = profile::AxisDriver::None;
     QString name;
-    // Its bus is one of the adapters of this computer. Else a person enters where it answers.
+    // True: its bus is one of the adapters of this computer. False: a person enters its address.
     bool isListed = false;
-    // One of many models: a person chooses it from a list that is asked for.
+    // True: there are many models, and a person chooses one from a list (RotatorModels).
     bool hasModels = false;
 
-    QString place;  // what is entered is called so
+    QString place;  // label of the field for the address
     QString placeHelp;
     QString example;
     QStringList usualPlaces;    // offered besides what is found

@@ -11,8 +11,9 @@ namespace boresight {
 
 struct RotatorReport
 {
-    QString name;                   // "rotctld:10.0.0.7:4533"
-    Result<SkyPointing> direction;  // as reported: 370° is 370°. An error: it was given up, and reports no more
+    QString name;  // "rotctld:10.0.0.7:4533"
+    Result<SkyPointing>
+        direction;  // as reported: 370° is 370°. An error: the reader has given up, and no report follows
 };
 
 }  // namespace boresight

@@ -8,13 +8,13 @@
 #include <optional>
 #include <vector>
 
-// What a look at a bus that no station works on has found: plain values for the operator.
+// The result of a scan of a bus that no station is using. Plain values for the operator.
 namespace boresight {
 
 struct ScannedDrive
 {
     int id = 0;
-    QString uuid;  // empty if it did not tell
+    QString uuid;  // empty: the drive did not report it
     QString firmware;
     std::optional<double> voltage;      // V
     std::optional<double> temperature;  // °C
@@ -25,9 +25,9 @@ struct ScannedDrive
 struct ScanResult
 {
     QString bus;
-    std::vector<ScannedDrive> drives;  // by their ids
-    QStringList problems;              // what is wrong and what to do about it; also why nobody could be asked
-    bool simulated = false;            // a program has answered, and no real drive
+    std::vector<ScannedDrive> drives;  // ordered by id
+    QStringList problems;              // faults with their remedies; also why the bus could not be scanned
+    bool simulated = false;            // a program has answered instead of a real drive
 
     bool operator==(const ScanResult&) const = default;
 };

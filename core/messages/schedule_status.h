@@ -9,16 +9,16 @@
 #include <cstdint>
 #include <optional>
 
-// The schedule of passes, as the station tells it. Plain values.
+// The schedule of passes, as the station reports it. Plain values.
 namespace boresight {
 
 struct ScheduleStatus
 {
     bool armed = false;
-    QString why;  // it is not armed, or there is no plan; may be empty
+    QString why;  // why the schedule is not armed, or why there is no plan; may be empty
     schedule::NightPlan plan;
     std::optional<std::int64_t> tracked;  // the satellite of the pass that the mount tracks or waits for
-    schedule::NightReport report;         // also before a restart, with the pass that is tracked
+    schedule::NightReport report;         // includes the passes before a restart and the pass that is being tracked
 
     bool operator==(const ScheduleStatus&) const = default;
 };

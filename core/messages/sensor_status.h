@@ -13,7 +13,7 @@
 #include <cstdint>
 #include <optional>
 
-// What the station tells of the orientation sensor. Plain values; nothing is ever moved because of them.
+// What the station reports about the orientation sensor. Plain values. They never cause a motion.
 namespace boresight {
 
 struct SensorStatus
@@ -22,22 +22,23 @@ struct SensorStatus
     bool open = false;
     QString problem;  // one line: what, where, what to do; empty while all is well
     orientation::Presence presence = orientation::Presence::Awaited;
-    bool dead = false;                             // it sends nothing but zeros
-    std::optional<orientation::Orientation> last;  // as sent, the newest that was believed, whatever its age
+    bool dead = false;                             // the sensor sends only zeros
+    std::optional<orientation::Orientation> last;  // the newest plausible reading, as sent, of any age
     std::optional<std::chrono::milliseconds> age;  // of that
     std::optional<SkyPointing> direction;          // true, after all corrections; not once it is lost
     // Of the azimuth in `direction`, after a swing: what is the same in all readings; empty: nothing is known of it.
     std::optional<Angle> azimuthSigma;
-    // Why its azimuth is no evidence: the compass is not calibrated, or steel steers it at this heading. Empty: it is.
+    // Why its azimuth cannot be used: the compass is not calibrated, or steel disturbs it at this heading. Empty: it
+    // can.
     QString doubt;
     Angle declination;         // that is in `direction`
     QString declinationText;   // whose that is, or why there is none
     QString declinationModel;  // that reckons it: "WMM-2025, of 2025.0 to 2030.0"; empty: none was read
     QString declinationDoubt;  // what is wrong with it: "the model has expired: …"; mostly empty
-    // Sensor minus axes, where these were when it measured, the shorter way; empty: there was nothing to compare.
+    // Sensor minus axes at the time of the measurement, the shorter way round. Empty: there was nothing to compare.
     std::optional<Angle> azimuthDifference;
     std::optional<Angle> elevationDifference;
-    bool disagrees = false;  // for longer than the profile lets it
+    bool disagrees = false;  // the difference is too large for longer than the profile permits
     std::int64_t turns = 0;  // counted from its headings, since it is heard without a gap
     std::uint64_t outliers = 0;
     std::uint64_t restarts = 0;

@@ -8,7 +8,7 @@
 namespace boresight {
 namespace {
 
-// What is not among them - "rotctld", a client's address - is the same in all languages.
+// Any other source, such as "rotctld" or the address of a client, is the same in all languages.
 constexpr std::array kSources{QT_TRANSLATE_NOOP("Text", "azimuth drive"),
                               QT_TRANSLATE_NOOP("Text", "elevation drive"),
                               QT_TRANSLATE_NOOP("Text", "command line"),

@@ -34,12 +34,12 @@
 #include <string>
 #include <vector>
 
-// What the station tells the world: plain values, made on the station thread once per update, read by the screen, the
-// clients and the tests. Nothing is computed from them about pointing; unknown is an empty optional. Angles of an axis
-// are mechanical (unwrapped); `SkyPointing` values are directions.
+// What the station reports: plain values, made on the station thread once per update. The screen, the clients and the
+// tests read them and compute no pointing from them. An unknown value is an empty optional. Angles of an axis are
+// mechanical (unwrapped). `SkyPointing` values are directions.
 namespace boresight {
 
-// A value as it is before anything is known. All share one, because a status is made many times a second.
+// A default value. All statuses share one object, because a status is made many times a second.
 template <class T>
 [[nodiscard]] std::shared_ptr<const T> fresh()
 {
@@ -69,7 +69,7 @@ enum class AxisState
     Limit,
     Stopped,
     Fault,
-    On,  // switched on, but following no set-points of ours
+    On,  // switched on, but not following set-points from Boresight
     Off,
     Missing  // the mount has no such axis
 };
@@ -81,15 +81,15 @@ enum class Severity
     Alarm
 };
 
-// The path that is followed leads beyond an end of the azimuth's range.
+// The tracked path leads beyond an end of the azimuth range.
 struct CableEnd
 {
     Angle end;
     Seconds in;
-    // How long it takes to turn back by 360° and go on; empty: there is no other turn, the mount waits at the end.
+    // The time to turn back by 360° and continue. Empty: there is no other wrap, and the mount waits at the end.
     std::optional<Seconds> turningBack;
-    // How much of the target is lost if the mount holds there instead of turning back; empty: there is no such choice,
-    // or nobody knows where the target goes.
+    // How long the target is lost if the mount waits at the end instead of turning back. Empty: there is no such
+    // choice, or the way of the target is unknown.
     std::optional<Seconds> lostByHolding = {};
 };
 
@@ -107,7 +107,7 @@ enum class SourceKind
     Station
 };
 
-// Who asked. `name` is what the log and the screen show: "operator", "rotctld 127.0.0.1:51234".
+// Who sent a request. The log and the screen show `name`: "operator", "rotctld 127.0.0.1:51234".
 // A client that speaks another protocol is "client PROTOCOL ADDRESS".
 struct Source
 {
@@ -144,7 +144,7 @@ struct AxisStatus
     std::optional<double> torque;            // Nm
     std::optional<double> current;           // A, q axis
     std::optional<double> power;             // W, electrical
-    bool turnKnown = false;                  // which turn of its cable the axis is on
+    bool turnKnown = false;                  // whether the wrap of the axis is known
     QString stateText;                       // e.g. "at travel limit 450.0°"; may be empty
 };
 
@@ -152,19 +152,19 @@ struct ClientStatus
 {
     std::uint64_t id = 0;
     QString address;
-    QString program;                 // recognised, else its protocol unless that is rotctld
+    QString program;                 // the recognised program, else the protocol if it is not rotctld
     QString lastCommand;             // why it was refused, or what became of its target
     double commandsPerSecond = 0.0;  // over the last seconds
     bool driving = false;            // the mount follows its target now
     bool inControl = false;          // its motion commands are accepted, other clients' are not
     bool readOnly = false;
-    bool locked = false;      // the one that the profile names
-    bool wanting = false;     // it goes on asking for motions, which are refused for another's lead
-    QString advice;           // what would make it work better; mostly empty
-    QString controlObstacle;  // why control cannot be given to it now, or need not; empty: it can
+    bool locked = false;      // the profile names this client as the only one that may move the mount
+    bool wanting = false;     // waiting for control: its motion commands are refused because another client has it
+    QString advice;           // what would make the client work better; may be empty
+    QString controlObstacle;  // why control cannot or need not be given to it now; empty: it can be given
 };
 
-// The MQTT broker, as far as somebody needs it: the sensor, or the publishing of the station's state.
+// The MQTT broker, if it is needed: for the sensor, or to publish the state of the station.
 struct BrokerStatus
 {
     bool wanted = false;
@@ -174,7 +174,7 @@ struct BrokerStatus
     std::optional<Seconds> retryIn;  // empty while there is a connection or an attempt at one
 };
 
-// The one button that helps against an alarm, where there is one. The panel that shows the alarm knows what it asks.
+// The button that an alarm offers, if any. The panel that shows the alarm knows the request behind the button.
 enum class AlarmHelp
 {
     None,
@@ -226,8 +226,8 @@ struct TrackedTarget
     std::optional<UtcTime> next = {};  // it sets, or rises; empty: it never sets
     // From its rise, or from when it was chosen, until it sets, at most for a day. Null: not known.
     targets::SkyWay way = {};
-    // How fast it goes across the sky now, or at its rise. A clock that is wrong by a second misses it by so much.
-    // Empty: where it is depends on no clock of this computer.
+    // The angular rate across the sky now, or at the rise. A clock that is wrong by 1 s makes the beam miss the
+    // target by the angle of 1 s at this rate. Empty: its direction does not depend on the clock of this computer.
     std::optional<AngularRate> skyRate = {};
 };
 
@@ -238,7 +238,7 @@ struct BodyPlace
     SkyPointing direction;
 };
 
-// How late the control ticks have come since the start, and what the system grants them.
+// How late the control ticks have come since the start, and how the operating system schedules them.
 struct TimingStatus
 {
     Seconds lateP50{0.0};
@@ -345,7 +345,7 @@ struct TickSample
     std::array<AxisSample, 2> axes;  // azimuth, elevation
 };
 
-// What a line of the log tells.
+// What a line of the log reports.
 enum class LogKind
 {
     Event,
@@ -353,7 +353,7 @@ enum class LogKind
     Alarm
 };
 
-// The alarm that a line is of.
+// The alarm that a line of the log belongs to.
 struct LoggedAlarm
 {
     QString name = {};   // its id in the catalogue; empty: no alarm
@@ -373,8 +373,8 @@ struct LogEntry
     LoggedAlarm alarm = {};
 };
 
-// Whether the mount may be sent to a direction, as far as the direction is concerned. What stands in the way of any
-// motion is in the permissions.
+// Whether the mount may be sent to a direction. It judges the direction only: reasons against any motion are in the
+// permissions.
 struct DirectionVerdict
 {
     QString whyNot = {};                      // empty: it may
@@ -391,8 +391,8 @@ struct Answer
     std::optional<DirectionVerdict> verdict = {};  // of JudgeDirection
 };
 
-// One parcel to the screen. The station sends the next only after the last was taken, so a stalled screen gets the
-// newest status and a bounded tail of the log, never a queue.
+// One update for the screen. The station sends the next one only after the last one was taken. So a stalled screen gets
+// the newest status and a limited part of the log, and no queue grows.
 struct StationUpdate
 {
     StationStatus status;
@@ -404,7 +404,7 @@ struct StationUpdate
 // The words of ui.md and of every log line: "TRACK", "NO DATA".
 [[nodiscard]] QString word(StationState state);
 [[nodiscard]] QString word(AxisState state);
-// The source of a line as it is shown: in the language of the program.
+// The source of a line of the log, in the language of the program.
 [[nodiscard]] QString sourceText(const QString& source);
 
 }  // namespace boresight

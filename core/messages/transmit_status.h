@@ -7,7 +7,7 @@
 
 #include <optional>
 
-// Whether the transmitter may transmit: the output of the profile that is on only while the beam is on its target.
+// Whether the transmitter may transmit. The output in the profile is on only while the beam is on its target.
 namespace boresight {
 
 struct TransmitStatus

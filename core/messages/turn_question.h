@@ -8,8 +8,8 @@
 #include <optional>
 #include <vector>
 
-// The places an axis may be at when its drive knows the direction only within one turn of its encoder, and what speaks
-// for each: a question that only the operator can answer. Plain value; mechanical angles.
+// The possible angles of an axis whose drive knows its position only within one turn of its encoder, with the evidence
+// for them. Only the operator can answer which one is right. Plain value; mechanical angles.
 namespace boresight {
 
 struct TurnQuestion

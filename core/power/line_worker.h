@@ -8,7 +8,7 @@
 
 #include <deque>
 
-// The side of ThreadedLine that lives on the thread: a PowerLine, and the report about it.
+// The part of ThreadedLine that lives on the thread "power": it owns the PowerLine and reports about it.
 namespace boresight::power {
 
 class LineWorker final : public QObject
@@ -30,7 +30,7 @@ private:
     void report();
 
     PowerLine m_line;
-    std::deque<Value> m_values;  // at most ThreadedLine::kMost: of more than that the oldest are dropped
+    std::deque<Value> m_values;  // the newest, at most ThreadedLine::kMost
     PacedOutlet m_outlet;
 };
 

@@ -43,7 +43,7 @@ QString problemOf(const LineSettings& settings, const LineState& state, SteadyTi
 PowerLine::PowerLine(const LineSettings& settings, const Clock& clock, QObject* parent)
     : QObject(parent), m_settings(settings), m_clock(clock), m_delay(settings.firstRetry)
 {
-    // Never by a proxy: to ask the desktop for one blocks.
+    // No proxy is used, because asking the desktop for its proxy would block.
     m_udp.setProxy(QNetworkProxy::NoProxy);
     m_tcp.setProxy(QNetworkProxy::NoProxy);
     m_tcp.setReadBufferSize(kBytesAtOnce);
@@ -89,7 +89,7 @@ void PowerLine::begin()
     m_state.open = true;
     m_state.opened = m_clock.now();
     m_state.rubbish.clear();
-    m_lines.clear();  // half a line from before
+    m_lines.clear();  // drops an unfinished line of the previous connection
     Q_EMIT stateChanged();
 }
 
@@ -107,7 +107,8 @@ void PowerLine::lose(const QString& reason)
     Q_EMIT stateChanged();
 }
 
-// Whatever is left after a full helping is read after the pause, and nothing before.
+// Reads a limited amount at once. If more may be waiting, the next read is after a pause, so a flood does not keep the
+// thread busy.
 void PowerLine::readSome()
 {
     if (m_pause.isActive()) {
@@ -120,18 +121,18 @@ void PowerLine::readSome()
     Q_EMIT stateChanged();
 }
 
-// True: a full helping.
+// True: kDatagramsAtOnce were read, so more may be waiting.
 bool PowerLine::readDatagrams()
 {
     int count = 0;
     for (; count < kDatagramsAtOnce && m_udp.hasPendingDatagrams(); ++count) {
         m_lines.clear();
-        read(m_udp.receiveDatagram(kLongestDatagram).data() + '\n');  // its end ends a line, too
+        read(m_udp.receiveDatagram(kLongestDatagram).data() + '\n');  // the end of a datagram also ends a line
     }
     return count == kDatagramsAtOnce;
 }
 
-// True: a full helping.
+// True: kBytesAtOnce were read, so more may be waiting.
 bool PowerLine::readStream()
 {
     const QByteArray bytes = m_tcp.readAll();

@@ -13,11 +13,11 @@
 #include <cstdint>
 #include <optional>
 
-// The received power as a program tells it, one value per line (power_text.h): UDP datagrams that come to an address of
-// this computer, or a TCP connection to that program. Nothing is ever sent. What cannot be opened or is lost is tried
-// again after 1, 2, 4, 8 s, then each 10 s. At most kBytesAtOnce or kDatagramsAtOnce are read each kPause: some five
-// values a second are plenty, and the rest waits at the sender or is dropped by the system. Lives in its owner's event
-// loop.
+// Receives the power that another program reports, one value per line (power_text.h). The lines arrive in UDP datagrams
+// at an address of this computer, or by a TCP connection to the program. Boresight sends nothing. If the socket cannot
+// be opened or the connection is lost, Boresight retries after 1, 2, 4, 8 s, then every 10 s. At most kBytesAtOnce or
+// kDatagramsAtOnce are read in each kPause: five values a second are enough. The rest waits at the sender, or the
+// operating system drops it. Lives in the event loop of its owner.
 namespace boresight::power {
 
 enum class Transport
@@ -33,7 +33,7 @@ struct LineSettings
     std::uint16_t port = 0;
     std::chrono::milliseconds firstRetry{1000};
     std::chrono::milliseconds longestRetry{10000};
-    Seconds silence{5.0};  // without a value: then it is said what comes in its place
+    Seconds silence{5.0};  // after this time without a value, problemOf() reports it
 };
 
 struct Value
@@ -42,21 +42,21 @@ struct Value
     SteadyTime arrival;
 };
 
-// What happened so far. A plain value, so that it can be judged on another thread, at any later time.
+// What happened so far. A plain value, so that another thread can judge it at a later time.
 struct LineState
 {
     bool open = false;
     SteadyTime opened{};
     std::optional<Value> last{};
-    QString trouble{};  // why it is not open; until the first value after that
-    QString rubbish{};  // the first line since the last value that is none, and why
+    QString trouble{};  // why the line could not be opened or was lost; cleared by the next value
+    QString rubbish{};  // the first line since the last value that was refused, with the reason
     std::uint64_t values = 0;
     std::uint64_t refused = 0;
 };
 
 // "UDP 127.0.0.1:4540"
 [[nodiscard]] QString nameOf(const LineSettings& settings);
-// What is wrong at `now`, in one sentence; empty: nothing. Pure.
+// What is wrong at `now`. Empty if nothing is wrong. Pure.
 [[nodiscard]] QString problemOf(const LineSettings& settings, const LineState& state, SteadyTime now);
 
 class PowerLine : public QObject
@@ -68,7 +68,7 @@ public:
     static constexpr int kDatagramsAtOnce = 50;
     static constexpr std::chrono::milliseconds kPause{10};
 
-    // `clock` outlives the line.
+    // `clock` must outlive the line.
     PowerLine(const LineSettings& settings, const Clock& clock, QObject* parent = nullptr);
     ~PowerLine() override;
 
@@ -78,7 +78,7 @@ public:
 
 Q_SIGNALS:
     void received(const boresight::power::Value& value);
-    // state() is another.
+    // state() has changed.
     void stateChanged();
 
 private:

@@ -25,7 +25,7 @@ bool isLetter(char character)
     return (code >= 'a' && code <= 'z') || (code >= 'A' && code <= 'Z') || code == '_' || code == '%' || code >= 0x80;
 }
 
-// With a point, or with one comma in its place ("-73,2"); a comma or point at its end is none of it.
+// Takes a decimal point, or one decimal comma ("-73,2"). A comma or point at the end is not part of the number.
 std::optional<double> numberOf(std::string_view text)
 {
     std::string pointed(text.substr(0, text.find_last_not_of(",.eE") + 1));
@@ -37,14 +37,14 @@ std::optional<double> numberOf(std::string_view text)
 
 struct Found
 {
-    std::optional<double> value;  // empty: digits that make no number, like those of a date
-    QByteArray unit;              // the word behind it, in small letters
+    std::optional<double> value;  // empty: digits that are not clearly one number, such as those of a date
+    QByteArray unit;              // the word after the number, in lower case
 
     [[nodiscard]] bool isPower() const { return unit.startsWith("db"); }
     [[nodiscard]] bool isFrequency() const { return unit.endsWith("hz"); }
 };
 
-// In small letters.
+// The first word of the line, in lower case. Empty if the line does not begin with a letter.
 QByteArray wordAhead(std::string_view line)
 {
     line.remove_prefix(std::min(line.find_first_not_of(kBlanks), line.size()));
@@ -52,14 +52,14 @@ QByteArray wordAhead(std::string_view line)
     return QByteArray(line.data(), end - line.begin()).toLower();
 }
 
-// Of a sign that stands apart it is not sure whether it is one.
+// With blanks between sign and number it is not clear whether the sign belongs to the number.
 bool followsSign(std::string_view before)
 {
     const std::size_t last = before.find_last_not_of(kBlanks);
     return last != std::string_view::npos && (before[last] == '-' || before[last] == '+');
 }
 
-// All that have a digit, but for those at the end of a word ("S7").
+// All numbers of the line, without those at the end of a word ("S7").
 std::vector<Found> numbersIn(std::string_view line)
 {
     std::vector<Found> numbers;

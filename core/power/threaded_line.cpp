@@ -14,7 +14,7 @@ LineWorker::LineWorker(const LineSettings& settings, const Clock& clock)
     connect(&m_line, &PowerLine::stateChanged, this, [this] { m_outlet.ask(); });
 }
 
-// PowerLine says stateChanged() after the values that it read.
+// Asks for no report: PowerLine emits stateChanged() after the values that it read, and that signal asks.
 void LineWorker::keep(const Value& value)
 {
     m_values.push_back(value);

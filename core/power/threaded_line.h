@@ -10,8 +10,8 @@
 #include <memory>
 #include <vector>
 
-// A PowerLine on a thread of its own, for an owner whose thread must not wait for it (station thread). Whatever is sent
-// to the line, the owner gets at most kMost values each PacedOutlet::kPeriod, the newest ones.
+// A PowerLine on a thread of its own. Its owner is the station thread, which must not wait for the line. However much
+// is sent to the line, the owner gets only the newest kMost values in each PacedOutlet::kPeriod.
 namespace boresight::power {
 
 class LineWorker;
@@ -30,15 +30,15 @@ class ThreadedLine final : public QObject
 public:
     static constexpr std::size_t kMost = 32;
 
-    // Opens the line. `clock` outlives it and may be read by any thread.
+    // Opens the line. `clock` must outlive the line and be readable from any thread.
     ThreadedLine(const LineSettings& settings, const Clock& clock, QObject* parent = nullptr);
     ~ThreadedLine() override;
 
-    // By the last report.
+    // As of the last report.
     [[nodiscard]] bool isOpen() const { return m_state.open; }
     [[nodiscard]] const LineState& state() const { return m_state; }
     [[nodiscard]] QString name() const { return nameOf(m_settings); }
-    // By the last report and the clock.
+    // From the last report and the time of the clock.
     [[nodiscard]] QString problem() const { return problemOf(m_settings, m_state, m_clock.now()); }
 
 Q_SIGNALS:

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-// What a profile asks of its mount that is permitted and still hardly meant: brakes that are none, an acceleration that
-// no torque gives. It is reported with its numbers and never refused, because the mount alone knows. Pure.
+// Finds settings that are permitted but probably wrong, such as a brake that is too weak or an acceleration that needs
+// too much torque. They are reported with their numbers and never refused, because they may be right for a mount. Pure.
 namespace boresight::profile {
 
 struct Advice

@@ -7,8 +7,8 @@
 #include <cstddef>
 #include <string_view>
 
-// What can turn an axis: the one list of drivers. Choices of the profile, checks and --simulate=NAME come from it. A
-// rotator of another kind has its name and its line here; what makes it is a line in core/station/mount_factory.cpp.
+// The only list of drivers, which turn the axes. The choices of the profile, the checks and --simulate=NAME come from
+// it. A new kind of rotator needs its name and its line here. A line in core/station/mount_factory.cpp creates it.
 namespace boresight::profile {
 
 enum class AxisDriver
@@ -20,20 +20,20 @@ enum class AxisDriver
     None
 };
 
-// What leads to it.
+// The connection to a driver.
 enum class DriverLine
 {
     None,
     Can,
     Text,    // a serial port or a TCP connection that carries lines of text
-    Rotctld  // a rotctld elsewhere, or one of our own
+    Rotctld  // a rotctld on the network, or one that Boresight starts
 };
 
 struct DriverKind
 {
     AxisDriver driver;
     std::string_view name;       // in the profile
-    std::string_view simulated;  // what turns an axis in a simulation; English
+    std::string_view simulated;  // description of the simulated driver, in English
     DriverLine line = DriverLine::None;
     bool onlySimulated = false;
     bool hasId = false;         // each axis has a controller of its own, with an id on the bus
@@ -71,7 +71,7 @@ inline constexpr std::array kDriverKinds{
     return kDriverKinds[static_cast<std::size_t>(driver)];
 }
 
-// Of the setting, for people. Names what is not plain from the name of a driver.
+// The text of the setting for people. It explains the drivers whose names are not clear by themselves.
 inline constexpr const char* kDriverMeaning = QT_TRANSLATE_NOOP(
     "Text",
     "What turns the axis. Each axis may have its own driver. \"gs232\" is a Yaesu GS-232A, a GS-232B or a box that "

@@ -20,7 +20,7 @@ Result<> checkLine(const std::string& text)
     return {};
 }
 
-// What begins with '$' belongs to the broker; '+' and '#' are for those who read.
+// MQTT reserves topics that begin with '$' for the broker. '+' and '#' are wildcards, which only subscribers may use.
 Result<> checkPrefix(const std::string& text)
 {
     if (text.empty() || text.front() == '$' || text.find_first_of("+#") != std::string::npos) {

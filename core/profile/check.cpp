@@ -137,7 +137,7 @@ DriverLine lineOf(BusKind bus)
     return DriverLine::None;
 }
 
-// The bus of the profile is of another kind than the driver of this axis speaks on.
+// The driver of this axis cannot use a bus of the kind that the profile names.
 std::optional<Problem> wrongBus(const Profile& profile, const DriverKind& kind)
 {
     const auto bus = parseBusName(profile.bus);

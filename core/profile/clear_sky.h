@@ -8,8 +8,8 @@
 
 namespace boresight::profile {
 
-// Whether this antenna may look into a true direction: on any turn of its azimuth, between limits, over the horizon and
-// outside the keep-outs of this profile. Pure value, any thread.
+// Returns a function that judges a true direction: true if this antenna may point there on any wrap, within the limits,
+// above the horizon and outside the keep-outs of this profile. Pure value, any thread.
 [[nodiscard]] std::function<bool(const SkyPointing&)> clearSky(const Profile& profile,
                                                                const pointing::Antenna& antenna);
 

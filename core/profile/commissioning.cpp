@@ -39,7 +39,7 @@ bool within(const TravelRange& inner, const TravelRange& outer)
     return inner.min >= outer.min && inner.max <= outer.max;
 }
 
-// Limits that were wider than the travel never counted, and stay as wide as they are.
+// Limits wider than the travel had no effect, so they stay unchanged.
 void bringInside(Profile& profile, Axis axis)
 {
     const TravelRange& travel = settingsOf(profile, axis).geometry.travel;
@@ -106,7 +106,7 @@ bool isOfControllers(const std::string& bus)
     return name && (name->kind == BusKind::SocketCan || name->kind == BusKind::Fdcanusb);
 }
 
-// What was found at the mount before is not true of another one.
+// Values that were found at the previous mount are wrong for another mount.
 void forgetTheMount(Profile& profile)
 {
     std::vector<std::string> found = changedKeys(profile, Profile{});
@@ -129,7 +129,7 @@ void leaveRotator(Profile& profile)
     }
 }
 
-// As common rotators are. The operator enters the real ends and speeds.
+// Sets the values of common rotators. The operator enters the real ends and speeds later.
 void becomeRotator(Profile& profile, Axis axis, AxisDriver driver)
 {
     const bool azimuth = axis == Axis::Azimuth;
@@ -141,7 +141,7 @@ void becomeRotator(Profile& profile, Axis axis, AxisDriver driver)
     setTravel(profile, axis, {.min = 0_deg, .max = azimuth ? 360_deg : 90_deg});
 }
 
-// It is turned by controllers now, and by a box then.
+// True if controllers turn the axis and `driver` is a rotator with a control box.
 bool becomesRotator(const Profile& profile, Axis axis, AxisDriver driver)
 {
     const AxisDriver now = profile.axis(axis).driver;

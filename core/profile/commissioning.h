@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-// The changes of a profile that commissioning a mount consists of, each as one act: what hangs together is changed
-// together, so that the profile goes on making sense. Nothing here moves anything. Pure.
+// The changes to a profile when a mount is commissioned. Each function changes together all settings that depend on
+// each other, so the profile stays consistent. Nothing here moves the mount. Pure.
 namespace boresight::profile {
 
 // The mount is reached by this bus, whose controllers answer under `ids`. Two ids that are not the profile's become
@@ -30,18 +30,19 @@ struct RotatorLine
 // is reached in another way keeps all but that. A missing axis stays missing.
 void useRotator(Profile& profile, const RotatorLine& line);
 
-// useRotator() would forget what was found or typed for a mount with controllers: its zeros, travel or north.
+// True if useRotator() would discard values of a mount with controllers, found or typed: its zeros, travel or north.
 [[nodiscard]] bool losesAMount(const Profile& profile, AxisDriver driver);
 
 // bus.name is "simulated", as in a profile without that key. There is no real mount to be reached, so the simulated one
 // runs in its place.
 [[nodiscard]] bool namesNoBus(const Profile& profile);
 
-// Of a profile that was changed in a simulation, for a file that may go anywhere: no real mount takes it for its own.
+// For a profile that was changed in a simulation and is saved to any file. The result names no real bus, so no real
+// mount uses it as its own.
 [[nodiscard]] Profile withoutBus(Profile profile);
 
-// Belongs to one mount alone: its bus, which way its axes turn, its zeros, north and pointing model, how the sensor is
-// mounted and what iron does to its compass.
+// True for settings that are valid for one mount only: bus, directions of the axes, zeros, north and pointing model,
+// mounting of the sensor and deviation of its compass.
 [[nodiscard]] bool isOfOneMount(const std::string& key);
 
 // Of a profile that names no real bus: what a real mount takes from it. An older version kept there what was found of
@@ -50,27 +51,27 @@ void useRotator(Profile& profile, const RotatorLine& line);
 // stays.
 [[nodiscard]] Profile forRealMount(Profile profile);
 
-// The motor that was taken for the azimuth's is the elevation's. Directions are to be confirmed again.
+// Exchanges the motors: the one set as azimuth turns the elevation. The directions must be confirmed again.
 void swapMotors(Profile& profile);
 
-// The motor turns the axis the other way than the profile says. The axis goes on reading what it reads now, if that is
-// known. Directions are to be confirmed again.
+// Reverses the direction of an axis. If its present reading is known, the axis keeps that reading. The directions must
+// be confirmed again.
 void reverse(Profile& profile, Axis axis, const std::optional<Angle>& reading);
 
-// The axis may go from here to there. What lay outside (limits of operation, park) is brought inside.
+// Sets the travel of the axis. Limits of operation and a park position outside the travel are moved inside.
 void setTravel(Profile& profile, Axis axis, const TravelRange& travel);
 
-// What becomes of travel, limits of operation and park when the angles of an axis get another zero.
+// How travel, limits of operation and park change when an axis gets another zero.
 enum class Ends
 {
-    StayOnTheMount,  // cable and stops are where they were: their numbers change
+    StayOnTheMount,  // cable and stops keep their physical places, so their numbers change
     KeepTheirNumbers
 };
 
-// What the axis reads now is really `truth`.
+// Changes the zero of the axis, so that the present reading `reading` becomes `truth`.
 void setReading(Profile& profile, Axis axis, Angle reading, Angle truth, Ends ends);
 
-// With its axes here the beam really points to this azimuth. Only where north is changes: no angle of an axis does.
+// With the axes at `axes` the beam points to `trueAzimuth`. Only the setting of north changes, not the axis angles.
 void setNorth(Profile& profile, const AxisPosition& axes, Angle trueAzimuth);
 
 }  // namespace boresight::profile

@@ -7,8 +7,8 @@
 
 #include <string>
 
-// The one setting that is changed in a profile's file by hand of the program: comments and order of the file stay as
-// the operator wrote them. Pure.
+// Changes one setting inside the text of a profile file. Comments and order of the file stay as the operator wrote
+// them. Pure.
 namespace boresight::profile {
 
 // The file's text with `directions = "confirmed"` and nothing else changed. Refuses a file that does not read without

@@ -18,7 +18,7 @@ namespace boresight::profile {
 
 namespace {
 
-constexpr std::size_t kErrorsTold = 20;  // a file of something else has one per line
+constexpr std::size_t kErrorsTold = 20;  // a file of another kind may have an error in every line
 
 struct Numbers
 {

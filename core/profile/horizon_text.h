@@ -22,16 +22,16 @@ namespace boresight::profile {
 struct HorizonText
 {
     std::vector<pointing::HorizonPoint> points;  // by azimuth, each once
-    int merged = 0;                              // points that were given for an azimuth that has a higher one
+    int merged = 0;                              // points dropped because another point at their azimuth is higher
 
     bool operator==(const HorizonText&) const = default;
 };
 
-// All errors at once, one "FILE:LINE: reason" per line. Negative azimuths are refused: who writes -180…180 often counts
-// from south.
+// The error lists all problems, one "FILE:LINE: reason" per line. Negative azimuths are refused, because files with
+// -180…180° often count from south.
 [[nodiscard]] Result<HorizonText> parseHorizon(std::string_view text, const QString& fileName);
 
-// With points at 0° and 360°, for readers that do not go on through north.
+// Includes points at 0° and 360°, for programs that do not continue the line through north.
 [[nodiscard]] std::string toHorizonText(const std::vector<pointing::HorizonPoint>& horizon,
                                         const std::string& mountName);
 

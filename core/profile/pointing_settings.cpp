@@ -12,9 +12,9 @@ using namespace makers;
 
 namespace {
 
-// A mount that needs more is not to be corrected but to be put right.
+// A mount with larger errors needs mechanical adjustment instead of a correction.
 constexpr Range kSmall{-10.0, 10.0};
-// Of an antenna that is tilted on the boom.
+// For an antenna that is tilted on the boom.
 constexpr Range kAbove{-30.0, 30.0};
 
 template <class Access>

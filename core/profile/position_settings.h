@@ -12,7 +12,7 @@ namespace boresight::profile {
 enum class PositionSource
 {
     None,
-    Udp,  // whoever sends to host:port, an address of this computer
+    Udp,  // datagrams that arrive at host:port, an address of this computer
     Mqtt  // a topic of the broker
 };
 
@@ -20,9 +20,9 @@ struct PositionSettings
 {
     PositionSource source = PositionSource::None;
     std::string host = "127.0.0.1";
-    int port = 55673;  // of radiosonde_auto_rx
+    int port = 55673;  // the port to which radiosonde_auto_rx sends
     std::string topic = "position";
-    std::string name;  // call sign of what flies; empty: whoever reports
+    std::string name;  // call sign of the balloon or rocket; empty: any
     Seconds stale{30.0};
     double fastest = 2000.0;  // m/s
 

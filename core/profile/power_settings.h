@@ -9,7 +9,7 @@ namespace boresight::profile {
 enum class PowerSource
 {
     None,
-    Udp,  // whoever sends to host:port, an address of this computer
+    Udp,  // datagrams that arrive at host:port, an address of this computer
     Tcp   // the program that listens at host:port
 };
 

@@ -31,12 +31,12 @@ namespace boresight::profile {
 
 inline constexpr int kVersion = 1;
 
-// What the position that a drive reports after its power-up is worth. A moteus without an encoder on the output knows
-// it only within one turn of the rotor (home state 1).
+// Whether the position that a drive reports after its power-up can be trusted. A moteus without an encoder on the
+// output knows its position only within one turn of the rotor (home state 1).
 enum class PowerUpPosition
 {
     Ambiguous,  // no absolute pointing until the drive reports a referenced output (home state 2)
-    Trusted     // it is right: an encoder on the axis, and a travel below one turn of it
+    Trusted     // the position is right: the axis has an encoder, and its travel is below one turn of the encoder
 };
 
 // What the drive does by itself when its watchdog expires (servo.timeout_mode).
@@ -67,7 +67,7 @@ enum class OnExit
     Off
 };
 
-// What a client's direction outside the permitted region leads to.
+// What happens if a client sends a direction outside the permitted region.
 enum class OutsideLimits
 {
     Nearest,  // drive to the nearest permitted point and show AT LIMIT
@@ -79,16 +79,17 @@ enum class AzimuthConvention
 {
     ZeroTo360,
     PlusMinus180,
-    Continuous  // goes on with the turns of the axis: 370° stays 370°
+    Continuous  // the unwrapped angle of the axis: 370° stays 370°
 };
 
-// Whether a person has seen that each axis turns the way the profile says. Before, the mount is only moved a little.
+// Whether a person has confirmed that each axis turns as the profile sets. Before that, Boresight moves it only a
+// little.
 enum class Directions
 {
     Confirmed,
     Unconfirmed
 };
-// As long as nobody has confirmed them.
+// The fastest motion while the directions are not confirmed.
 inline constexpr AngularRate kFastestUnconfirmed = AngularRate::fromDegrees(5.0);
 
 struct MountSettings
@@ -100,10 +101,10 @@ struct MountSettings
     bool operator==(const MountSettings&) const = default;
 };
 
-// What a short stall of this computer leaves behind, in which the drives stopped by their watchdogs.
+// What happens after a short stall of this computer, in which the watchdogs stopped the drives.
 enum class AfterStall
 {
-    Resume,  // the motion goes on, where nothing is in doubt
+    Resume,  // the motion continues if nothing is in doubt
     Wait     // for a re-arm
 };
 
@@ -132,12 +133,12 @@ struct JogSettings
     AngularRate slow = AngularRate::fromDegrees(0.2);
     AngularRate normal = AngularRate::fromDegrees(2.0);
     AngularRate fast = AngularRate::fromDegrees(6.0);
-    AngularRate unwind = AngularRate::fromDegrees(2.0);  // while the turn of an axis is not known
+    AngularRate unwind = AngularRate::fromDegrees(2.0);  // while the wrap of an axis is unknown
 
     bool operator==(const JogSettings&) const = default;
 };
 
-// Where the mount stands. Nothing is reckoned from it unless it is known.
+// The site of the mount. Nothing is computed from it unless `known` is true.
 struct SiteSettings
 {
     bool known = false;
@@ -182,8 +183,8 @@ enum class OnlyWhileReceiving
 struct AzelSettings
 {
     std::string file;           // empty: where WSJT-X writes it for this user
-    Seconds interval{1.0};      // between two places of the mount; the shortest: it follows all the time
-    double beamFraction = 0.0;  // of the beam's width that the Moon goes on before the mount does; 0: any way
+    Seconds interval{1.0};      // between two targets of the mount; at most 1 s: a new target in each tick
+    double beamFraction = 0.0;  // the mount moves when the Moon has moved this part of the beam width; 0: always
     OnlyWhileReceiving onlyWhileReceiving = OnlyWhileReceiving::Off;
 
     bool operator==(const AzelSettings&) const = default;
@@ -238,7 +239,7 @@ struct ScheduleSettings
     bool operator==(const ScheduleSettings&) const = default;
 };
 
-// A feed that the Sun would melt, or a receiver that hears nothing beside it, is kept away from the Sun.
+// Whether the beam is kept away from the Sun, because the Sun would melt the feed or drown the received signal.
 enum class KeepAway
 {
     Off,
@@ -248,8 +249,8 @@ enum class KeepAway
 // A wrong clock puts the Sun into a wrong place.
 enum class SunClock
 {
-    Synchronised,  // counts while a time source vouches for it
-    Trusted        // always counts: the operator vouches for it
+    Synchronised,  // the clock is used only while a time source sets it
+    Trusted        // the clock is always used, because the operator trusts it
 };
 
 struct SunSettings
@@ -288,7 +289,7 @@ enum class DumpState
 // Which of several clients moves the mount. Reading and stopping are open to all.
 enum class ControlRule
 {
-    First,  // keeps the lead until it has sent no motion command for 10 s, or left
+    First,  // the first client keeps control until it has sent no motion command for 10 s, or disconnects
     Last,   // whoever sent the newest command, as Hamlib does
     Locked  // only the one at `lockedTo`
 };
@@ -298,7 +299,7 @@ struct RotctldSettings
     ListenAddress listen;
     std::vector<std::string> allow;  // addresses and networks ("10.0.0.0/8"); empty: whoever can reach the port
     ControlRule control = ControlRule::First;
-    std::string lockedTo;  // the address of the one client that may move the mount, while `lead` is Locked
+    std::string lockedTo;  // the address of the one client that may move the mount, while `control` is Locked
     OutsideLimits outsideLimits = OutsideLimits::Nearest;
     AzimuthConvention azimuth = AzimuthConvention::ZeroTo360;
     DumpState dumpState = DumpState::OldAndNew;
@@ -320,7 +321,7 @@ struct SupervisionSettings
     Angle outsideStop = Angle::fromDegrees(1.5);  // the same, while moving farther out
     Seconds replyAge{0.1};
     double supplyLow = 20.0;    // V
-    double supplyStop = 12.0;   // V, come to rest while the drives still can
+    double supplyStop = 12.0;   // V, stop while the drives still have enough voltage to brake
     double supplyHigh = 42.0;   // V
     double boardHot = 60.0;     // °C
     double boardLimit = 75.0;   // °C, where the drive gives up (fault 38)
@@ -364,7 +365,7 @@ enum class Publish
     On
 };
 
-// What those who may write to the topics of the broker may do.
+// What commands by MQTT may do. Everyone who may write to the topics of the broker can send them.
 enum class BrokerCommands
 {
     Off,   // nothing: Boresight does not read the topics
@@ -441,21 +442,21 @@ struct Profile
     WindSettings wind;
 
     [[nodiscard]] const AxisSettings& axis(Axis which) const { return which == Axis::Azimuth ? azimuth : elevation; }
-    // The axis that nothing turns.
+    // The axis that has no driver.
     [[nodiscard]] std::optional<Axis> missing() const
     {
         return azimuth.driver == AxisDriver::None     ? std::optional(Axis::Azimuth)
                : elevation.driver == AxisDriver::None ? std::optional(Axis::Elevation)
                                                       : std::nullopt;
     }
-    // The main one where there is none of this name.
+    // The antenna of this name, or the main antenna if there is none.
     [[nodiscard]] pointing::Antenna antenna(const std::string& name) const;
-    // By which its beam points.
+    // The pointing terms of the beam of this antenna.
     [[nodiscard]] pointing::PointingTerms termsOf(const pointing::Antenna& antenna) const
     {
         return pointing::termsFor(pointing, antenna, missing());
     }
-    // The main one and all others, in the order of the file.
+    // The main antenna and all others, in the order of the file.
     [[nodiscard]] std::vector<pointing::Antenna> allAntennas() const;
     bool operator==(const Profile&) const = default;
 };

@@ -197,7 +197,7 @@ std::string groupOf(std::string_view key)
     return table == kKeepOutKey ? "limits" : table;
 }
 
-// Of the keys that differ, those that `waits` chooses, as they were.
+// Applies `wanted`, but keeps the old values of the differing keys that `waits` selects.
 template <class Waits>
 Application applyBut(const Profile& inForce, const Profile& wanted, Waits waits)
 {
@@ -258,7 +258,7 @@ Application applied(const Profile& inForce, const Profile& wanted)
         return result;
     }
     result = applyBut(inForce, wanted, waits);
-    // Old and new do not go together in any simple way: all of it waits.
+    // Old and new values cannot be combined without a conflict, so all changes wait.
     return crossCheck(result.inForce).empty() ? result : applyBut(inForce, wanted, [](const Item&) { return true; });
 }
 

@@ -23,23 +23,24 @@ struct Change
     bool operator==(const Change&) const = default;
 };
 
-// In the order of the file.
+// The changes, in the order of the file.
 [[nodiscard]] std::vector<Change> changesBetween(const Profile& from, const Profile& to);
 [[nodiscard]] std::vector<std::string> changedKeys(const Profile& from, const Profile& to);
 
-// `into` takes these over from `from`; other keys than the above are passed over.
+// Copies the settings with these keys from `from` to `into`. Unknown keys are ignored.
 void takeOver(Profile& into, const Profile& from, std::span<const std::string> keys);
 
-// What becomes of a wanted profile while the mount works.
+// The result of applying a wanted profile while the mount is connected.
 struct Application
 {
-    Profile inForce;                       // the wanted one, with what waits as it was
-    std::vector<std::string> waitingKeys;  // for the reconnect
+    Profile inForce;                       // the wanted profile, but with the old values of the waiting keys
+    std::vector<std::string> waitingKeys;  // settings that wait for Reconnect
 
     bool operator==(const Application&) const = default;
 };
 
-// What applies on reconnect waits, and what makes sense only together with it (a park place in a new travel) waits too.
+// Settings that apply on reconnect wait. Settings that are valid only together with them wait, too, such as a park
+// position in a new travel.
 [[nodiscard]] Application applied(const Profile& inForce, const Profile& wanted);
 
 }  // namespace boresight::profile

@@ -17,12 +17,12 @@ namespace boresight::profile {
 [[nodiscard]] Result<Profile> parseProfile(std::string_view toml, const QString& fileName);
 [[nodiscard]] Result<Profile> loadProfile(const QString& path);
 
-// What to say about a file with a password in it that every user of this computer can read; empty: nothing.
+// A warning if the file contains a password and every user of this computer can read it. Else empty.
 [[nodiscard]] QString exposedSecret(const Profile& profile, const QString& path);
 
 // The whole profile with a comment above every key: text, unit, range, default.
 [[nodiscard]] std::string toToml(const Profile& profile);
-// All or nothing: a failure leaves the old file untouched. What could not be read again is not written.
+// All or nothing: a failure leaves the old file untouched. A profile that could not be read again is not written.
 [[nodiscard]] Result<> saveProfile(const Profile& profile, const QString& path);
 
 }  // namespace boresight::profile

@@ -41,7 +41,7 @@ Result<Profile> undoLastChange(const QString& path)
     if (!now || !previous) {
         return tl::unexpected(now ? previous.error() : now.error());
     }
-    // What is asked for comes first: if the second writing fails, only the undoing cannot be undone.
+    // The previous version is restored first. If the second write fails, only this undo cannot be undone.
     return loadProfile(previousOf(path)).and_then([&](const Profile& profile) {
         const Readers before = readersOf(path);
         return writeFile(path, *previous, readersOf(previousOf(path)))

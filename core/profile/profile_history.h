@@ -6,18 +6,18 @@
 
 #include <QString>
 
-// A profile's file with the version before it: FILE and FILE~. That is what the last change can be undone with, and an
-// undone change can be undone again. Blocking file access: not on the gui thread, nor the station's.
+// Keeps the file of a profile and its previous version: FILE and FILE~. With FILE~ the last change can be undone, and
+// an undo can be undone, too. Blocking file access: not on the gui thread and not on the station thread.
 namespace boresight::profile {
 
-// What the file already says in the same words is not written again: it would leave nothing to undo.
+// Does not write a file whose text would not change, because then FILE~ would be the same and undo would do nothing.
 [[nodiscard]] Result<> saveKeepingPrevious(const Profile& profile, const QString& path);
 
 [[nodiscard]] bool hasPrevious(const QString& path);
-// Exchanges the two versions; the profile that the file then holds.
+// Exchanges the two versions. Returns the profile that FILE then contains.
 [[nodiscard]] Result<Profile> undoLastChange(const QString& path);
 
-// Of FILE: FILE~.
+// Returns FILE~ for FILE.
 [[nodiscard]] QString previousOf(const QString& path);
 
 }  // namespace boresight::profile

@@ -228,7 +228,7 @@ private:
         return texts;
     }
 
-    // What the file leaves out and other settings decide.
+    // Sets the keys that the file leaves out and whose default depends on other settings.
     void assumeTheRest()
     {
         for (const Setting& setting : settings()) {
@@ -238,7 +238,7 @@ private:
         }
     }
 
-    // Of the tables whose keys are given together.
+    // Checks the tables whose keys must be given all together or not at all.
     void checkTogether()
     {
         std::map<std::string, std::vector<std::string>> missing;
@@ -256,7 +256,7 @@ private:
     void checkWhole()
     {
         for (const Problem& problem : crossCheck(m_profile)) {
-            // Rows with holes would only be reported twice.
+            // The error of an unread row was already reported, so its list is not checked again.
             const bool isUnread = std::any_of(m_unreadLists.begin(), m_unreadLists.end(),
                                               [&](const std::string& list) { return problem.key.starts_with(list); });
             if (!isUnread) {

@@ -25,7 +25,7 @@ QString firstLine(const Result<QByteArray>& bytes)
     return bytes ? QString::fromUtf8(*bytes).section(QLatin1Char('\n'), 0, 0).trimmed() : QString();
 }
 
-// Replaces `to` at once, unlike QFile::rename, which refuses to.
+// Replaces an existing `to` in one step. QFile::rename refuses to replace a file.
 bool renameOver(const QString& from, const QString& to)
 {
     return std::rename(QFile::encodeName(from).constData(), QFile::encodeName(to).constData()) == 0;
@@ -144,7 +144,7 @@ Result<> ProfileStore::remove(const QString& path) const
     if (!QFile::rename(path, kept)) {
         return failure(ErrorCode::Io, Text::tr("%1: cannot be renamed to %2").arg(path, kept));
     }
-    // Of another mount that gets the same file, this would not be the version before.
+    // Else another mount that later gets this file name would take FILE~ for its own previous version.
     QFile::rename(previousOf(path), previousOf(kept));
     return {};
 }

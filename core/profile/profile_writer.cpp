@@ -60,7 +60,7 @@ std::string comment(const Setting& setting)
     return "# " + setting.text + "\n# " + facts + "\n";
 }
 
-// Reading the file without it comes to the same.
+// True if a file without this key would give the same value.
 bool isAssumed(const Setting& setting, Profile profile)
 {
     const SettingValue value = setting.get(profile);
@@ -74,7 +74,7 @@ bool isAssumed(const Setting& setting, Profile profile)
 std::string line(const Setting& setting, const Profile& profile)
 {
     const std::string key = setting.key.substr(setting.key.find('.') + 1);
-    // What is not given stands there as a comment, ready to be filled in.
+    // A key without a value is written as a comment, ready to be filled in.
     return (setting.counts(profile) && !isAssumed(setting, profile) ? "" : "# ") + key + " = " +
            toText(setting.get(profile)) + "\n";
 }

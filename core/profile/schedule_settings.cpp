@@ -39,7 +39,7 @@ Result<> checkArgument(const std::string& text)
                : Result<>{};
 }
 
-// No shell and no search path: what is started is the file that stands here.
+// The program is started without a shell and without a search in PATH, so its full path is required.
 template <class Access>
 Setting command(const std::string& key, const Words& words, Access access)
 {

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-// The orientation sensor on the antenna: how it is reached, how it is mounted, and what is made of it. Plain values;
-// the MQTT broker has settings of its own.
+// The orientation sensor on the antenna: its connection, its mounting, and how its readings are used. Plain values. The
+// MQTT broker has settings of its own.
 namespace boresight::profile {
 
 enum class SensorSource
@@ -20,7 +20,7 @@ enum class SensorSource
     Simulated  // of the built-in simulated mount
 };
 
-// True headings, clockwise from one to the other, at which steel turns the needle in a way that no harmonic describes.
+// A range of true headings, clockwise. In it, steel disturbs the compass in a way that the harmonics do not describe.
 struct UnreliableArc
 {
     Angle from;
@@ -29,8 +29,7 @@ struct UnreliableArc
     bool operator==(const UnreliableArc&) const = default;
 };
 
-// What iron near the compass does to its heading: the harmonics of core/calibration/deviation_curve.h, and how far they
-// are to be believed.
+// The compass error caused by iron: the harmonics of core/calibration/deviation_curve.h and their uncertainty.
 struct CompassDeviation
 {
     Angle a1;
@@ -57,7 +56,7 @@ struct SensorSettings
     geomagnetism::DeclinationBy declinationBy = geomagnetism::DeclinationBy::Sensor;
     Angle declinationInSensor = geomagnetism::kDeclinationInFirmware;
     Angle declination;            // of the site, as typed; east positive
-    std::string declinationFile;  // World Magnetic Model (.COF), to reckon it from; empty: as typed
+    std::string declinationFile;  // World Magnetic Model (.COF) to compute it from; empty: as typed
     Seconds lost{5.0};
     // The firmware reads the heading five times within 0.8 s, averages, and sends 1.0 s after the first reading: the
     // middle of what it averaged is then 0.6 s old. Its elevation is one reading at the end.

@@ -51,7 +51,7 @@ struct SettingOf
     std::string text;  // what it does, in sentences; English, to be shown by Text::of()
     Applies applies = Applies::Now;
     std::function<SettingValue(const Owner&)> get;
-    // Refuses, with the reason, what is not of the setting's type and range; the owner is then unchanged.
+    // Refuses a value of a wrong type or outside the range, with the reason. Then the owner stays unchanged.
     std::function<Result<>(Owner&, const SettingValue&)> set;
     // Set where the keys of a table are given all together or not at all; then the value counts only if this holds.
     std::function<bool(const Owner&)> isGiven = {};
@@ -82,10 +82,10 @@ inline constexpr std::string_view kAntennaKey = "antenna";
 inline constexpr std::size_t kMaxHorizonPoints = 3600;
 // More would make the control tick wait for the search for a way (core/pointing/METHOD.md).
 inline constexpr std::size_t kMaxKeepOuts = 32;
-// As many as can be chosen at a glance.
+// More antennas cannot be chosen at a glance.
 inline constexpr std::size_t kMaxAntennas = 12;
 
-// Of one row, in the order of the file. They apply at once.
+// The settings of one row of each list, in the order of the file. They apply at once.
 [[nodiscard]] std::span<const SettingOf<pointing::HorizonPoint>> horizonSettings();
 [[nodiscard]] std::span<const SettingOf<pointing::KeepOut>> keepOutSettings();
 [[nodiscard]] std::span<const SettingOf<Preset>> presetSettings();
@@ -107,20 +107,20 @@ struct Problem
 [[nodiscard]] std::vector<Problem> problemsOf(const Profile& profile);
 // The same for a mount that is not simulated: its sensor is not simulated either.
 [[nodiscard]] std::vector<Problem> problemsOfReal(const Profile& profile);
-// The first of them.
+// Fails with the first problem of problemsOfReal().
 [[nodiscard]] Result<> fitsRealMount(const Profile& profile);
 
 // The text of rotctld.listen, also for the command line that overrides it.
 [[nodiscard]] Result<ListenAddress> parseListenAddress(std::string_view text);  // "127.0.0.1:4533", "[::1]:4533"
 [[nodiscard]] std::string toText(const ListenAddress& address);
-// This rotctld is the server of this station, which would ask itself.
+// True if this rotctld is the server of this station. Then the station would send requests to itself.
 [[nodiscard]] bool isOwnServer(const BusName& rotctld, const ListenAddress& own);
 // What the setting would look like in the file, without its key.
 [[nodiscard]] std::string toText(const SettingValue& value);
 // What a secret that is set looks like where it must not be read.
 inline constexpr const char* kHidden = QT_TRANSLATE_NOOP("Text", "(hidden)");
 [[nodiscard]] bool hasSecrets(const Profile& profile);
-// For others' eyes: secrets that are set say so, no more.
+// The profile for logs and diagnostics: each secret that is set is replaced by kHidden.
 [[nodiscard]] Profile withoutSecrets(Profile profile);
 
 }  // namespace boresight::profile

@@ -9,7 +9,7 @@
 // Whole small files: profiles and what is imported into them. Blocking.
 namespace boresight::profile {
 
-// NoDevice: it cannot be opened. Io: it is broken, or larger than anything that is read here.
+// NoDevice: the file cannot be opened. Io: the file cannot be read, or is larger than the limit.
 [[nodiscard]] Result<QByteArray> readFile(const QString& path);
 
 enum class Readers
@@ -20,7 +20,7 @@ enum class Readers
 
 // All or nothing: a failure leaves the old file untouched.
 [[nodiscard]] Result<> writeFile(const QString& path, const QByteArray& bytes, Readers readers = Readers::Anybody);
-// Who may read a file that is there, for a copy of it.
+// Who may read an existing file, so that a copy gets the same rights.
 [[nodiscard]] Readers readersOf(const QString& path);
 
 }  // namespace boresight::profile

@@ -18,9 +18,9 @@ struct WatchedBoard
     bool operator==(const WatchedBoard&) const = default;
 };
 
-// InvalidInput: no id from 1 to 126, or no name.
+// Fails with InvalidInput if the id is not from 1 to 126 or the name is missing.
 [[nodiscard]] Result<WatchedBoard> parseWatchedBoard(std::string_view text);
-// The profile names the board with this id.
+// True if the profile names the board with this id.
 [[nodiscard]] bool watches(const Profile& profile, int id);
 
 }  // namespace boresight::profile

@@ -10,13 +10,13 @@
 namespace boresight::sources {
 namespace {
 
-// The rate of a set-point is taken from where the Moon is this much later.
+// The rate of a set-point is computed from the directions of the Moon now and this much later.
 constexpr std::chrono::milliseconds kMoonApart{20};
-// Of the way by which the wrap is chosen.
+// Time between two points of the way by which the wrap is chosen.
 constexpr std::chrono::minutes kWayStep{5};
-// At this interval the mount follows in each tick.
+// With an interval of at most this long the mount gets a new target in each tick.
 constexpr Seconds kAllTheTime{1.0};
-// It has set when it is this low, and has risen at 0°: the steps of the file must not park the mount twice.
+// The Moon counts as set at this elevation and as risen at 0°. So the steps of the file do not park the mount twice.
 constexpr Angle kMoonSets = Angle::fromDegrees(-0.3);
 
 const Source& azelSource()
@@ -84,7 +84,7 @@ void AzelFollow::step(SteadyTime now)
     }
     const CurrentMotion& current = helm().current();
     if (!current.isFor(azelSource()) || !(current.is(Activity::Streaming) || current.is(Activity::Parking))) {
-        forget();  // somebody has ended it, or moves the mount
+        forget();  // the tracking was ended, or another source moves the mount
         return;
     }
     if (current.motionId() != m_followed->motionId) {
@@ -102,7 +102,7 @@ void AzelFollow::step(SteadyTime now)
     }
 }
 
-// A file that is written again soon goes on where it was.
+// Empty: the tracking continues. A stale file ends the tracking only after StaleWait::kLongest.
 QString AzelFollow::whyToEnd(SteadyTime now)
 {
     const Result<> usable = isUsable();
@@ -184,7 +184,7 @@ bool AzelFollow::isDue(const SkyPointing& moon, SteadyTime now) const
            angleBetween(target->now, moon) >= helm().view().antenna.inUse().beamWidth * profile.azel.beamFraction;
 }
 
-// On a wrap that has room until the Moon sets. Only our own Moon is known ahead.
+// On a wrap that has room until the Moon sets. Only the computed Moon is known ahead, so else the result is empty.
 std::optional<AxisPosition> AzelFollow::roomyPlace(UtcTime utc)
 {
     std::vector<targets::SkyMoment> way;
@@ -201,7 +201,7 @@ Result<> AzelFollow::follow(SteadyTime now, UtcTime utc)
 {
     const auto at = [&](UtcTime when) {
         SkyPointing moon = m_moon.at(when);
-        moon.elevation = std::max(moon.elevation, Angle{});  // at its rise, by a hair
+        moon.elevation = std::max(moon.elevation, Angle{});  // at rise and set it may be slightly negative
         return moon;
     };
     const profile::AzelSettings& settings = helm().view().profile.azel;
@@ -222,7 +222,7 @@ Result<> AzelFollow::follow(SteadyTime now, UtcTime utc)
         .map([&](const AxisPosition& place) { m_followed->place = place; });
 }
 
-// Once: the next time that it is asked for it goes on, or stands there.
+// Starts the motion to the park position. Does nothing while the mount is on its way there or parked.
 Result<> AzelFollow::park()
 {
     m_followed->standing.reset();
@@ -236,7 +236,7 @@ Result<> AzelFollow::park()
                        Text::tr("park at %1, because the Moon is below the horizon").arg(helm().directionText(place)));
 }
 
-// Where the axes stop when they brake now.
+// Brakes and holds the place where the axes stop.
 Result<> AzelFollow::stand()
 {
     const ControlParts view = helm().view();
@@ -245,7 +245,8 @@ Result<> AzelFollow::stand()
     }
     if (!m_followed->standing) {
         const AxisPosition place = view.stoppingPlace();
-        const AxisPosition& trim = view.motion.trim();  // is added to the target
+        const AxisPosition& trim =
+            view.motion.trim();  // the helm adds the trim to the target, so it is subtracted here
         m_followed->standing =
             AxisPosition{.azimuth = place.azimuth - trim.azimuth, .elevation = place.elevation - trim.elevation};
     }
@@ -269,7 +270,7 @@ void AzelFollow::end(Severity severity, const QString& why)
     helm().end(severity, why);
 }
 
-// While the mount stands still for the radio the Moon goes on.
+// While the mount stands still for the transmitter, the status still shows the moving Moon as its target.
 void AzelFollow::aimAtTheMoon(StationStatus& status) const
 {
     const ControlParts view = helm().view();

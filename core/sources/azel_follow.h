@@ -9,9 +9,10 @@
 
 #include <optional>
 
-// The Moon of WSJT-X's azel.dat. While it is up the mount goes on to it in each tick, or as often as the profile says.
-// While it is down the mount is parked, once. It stands still while the radio transmits, if the profile wants that, and
-// while the file is stale. It is a source of its own beside the operator's hand, which ends it. Station thread only.
+// Tracks the Moon by the file azel.dat of WSJT-X. While the Moon is up, the mount gets a new target in each tick, or as
+// often as the profile sets. While the Moon is down, the mount is parked once. The mount stands still while the file is
+// stale and, if the profile asks for it, while the radio transmits. This source is separate from the operator: any
+// motion by the operator ends it. Station thread only.
 namespace boresight::sources {
 
 class AzelFollow : public SourceOf<AzelFollow, request::FollowAzel>
@@ -36,11 +37,11 @@ private:
         std::uint64_t motionId = 0;
         AzelPhase phase = AzelPhase::Off;
         bool isUp = false;
-        std::optional<UtcTime> next = {};  // it sets, or rises
+        std::optional<UtcTime> next = {};  // the next moonset while the Moon is up, else the next moonrise
         std::optional<AngularRate> skyRate = {};
         std::optional<Target> target = {};
-        std::optional<AxisPosition> place = {};     // of the axes for it: chooses the turn of the next
-        std::optional<AxisPosition> standing = {};  // of the axes, while it stands still
+        std::optional<AxisPosition> place = {};     // last axis position: the next one is chosen on the same wrap
+        std::optional<AxisPosition> standing = {};  // axis position where the mount stands still and waits
     };
 
     [[nodiscard]] Result<> isUsable() const;

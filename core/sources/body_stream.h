@@ -3,8 +3,8 @@
 
 #include "core/control/motion_source.h"
 
-// The operator's own stream: Sun or Moon, whose direction arrives point by point. Limits and trim hold for it as for
-// the stream of a client. Station thread only.
+// Follows the Sun or the Moon for a calibration. The direction arrives point by point. Limits and trim apply to this
+// stream as they do to the stream of a client. Station thread only.
 namespace boresight::sources {
 
 class BodyStream : public SourceOf<BodyStream, request::Follow>

@@ -3,7 +3,7 @@
 
 #include "core/control/motion_source.h"
 
-// A client moves the mount at a rate until it sends another command, or is gone. Station thread only.
+// A client moves the mount at a rate until the client sends another command or disconnects. Station thread only.
 namespace boresight::sources {
 
 class ClientMove : public SourceOf<ClientMove, request::Move>

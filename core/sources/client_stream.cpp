@@ -18,7 +18,7 @@ void ClientStream::gone(const Source& client)
     helm().settleStream(client);
 }
 
-// A client that reads and sends nothing is content with its last target, as Gpredict is within its threshold.
+// A client that only reads the position keeps its last target. Gpredict does so while the error is below its threshold.
 void ClientStream::positionRead(std::uint64_t clientId)
 {
     helm().confirmStream(clientId);

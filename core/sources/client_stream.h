@@ -3,8 +3,8 @@
 
 #include "core/control/motion_source.h"
 
-// A client sends one target after the other. Its stream settles at the last target when the client is gone. Station
-// thread only.
+// A client sends one target after the other. After the client has disconnected, the mount settles at the last target.
+// Station thread only.
 namespace boresight::sources {
 
 class ClientStream : public SourceOf<ClientStream, request::PointSky, request::PointAxes>

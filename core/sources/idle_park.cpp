@@ -36,8 +36,8 @@ void IdlePark::step(SteadyTime now)
     }
 }
 
-// A client's target that stands still is held like any other. What the station tracks by itself may move on at any
-// time.
+// The mount may be idle while it holds the last target of a client. It is not idle while it tracks a target by itself,
+// because that target may move again at any time.
 bool IdlePark::isIdle() const
 {
     const ControlParts view = helm().view();
@@ -45,7 +45,7 @@ bool IdlePark::isIdle() const
     return StatusReport(view).state() == StationState::Hold && !tracks && !Gates(view).isAtPark();
 }
 
-// For whoever waits for the mount, as the schedule between two passes, this is no motion of somebody else.
+// Keeps the motion id. So the schedule, which waits between two passes, does not take this for a foreign motion.
 void IdlePark::park()
 {
     const std::uint64_t motionId = helm().current().motionId();

@@ -3,8 +3,8 @@
 
 #include "core/control/motion_source.h"
 
-// Parks a mount that holds, after the time of the profile without a motion and without a command of anybody. What is
-// tracked is not idle, nor is a mount that nobody has moved since the start, a fault or STOP. It takes the control from
+// Parks a mount that holds, after the time in the profile without a motion and without a command. The mount is not idle
+// while it tracks a target, or if nobody has moved it since the start, a fault or STOP. Parking takes control from
 // nobody. Station thread only.
 namespace boresight::sources {
 
@@ -19,8 +19,8 @@ private:
     [[nodiscard]] bool isIdle() const;
     void park();
 
-    SteadyTime m_since{};   // idle; of no meaning while it is not
-    bool m_isDone = false;  // parked, or refused once
+    SteadyTime m_since{};   // start of the idle time, or of the last tick that was not idle
+    bool m_isDone = false;  // parking was started or refused in this idle time
 };
 
 }  // namespace boresight::sources

@@ -3,8 +3,8 @@
 
 #include "core/control/motion_source.h"
 
-// A held button moves the mount at a rate. The motion ends when the button is released, or when its keep-alive stays
-// away. Station thread only.
+// A held button moves the mount at a rate. The motion ends when the button is released or its keep-alive is missing.
+// Station thread only.
 namespace boresight::sources {
 
 class Jog : public SourceOf<Jog, request::Jog>
@@ -16,7 +16,7 @@ public:
     void step(SteadyTime now) override;
 
 private:
-    SteadyTime m_deadline{};  // of the keep-alive, while a jog runs
+    SteadyTime m_deadline{};  // the next keep-alive must arrive before it, while a jog runs
 };
 
 }  // namespace boresight::sources

@@ -9,7 +9,9 @@
 namespace boresight::sources {
 namespace {
 
-// Under `from`, where that is permitted. Else anywhere at this azimuth; nowhere: as it was asked.
+// The lowest permitted elevation, at least 0°, at the azimuth of `wanted`. If `wanted` is forbidden, it is the lowest
+// elevation of the permitted range around `from`. If `from` is forbidden, too, the search goes up from `wanted`. If no
+// elevation is permitted, it is that of `wanted`.
 Angle lowest(const pointing::PermittedRegion& region, const AxisPosition& wanted, Angle from)
 {
     constexpr Angle kStep = Angle::fromDegrees(0.5);
@@ -31,7 +33,7 @@ Result<> KnownPlaces::ask(const request::Home&, const Source& by)
     return helm().goTo(home, Activity::Placing, by, Text::tr("home to %1").arg(helm().directionText(home)));
 }
 
-// Down to 0°, or as far as it goes.
+// Goes down to 0°, or to the lowest permitted elevation.
 Result<> KnownPlaces::ask(const request::Horizon& wanted, const Source& by)
 {
     const pointing::PermittedRegion& region = helm().view().motion.region();

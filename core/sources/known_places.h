@@ -3,7 +3,7 @@
 
 #include "core/control/motion_source.h"
 
-// Sends the mount to a place that needs no numbers: home, the horizon, the same direction with the cable wound least.
+// Sends the mount to a place that needs no numbers: home, the horizon, or the same direction with the cable unwrapped.
 // Station thread only.
 namespace boresight::sources {
 

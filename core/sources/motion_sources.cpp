@@ -41,7 +41,7 @@ MotionSources listed(Helm& helm)
 
 }  // namespace
 
-// The list: a new source is its file and a line here.
+// The list of all sources. A new source needs its own file and one line here.
 MotionSources motionSources(Helm& helm)
 {
     return listed<sources::GoTo,            //

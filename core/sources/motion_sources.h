@@ -3,7 +3,7 @@
 
 #include "core/control/motion_source.h"
 
-// All that can move this mount, but the crash-stop proof of its drives. Station thread only.
+// Everything that can move this mount, except the crash-stop test of its drives. Station thread only.
 namespace boresight {
 
 [[nodiscard]] MotionSources motionSources(Helm& helm);

@@ -11,9 +11,9 @@
 namespace boresight::sources {
 namespace {
 
-// The rate of a set-point is taken from where it is this much later.
+// The rate of a set-point is computed from the directions now and this much later.
 constexpr std::chrono::milliseconds kFlightApart{20};
-// Nearer to the antenna a position has no direction that means anything.
+// Below this distance from the antenna a position gives no useful direction.
 constexpr double kNearestFlight = 0.02;  // km
 constexpr Angle kFarthestReturn = Angle::fromDegrees(10.0);
 
@@ -58,7 +58,7 @@ Result<> PositionFollow::isUsable() const
     return m_feed.isFresh(view.now).and_then([&] { return directionAt(view.now); }).map([](const auto&) {});
 }
 
-// Below the horizon along it, as the waves go.
+// A position below the horizon gets elevation 0°, because radio waves follow the horizon.
 Result<SkyPointing> PositionFollow::directionAt(SteadyTime now) const
 {
     const ControlParts view = helm().view();
@@ -96,7 +96,7 @@ void PositionFollow::step(SteadyTime now)
     }
     const CurrentMotion& current = helm().current();
     if (!current.isFor(positionSource()) || !current.is(Activity::Streaming)) {
-        forget();  // somebody has ended it, or moves the mount
+        forget();  // the tracking was ended, or another source moves the mount
         return;
     }
     if (current.motionId() != m_followed->motionId) {
@@ -113,7 +113,8 @@ void PositionFollow::step(SteadyTime now)
     }
 }
 
-// What is reported again soon goes on where it is, if that is near: else it may be another one.
+// After a short silence the tracking continues if the new direction is near the last one. A far direction may belong to
+// another object, so it ends the tracking.
 QString PositionFollow::whyToEnd(SteadyTime now)
 {
     if (helm().view().profile.site.place() != m_followed->site) {
@@ -130,7 +131,7 @@ QString PositionFollow::whyToEnd(SteadyTime now)
     return m_stale.isTooLong(usable.error().text, now) ? usable.error().text : QString();
 }
 
-// From its last direction, after a silence.
+// After a silence: the angle between the last direction and the new one. Else 0°.
 Angle PositionFollow::returnedBy(SteadyTime now) const
 {
     const Result<SkyPointing> here = directionAt(now);

@@ -8,9 +8,10 @@
 
 #include <optional>
 
-// A balloon or a rocket that reports its position: the beam is kept on it, on the way that it had. Without a report for
-// too long the mount stands still, and goes on by itself for two minutes if one comes from nearby. It is a source of
-// its own beside the operator's hand, which ends it. Station thread only.
+// Keeps the beam on a balloon or rocket that reports its position. Between two reports the flight is extrapolated.
+// Without a report for too long the mount stands still. If a report from a near direction arrives within 2 minutes, the
+// mount tracks again by itself. This source is separate from the operator: any motion by the operator ends it. Station
+// thread only.
 namespace boresight::sources {
 
 class PositionFollow : public SourceOf<PositionFollow, request::FollowPosition>
@@ -27,17 +28,17 @@ public:
 private:
     struct Followed
     {
-        Site site;  // of the mount
+        Site site;  // the site of the mount when the tracking began
         std::uint64_t motionId = 0;
         std::optional<SkyPointing> direction = {};  // the last one
-        std::optional<AxisPosition> place = {};     // of the axes for it: chooses the turn of the next
+        std::optional<AxisPosition> place = {};     // last axis position: the next one is chosen on the same wrap
     };
 
     [[nodiscard]] Result<> isUsable() const;
     [[nodiscard]] Result<SkyPointing> directionAt(SteadyTime now) const;
     [[nodiscard]] QString whyToEnd(SteadyTime now);
     [[nodiscard]] Angle returnedBy(SteadyTime now) const;
-    // Where it is now, and a little later. Without a fresh position: where it was.
+    // The directions now and kFlightApart later. Without a fresh position both are the last direction.
     struct Leg
     {
         SkyPointing here;

@@ -9,8 +9,8 @@
 
 namespace boresight::sources {
 
-// Where the axes begin a way, on the wrap nearest to where they are going that has room for all of it. Empty: no wrap
-// has, or there is no way.
+// The axis position at the start of the way `way`. Of the wraps that have room for the whole way, the one nearest to
+// the place that the axes are going to is chosen. Empty if no wrap has room, or if the way is empty.
 [[nodiscard]] std::optional<AxisPosition> roomyStart(const ControlParts& view,
                                                      const std::vector<targets::SkyMoment>& way);
 

@@ -11,7 +11,8 @@
 namespace boresight::sources {
 namespace {
 
-// What comes back so far away after a gap may be the start of a program, or another rotator.
+// A position that is farther away than kFarthestJump after a gap of kSilentGap ends the tracking. It may come from a
+// program that has just started, or from another rotator.
 constexpr Seconds kSilentGap{1.0};
 constexpr Angle kFarthestJump = Angle::fromDegrees(10.0);
 
@@ -80,7 +81,7 @@ void RotatorFollow::step(SteadyTime now)
     }
     const CurrentMotion& current = helm().current();
     if (!current.isFor(rotatorSource()) || !current.is(Activity::Streaming)) {
-        m_followed.reset();  // somebody has ended it, or moves the mount
+        m_followed.reset();  // the tracking was ended, or another source moves the mount
         return;
     }
     if (current.motionId() != m_followed->motionId) {

@@ -6,15 +6,15 @@
 
 #include <optional>
 
-// Another rotator whose position arrives: the beam goes where that one points, within all limits of this mount. Without
-// a position for too long it ends, and the mount holds. It is a source of its own beside the operator's hand, which
-// ends it. Station thread only.
+// Points the beam where another rotator points, within all limits of this mount. The positions of the other rotator
+// arrive as reports. Without a report for too long the tracking ends, and the mount holds. This source is separate from
+// the operator: any motion by the operator ends it. Station thread only.
 namespace boresight::sources {
 
 class RotatorFollow : public SourceOf<RotatorFollow, request::FollowRotator>
 {
 public:
-    // Who reads the positions gives up somewhat earlier, and reports the reason.
+    // The reader of the positions gives up a little earlier and reports the reason.
     static constexpr Seconds kStale{6.0};
 
     using SourceOf::SourceOf;
@@ -22,7 +22,7 @@ public:
     Result<> ask(const request::FollowRotator& wanted, const Source& by);
     void step(SteadyTime now) override;
     void describe(StationStatus& status) const override;
-    // NotAvailable: it is followed no more.
+    // Fails with NotAvailable if the mount does not follow the rotator of the report.
     Result<> receive(const SourceReport& report) override;
 
 private:
@@ -35,8 +35,8 @@ private:
     struct Followed
     {
         Reading last;
-        bool isNew = false;    // the mount was not sent there yet
-        QString trouble = {};  // why it is followed no more
+        bool isNew = false;    // the mount has not been sent to `last` yet
+        QString trouble = {};  // why the tracking must end
         std::uint64_t motionId = 0;
     };
 
@@ -45,7 +45,7 @@ private:
     [[nodiscard]] QString whyToEnd(SteadyTime now) const;
     void end(const QString& why);
 
-    std::optional<Reading> m_found;  // of one that may be asked for
+    std::optional<Reading> m_found;  // the last position of a rotator that is not followed but may be requested
     std::optional<Followed> m_followed;
 };
 

@@ -5,24 +5,24 @@
 
 #include <optional>
 
-// What is followed is not reported any more: the mount stands still, with an alarm, and goes on by itself if a report
-// comes soon. What is not there after a while is a fault: the mount must not start by itself later. Station thread
-// only.
+// Waits when the reports of a tracked target are missing. The mount stands still and an alarm is raised. If a report
+// arrives within kLongest, the mount continues by itself. After that the tracking ends, because the mount must not
+// start by itself later. Station thread only.
 namespace boresight::sources {
 
 class StaleWait
 {
 public:
-    // Reports are waited for no longer than this.
+    // The longest time to wait for a report.
     static constexpr std::chrono::minutes kLongest{2};
 
-    // The alarm has two arguments: what is wrong, and until when the mount goes on by itself.
+    // The alarm takes two arguments: what is wrong, and the time until which the mount may continue by itself.
     StaleWait(Helm& helm, const AlarmEntry& alarm) : m_helm(helm), m_alarm(alarm) {}
 
     [[nodiscard]] bool isWaiting() const { return m_since.has_value(); }
-    // Once in a tick without a report. True: it lasted too long.
+    // Call once in each tick without a usable report. True: the wait lasted too long.
     [[nodiscard]] bool isTooLong(const QString& why, SteadyTime now);
-    // There is a report again, or nothing is followed.
+    // Call when a report has arrived or the tracking ends.
     void end();
 
 private:

@@ -5,24 +5,25 @@
 
 #include <optional>
 
-// UTC for a motion that goes on: the clock of the computer is corrected all the time, and a satellite goes 1° across
-// the sky in a second. A small correction is taken up by no more than 1 ms in each call, a set clock at once. Pure.
+// UTC without jumps, for tracking. The operating system corrects the clock all the time, and a satellite can move 1°
+// across the sky in a second. Each call takes up at most kMost of a correction. A clock that was set, by more than
+// kSet, is taken up at once. Pure.
 namespace boresight::sources {
 
 class SteeredUtc
 {
 public:
-    // What is more is no correction: somebody has set the clock.
+    // A larger difference is not a correction: somebody has set the clock.
     static constexpr std::chrono::milliseconds kSet{500};
     static constexpr std::chrono::milliseconds kMost{1};
 
-    // Once in a tick.
+    // Call once in each tick.
     [[nodiscard]] UtcTime now(const Clock& clock);
-    // By how much the clock was set with the last call; zero: it was not.
+    // By how much the clock was set, as seen by the last call. 0 s if it was not set.
     [[nodiscard]] Seconds jump() const { return m_jump; }
 
 private:
-    std::optional<UtcTime::duration> m_offset;  // of UTC from steady time
+    std::optional<UtcTime::duration> m_offset;  // UTC minus steady time
     Seconds m_jump{0.0};
 };
 

@@ -7,7 +7,7 @@
 namespace boresight::sources {
 namespace {
 
-// A trim corrects a pointing error; more is another target.
+// A trim corrects a pointing error. A larger offset would be another target.
 constexpr Angle kLargestTrim = Angle::fromDegrees(10.0);
 
 }  // namespace
@@ -18,7 +18,7 @@ Result<> Step::ask(const request::Step& wanted, const Source& by)
     const AxisPosition place{.azimuth = from.azimuth + wanted.azimuth, .elevation = from.elevation + wanted.elevation};
     const std::uint64_t motionId = helm().current().motionId();
     return helm().goTo(place, Activity::Pointing, by, Text::tr("step to %1").arg(helm().directionText(place))).map([&] {
-        helm().keepMotionId(motionId);  // by hand, like a jog
+        helm().keepMotionId(motionId);  // a step is a motion by hand, like a jog
     });
 }
 

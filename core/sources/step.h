@@ -3,8 +3,8 @@
 
 #include "core/control/motion_source.h"
 
-// Moves the mount by a fixed amount, by hand. While a stream is followed a nudge of the operator moves its trim
-// instead. Station thread only.
+// Moves the mount by a fixed amount, by hand. While the mount follows a stream, a nudge by the operator changes the
+// trim of the stream instead. Station thread only.
 namespace boresight::sources {
 
 class Step : public SourceOf<Step, request::Step, request::Nudge>

@@ -16,13 +16,13 @@
 namespace boresight::sources {
 namespace {
 
-// The rate of a set-point is taken from where the target is this much later.
+// The rate of a set-point is computed from the directions of the target now and this much later.
 constexpr std::chrono::milliseconds kApart{20};
-// Of the way that is shown, and by which the wrap is chosen: of a satellite or a table, and of all else, which goes
-// slower.
+// Time between two points of the way, which the screen shows and by which the wrap is chosen. kPassStep is for
+// satellites and tables, kSlowStep for all other targets, which move slower.
 constexpr std::chrono::seconds kPassStep{5};
 constexpr std::chrono::minutes kSlowStep{5};
-// A satellite that is up for half a day is slow, too.
+// A satellite or table that is up for hours gets longer steps instead of more points.
 constexpr int kMostSteps = 600;
 
 const orbit::ElementSet* elementsOf(const targets::Target& target)
@@ -30,14 +30,14 @@ const orbit::ElementSet* elementsOf(const targets::Target& target)
     return std::get_if<orbit::ElementSet>(&target.kind);
 }
 
-// Of a satellite.
+// The catalogue number of a satellite. Empty for any other target.
 std::optional<std::int64_t> numberOf(const targets::Target& target)
 {
     const orbit::ElementSet* const elements = elementsOf(target);
     return elements ? std::optional(elements->number) : std::nullopt;
 }
 
-// A direction of its own, which may be below the horizon.
+// A fixed direction, which may be below the horizon.
 bool isDirection(const targets::Target& target)
 {
     return std::holds_alternative<SkyPointing>(target.kind);
@@ -48,7 +48,7 @@ bool isTable(const targets::Target& target)
     return std::holds_alternative<tables::SharedTable>(target.kind);
 }
 
-// A direction and a place on the Earth are where they are at any time.
+// A fixed direction and a position on the Earth never move.
 bool stays(const targets::Target& target)
 {
     return isDirection(target) || std::holds_alternative<targets::EarthPosition>(target.kind);
@@ -72,17 +72,17 @@ AngularRate fastestOf(const std::vector<targets::SkyMoment>& way)
 
 Result<SkyPointing> TargetTrack::Tracked::at(UtcTime utc)
 {
-    // A table has nothing before it rises and after it sets.
+    // A table may have no directions before its rise and after its set.
     const UtcTime asked = isTable(target) ? std::clamp(utc, up.rises, std::max(up.rises, up.sets.value_or(utc))) : utc;
     return path.at(asked).map([&](SkyPointing direction) {
         if (!isDirection(target)) {
-            direction.elevation = std::max(direction.elevation, Angle{});  // at its rise, by a hair
+            direction.elevation = std::max(direction.elevation, Angle{});  // at the rise it may be slightly negative
         }
         return direction;
     });
 }
 
-// Seen a little ahead, so that the drives are there in time.
+// The time for which the mount is aimed: ahead of `utc` by the lead of the profile, because the drives lag.
 UtcTime TargetTrack::aimed(UtcTime utc) const
 {
     return utc + std::chrono::round<UtcTime::duration>(helm().view().profile.orbit.lead);
@@ -98,7 +98,8 @@ Result<> TargetTrack::permits(const targets::Target& target, UtcTime now) const
     return mayFace.and_then([&] { return targets::isFresh(target, now, view.profile.orbit.oldestDays); });
 }
 
-// What stays is reached now or never. What moves is led along the edge of what is permitted.
+// A target that does not move must be reachable when it is requested. A moving target may leave the permitted region:
+// then the mount follows along the edge of that region.
 Result<> TargetTrack::reaches(Tracked& tracked, UtcTime now) const
 {
     return stays(tracked.target)
@@ -133,7 +134,7 @@ Result<> TargetTrack::ask(const request::Track& wanted, const Source& by)
         .and_then([&] { return helm().mayPoint(by); })
         .and_then([&] { return plan(wanted.target, by); })
         .and_then([&](Tracked tracked) {
-            // Its beam goes there. A refusal leaves the antenna that was in use.
+            // The antenna of the satellite is used. If the request is refused, the previous antenna stays in use.
             const std::optional<AntennaChoice::Tracked> before = helm().view().antenna.tracked();
             helm().useAntennaFor(AntennaChoice::Tracked{.satellite = numberOf(wanted.target)});
             Result<> begun = begin(std::move(tracked));
@@ -156,7 +157,7 @@ Result<> TargetTrack::begin(Tracked tracked)
     tracked.place = roomyStart(helm().view(), *tracked.way);
     const bool goesOn = helm().current().continues(Activity::Streaming, tracked.by);
     return follow(tracked, from).map([&](const AxisPosition& place) {
-        if (goesOn) {  // no motion begins that the log would name
+        if (goesOn) {  // no new motion begins, so the log would not show the new target
             helm().note(Severity::Advisory, Text::tr("tracks %1 from now on").arg(tracked.target.name));
         }
         tracked.place = place;
@@ -172,7 +173,7 @@ void TargetTrack::setWay(Tracked& tracked, UtcTime from) const
     tracked.fastest = fastestOf(*tracked.way);
 }
 
-// It ends with its set, or where its orbit ends.
+// The way ends when the target sets, or at the last time for which its direction can be computed.
 targets::SkyWay TargetTrack::wayOf(Tracked& tracked, UtcTime from) const
 {
     const auto isClear = profile::clearSky(helm().view().profile, helm().view().antenna.inUse());
@@ -192,7 +193,7 @@ targets::SkyWay TargetTrack::wayOf(Tracked& tracked, UtcTime from) const
     return way;
 }
 
-// If the mount waits at the end of the cable on the wrap that it has now.
+// How long the target is lost if the mount keeps its wrap and waits at the end of the cable.
 Seconds TargetTrack::lostByHolding() const
 {
     const ControlParts view = helm().view();
@@ -210,7 +211,7 @@ Seconds TargetTrack::lostByHolding() const
 
 Result<AxisPosition> TargetTrack::follow(Tracked& tracked, UtcTime utc)
 {
-    const bool waits = utc <= tracked.up.rises;  // where it rises, standing
+    const bool waits = utc <= tracked.up.rises;  // the mount stands where the target rises
     const UtcTime from = waits ? tracked.up.rises : aimed(utc);
     return tracked.at(from).and_then([&](const SkyPointing& now) {
         return tracked.at(from + kApart).and_then([&](const SkyPointing& soon) {
@@ -221,7 +222,7 @@ Result<AxisPosition> TargetTrack::follow(Tracked& tracked, UtcTime utc)
     });
 }
 
-// The profile may have changed.
+// Checks again in each tick, because the profile may have changed.
 Result<> TargetTrack::mayGoOn() const
 {
     if (helm().view().profile.site.place() != m_tracked->site) {
@@ -237,7 +238,7 @@ void TargetTrack::step(SteadyTime)
     }
     const CurrentMotion& current = helm().current();
     if (!current.is(Activity::Streaming) || !current.isFor(m_tracked->by)) {
-        forget();  // somebody has ended it, or moves the mount
+        forget();  // the tracking was ended, or another source moves the mount
         return;
     }
     if (current.motionId() != m_tracked->motionId) {
@@ -265,13 +266,13 @@ void TargetTrack::followOn(UtcTime utc)
         m_tracked->place = *place;
         return;
     }
-    if (place.error().code == ErrorCode::NotAvailable) {  // no gate refuses it so
+    if (place.error().code == ErrorCode::NotAvailable) {  // comes from the path: no gate refuses with this code
         helm().raiseAlarm(alarmEntry("track.no-orbit"), {m_tracked->target.name, place.error().text});
     }
     end(Severity::Warning, Text::tr("ends the tracking: %1").arg(place.error().text));
 }
 
-// The profile or the antenna may have changed. The way that is shown goes the same as the mount.
+// The profile or the antenna may have changed. The way on the screen must match what the mount does.
 void TargetTrack::renewWay(UtcTime utc)
 {
     const ephemeris::RefractionRule rule = helm().view().profile.orbit.refraction;

@@ -7,10 +7,10 @@
 
 #include <optional>
 
-// A target of core/targets. One that rises and sets: waits where it rises, follows it until it sets, and holds there.
-// One that stays in its place: goes there and stays. The set-points come from its path in each tick, position and rate.
-// The wrap of the cable is chosen before it rises: one that has room for the whole path, if there is one. Station
-// thread only.
+// Tracks a target of core/targets. If the target rises and sets, the mount waits where the target rises, follows it
+// until it sets, and holds there. If the target does not move, the mount goes there and stays. In each tick position
+// and rate of the set-point come from the path of the target. The cable wrap is chosen at the start: a wrap with room
+// for the whole path, if there is one. Station thread only.
 namespace boresight::sources {
 
 class TargetTrack : public SourceOf<TargetTrack, request::Track>
@@ -31,10 +31,10 @@ private:
         Source by;
         targets::UpTime up = {};
         targets::SkyWay way = {};
-        pointing::PointingTerms terms = {};      // of the beam, for which parts of the way are hidden
-        AngularRate skyRate = {};                // now, or at its rise
-        AngularRate fastest = {};                // of its way
-        std::optional<AxisPosition> place = {};  // of the axes, the last one: chooses the turn of the next
+        pointing::PointingTerms terms = {};      // of the beam when the way was computed
+        AngularRate skyRate = {};                // across the sky, now or at the rise
+        AngularRate fastest = {};                // the largest rate on the way
+        std::optional<AxisPosition> place = {};  // last axis position: the next one is on the same wrap
         std::uint64_t motionId = 0;
         bool isUp = false;
 

@@ -3,7 +3,7 @@
 
 #include "core/control/motion_source.h"
 
-// A tuning run moves an axis at rates that it gives again in every tick. The motion ends when it gives none any more.
+// A tuning run moves an axis. It sends the rates again in every tick. The motion ends when the rates stop arriving.
 // Station thread only.
 namespace boresight::sources {
 

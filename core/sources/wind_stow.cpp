@@ -27,7 +27,7 @@ void WindStow::step(SteadyTime)
     }
 }
 
-// What cannot be parked stops at least. The alarm then offers to park it.
+// Ends the running motion first, so the mount stops even if it cannot be parked. The alarm then offers to park it.
 void WindStow::park()
 {
     const CurrentMotion& current = helm().current();

@@ -5,9 +5,9 @@
 
 #include <cstdint>
 
-// Parks the mount when the wind gets too strong, as the profile wants. It takes the control like an act of the
-// operator, so that no client goes on by itself after the wind. A mount that nobody has moved since the start, a fault
-// or STOP stays where it is: an alarm offers to park it. Station thread only.
+// Parks the mount when the wind exceeds the limits of the profile. It takes control as the operator would, so no client
+// continues by itself after the wind. A mount that nobody has moved since the start, a fault or STOP stays where it is:
+// an alarm offers to park it. Station thread only.
 namespace boresight::sources {
 
 class WindStow : public SourceOf<WindStow>
@@ -20,7 +20,7 @@ public:
 private:
     void park();
 
-    std::uint64_t m_onsets = 0;  // that were seen
+    std::uint64_t m_onsets = 0;  // number of strong winds already handled
 };
 
 }  // namespace boresight::sources

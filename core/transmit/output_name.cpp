@@ -26,7 +26,7 @@ Result<OutputName> atPath(OutputKind kind, const QString& path)
                : failure(ErrorCode::InvalidInput, Text::tr("a path from / on is expected after the colon"));
 }
 
-// What begins with '$' belongs to the broker. '+' and '#' are for those who read.
+// MQTT reserves topics that begin with '$' for the broker. '+' and '#' are wildcards, which only subscribers may use.
 Result<OutputName> onTopic(const QString& topic)
 {
     const bool isTopic = !topic.isEmpty() && !topic.startsWith(QLatin1Char('$')) && !topic.contains(QLatin1Char('+')) &&
@@ -36,7 +36,7 @@ Result<OutputName> onTopic(const QString& topic)
                : failure(ErrorCode::InvalidInput, Text::tr("a topic is expected after the colon, without + # and $"));
 }
 
-// No shell and no search path: what is started is the file that stands here.
+// The program is started without a shell and without a search in PATH, so its full path is required.
 Result<OutputName> byProgram(const QString& line)
 {
     QStringList words = QProcess::splitCommand(line);

@@ -8,17 +8,17 @@
 
 #include <string>
 
-// The output that permits a transmitter to transmit, by its name in the profile. Pure, any thread.
+// Reads the name of a transmit output in the profile. The output permits a transmitter to transmit. Pure, any thread.
 namespace boresight::transmit {
 
 enum class OutputKind
 {
     None,
-    File,     // its path
-    Mqtt,     // the topic
+    File,
+    Mqtt,
     Command,  // a program with its arguments
-    Dtr,      // a line of a serial port
-    Rts
+    Dtr,      // the DTR line of a serial port
+    Rts       // the RTS line of a serial port
 };
 
 struct OutputName
@@ -31,7 +31,7 @@ struct OutputName
 };
 
 // "file:/run/transmit", "mqtt:shack/transmit", "command:/usr/local/bin/ptt --line 2", "dtr:/dev/ttyUSB0",
-// "rts:/dev/ttyUSB0". Double quotes keep an argument with spaces together. Empty: none.
+// "rts:/dev/ttyUSB0". Double quotes keep an argument with spaces together. An empty text means no output.
 [[nodiscard]] Result<OutputName> parseOutput(const std::string& text);
 
 }  // namespace boresight::transmit

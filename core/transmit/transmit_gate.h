@@ -6,43 +6,43 @@
 
 #include <optional>
 
-// Whether the transmitter may transmit now. Pure, one thread.
+// Decides whether the transmitter may transmit now. Pure, one thread.
 namespace boresight::transmit {
 
-// What keeps it off.
+// The reason why the transmitter is off.
 enum class Obstacle
 {
     None,
-    Simulated,   // the antenna points nowhere
+    Simulated,   // the mount is simulated, so no antenna points at the target
     Stopped,     // STOP is latched, or the program ends
-    Fault,       // of the mount, or it is not connected
-    NoTarget,    // nothing that the mount is aimed at
+    Fault,       // the mount has a fault or is not connected
+    NoTarget,    // the mount is not aimed at a target
     NotUp,       // the target is below the horizon
     OutOfReach,  // the mount goes to the nearest permitted place instead
-    NoPosition,  // nobody knows where the beam is now
-    Away,        // too far from the target
-    Settling     // near enough for too short a time
+    NoPosition,  // the direction of the beam is unknown
+    Away,        // the beam is too far from the target
+    Settling     // the beam is near enough, but not yet for kSettled
 };
 
 struct GateInput
 {
-    Obstacle obstacle = Obstacle::None;    // that has nothing to do with directions
-    std::optional<SkyPointing> beam = {};  // as measured just now
+    Obstacle obstacle = Obstacle::None;    // an obstacle other than the error of the beam
+    std::optional<SkyPointing> beam = {};  // as last measured
     std::optional<SkyPointing> target = {};
-    Angle within;  // the largest error with which it is on
+    Angle within;  // the limit: the transmitter is on only while the error is smaller
 };
 
 struct GateDecision
 {
-    Obstacle obstacle = Obstacle::NoTarget;  // None: on
-    std::optional<Angle> error = {};         // of the beam, on the sky
+    Obstacle obstacle = Obstacle::NoTarget;  // None: the transmitter may transmit
+    std::optional<Angle> error = {};         // angle on the sky between beam and target
 
     [[nodiscard]] bool on() const { return obstacle == Obstacle::None; }
     bool operator==(const GateDecision&) const = default;
 };
 
-// Off in the tick in which the beam leaves the limit or anything else is in the way. On again not before the error was
-// below kComesBack of the limit and nothing was in the way for kSettled, so that nothing can make it chatter.
+// Goes off in the same tick in which the error reaches the limit or another obstacle appears. Goes on again after the
+// error was below kComesBack times the limit, without any obstacle, for kSettled. So the output cannot chatter.
 class TransmitGate
 {
 public:
@@ -53,7 +53,7 @@ public:
 
 private:
     bool m_on = false;
-    std::optional<SteadyTime> m_inside;  // since then; empty: something is in the way
+    std::optional<SteadyTime> m_inside;  // when the last obstacle ended; empty: there is an obstacle
 };
 
 }  // namespace boresight::transmit

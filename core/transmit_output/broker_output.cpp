@@ -36,7 +36,7 @@ void BrokerOutput::set(bool on)
     publish();
 }
 
-// Without a connection and without a problem it has just begun to connect.
+// Emits nothing while the client is still connecting: then there is neither a connection nor a problem.
 void BrokerOutput::publish()
 {
     if (m_client.publish(messageOf(m_topic, m_wanted))) {

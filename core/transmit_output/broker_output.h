@@ -5,9 +5,9 @@
 #include "core/mqtt/threaded_client.h"
 #include "core/transmit_output/transmit_output.h"
 
-// A topic of an MQTT broker with the message "on" or "off". "off" is retained, and it is the will: the broker sends it
-// when Boresight is gone without a word. "on" is never retained: who comes later must not find an old one. The
-// connection is the output's own, because one connection has one will.
+// Publishes "on" or "off" to a topic of an MQTT broker. "off" is retained. It is also the will: the broker publishes it
+// when the connection to Boresight breaks. "on" is never retained, because a client that subscribes later must not
+// receive an old "on". The output has a connection of its own, because an MQTT connection has only one will.
 namespace boresight::transmit {
 
 class BrokerOutput final : public TransmitOutput
@@ -15,7 +15,7 @@ class BrokerOutput final : public TransmitOutput
     Q_OBJECT
 
 public:
-    // `clock` outlives the output and may be read by any thread.
+    // `clock` must outlive the output and be readable from any thread.
     BrokerOutput(const mqtt::Broker& broker, const QString& topic, const Clock& clock, QObject* parent = nullptr);
     ~BrokerOutput() override;
 

@@ -20,7 +20,7 @@ CommandOutput::Side CommandOutput::makeSide(bool on)
     return side;
 }
 
-// The last word is "off".
+// Runs "off" once more if an "on" run was still going, because that run may have taken effect after "off".
 CommandOutput::~CommandOutput()
 {
     m_on.runner.reset();
@@ -60,7 +60,7 @@ void CommandOutput::step()
 void CommandOutput::finish(bool on, const programs::Ending& ending)
 {
     (on ? m_on : m_off).runs = false;
-    // Where both ran, nobody knows which one had the last word.
+    // If this run is not for the wanted state, it may have overwritten that state. So the state is unknown.
     m_reached = ending.good && on == m_wanted ? std::optional(on) : std::nullopt;
     if (!ending.good) {
         Q_EMIT failed(ending.text);

@@ -9,8 +9,8 @@
 #include <memory>
 #include <optional>
 
-// A program of the operator that is run with "on" or "off" after its arguments. "Off" never waits for an "on" that
-// still runs. What ran meanwhile may have had the last word, so "off" is run again after it.
+// Runs a program of the operator, with "on" or "off" as its last argument. The "off" run does not wait for an "on" run
+// that is still going. That "on" run may take effect last, so "off" is run once more after it has ended.
 namespace boresight::transmit {
 
 class CommandOutput final : public TransmitOutput
@@ -18,20 +18,20 @@ class CommandOutput final : public TransmitOutput
     Q_OBJECT
 
 public:
-    // Not for long: the transmitter waits for it.
+    // The limits are short, because the transmitter waits for the program.
     static constexpr programs::Limits kLimits{
         .longest = std::chrono::seconds(2), .patience = std::chrono::seconds(2), .most = 1};
 
     CommandOutput(const QString& program, const QStringList& arguments, const programs::Limits& limits = kLimits,
                   QObject* parent = nullptr);
-    // What runs has kLimits.patience to end.
+    // Waits at most limits.patience for a program that is still running.
     ~CommandOutput() override;
 
     void set(bool on) override;
     [[nodiscard]] bool isIdle() const override { return !m_on.runs && !m_off.runs; }
 
 private:
-    // One for "on" and one for "off".
+    // There is one side for "on" and one for "off".
     struct Side
     {
         std::unique_ptr<programs::ProgramRunner> runner;
@@ -49,7 +49,7 @@ private:
     Side m_on;
     Side m_off;
     bool m_wanted = false;
-    std::optional<bool> m_reached;  // by the last program that ended well; empty: nobody knows
+    std::optional<bool> m_reached;  // the state set by the last program that succeeded; empty: unknown
 };
 
 }  // namespace boresight::transmit

@@ -20,7 +20,7 @@ Result<> ModemLine::set(bool high)
 {
     Result<> done = open().and_then([&] { return m_port->set(m_line, high); });
     if (!done && m_open) {
-        m_port->close();  // which lowers the lines, as far as they are there
+        m_port->close();  // lowers the lines, unless the adapter is gone
         m_open = false;
     }
     return done;

@@ -7,8 +7,8 @@
 
 #include <memory>
 
-// A control line of a serial port that keys or permits a transmitter. The port is opened once and stays open: to open
-// it raises both lines for a moment, whatever a program does. One thread at a time; may block.
+// A control line of a serial port that keys or permits a transmitter. The port is opened once and stays open, because
+// the kernel raises both lines for a moment whenever a port is opened. Use from one thread at a time. Calls may block.
 namespace boresight::transmit {
 
 enum class Line
@@ -17,7 +17,7 @@ enum class Line
     Rts
 };
 
-// A port, as ModemLine needs it.
+// The functions of a serial port that ModemLine needs.
 class ModemPort
 {
 public:
@@ -26,7 +26,7 @@ public:
     ModemPort& operator=(const ModemPort&) = delete;
     virtual ~ModemPort() = default;
 
-    // Both lines are low at the end of the program, however it ends.
+    // From then on the operating system lowers both lines when the program ends, even after a crash.
     [[nodiscard]] virtual Result<> open() = 0;
     virtual void close() = 0;
     [[nodiscard]] virtual Result<> set(Line line, bool high) = 0;
@@ -37,7 +37,7 @@ class ModemLine
 public:
     ModemLine(std::unique_ptr<ModemPort> port, Line line) : m_port(std::move(port)), m_line(line) {}
 
-    // Opens the port where it is not open. Both lines are low then, and the other one stays so.
+    // Opens the port if it is closed, and lowers both lines first. The other line stays low.
     [[nodiscard]] Result<> set(bool high);
 
 private:

@@ -30,7 +30,7 @@ bool setLowAtTheEnd(int port)
         return false;
     }
     settings.c_cflag |= HUPCL | CLOCAL;
-    settings.c_cflag &= ~static_cast<tcflag_t>(CRTSCTS);  // else the kernel moves RTS by itself
+    settings.c_cflag &= ~static_cast<tcflag_t>(CRTSCTS);  // with flow control the kernel would switch RTS itself
     return tcsetattr(port, TCSANOW, &settings) == 0;
 }
 
@@ -64,7 +64,7 @@ Result<> SerialModemPort::set(Line line, bool high)
     int lines = 0;
     if (::ioctl(m_port.number(), high ? TIOCMBIS : TIOCMBIC, &bit) != 0 ||
         ::ioctl(m_port.number(), TIOCMGET, &lines) != 0) {
-        // A pseudo-terminal has none: ENOTTY or EINVAL.
+        // A pseudo-terminal has no such lines: the error is ENOTTY or EINVAL.
         return errno == ENOTTY || errno == EINVAL
                    ? failure(ErrorCode::NotAvailable, Text::tr("%1 has no lines DTR and RTS").arg(m_path))
                    : portFailure(m_path, errno);

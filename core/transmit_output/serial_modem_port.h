@@ -4,8 +4,8 @@
 #include "core/base/file_descriptor.h"
 #include "core/transmit_output/modem_line.h"
 
-// The lines of a serial port of this computer. Not by QSerialPort: it wants an event loop, and leaves to chance what
-// the lines do when the program dies.
+// The control lines of a serial port of this computer. QSerialPort is not used: it needs an event loop, and it does not
+// set what the lines do when the program dies.
 namespace boresight::transmit {
 
 class SerialModemPort final : public ModemPort
@@ -15,7 +15,7 @@ public:
 
     [[nodiscard]] Result<> open() override;
     void close() override;
-    // Reads back what was set.
+    // Reads the line back and fails if it did not change.
     [[nodiscard]] Result<> set(Line line, bool high) override;
 
 private:

@@ -28,7 +28,7 @@ tl::unexpected<Error> fileFailure(const QString& path, int number)
 
 Result<> writeState(const QString& path, bool on)
 {
-    // Not to wait for the reader of a pipe.
+    // O_NONBLOCK: opening a named pipe must not wait for its reader.
     constexpr int kFlags = O_WRONLY | O_CREAT | O_CLOEXEC | O_NONBLOCK | O_NOCTTY;
     const FileDescriptor file(::open(QFile::encodeName(path).constData(), kFlags, kReadByAll));
     if (!file.isOpen()) {
@@ -38,7 +38,8 @@ Result<> writeState(const QString& path, bool on)
     if (::fstat(file.number(), &info) != 0 || !S_ISREG(info.st_mode)) {
         return failure(ErrorCode::InvalidInput, Text::tr("%1 is not a file").arg(path));
     }
-    // Off needs no room on the disk: it is empty first. What is on stays on while its time is renewed.
+    // For "off" the file is emptied first, which works on a full disk, too. For "on" it is not emptied, so that a file
+    // that already contains "on" stays readable while its time is renewed.
     if (!on && ::ftruncate(file.number(), 0) != 0) {
         return fileFailure(path, errno);
     }

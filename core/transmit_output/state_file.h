@@ -5,9 +5,10 @@
 
 #include <QString>
 
-// The file that says "on" or "off", with a line end. It is written in place, so that its owner and rights stay, and so
-// that it can be emptied where a disk is full. A reader that sees anything but "on", also nothing, has to take it for
-// off. Each call renews its time, by which a reader knows a program that died. Any thread; may block.
+// Writes the file that contains "on" or "off", with a line end. The file is written in place. So it keeps its owner and
+// its access rights, and it can be emptied on a full disk. A reader must treat anything but "on" as off, also an empty
+// file. Each call renews the modification time, so an old time shows the reader that Boresight died. Any thread; may
+// block.
 namespace boresight::transmit {
 
 [[nodiscard]] Result<> writeState(const QString& path, bool on);

@@ -10,8 +10,8 @@
 #include <memory>
 #include <optional>
 
-// An output that is set by a call that may take long: a file on a disk, a line of an adapter. One thread makes the
-// calls, one at a time. Its end waits for the last one.
+// An output that is set by a call that may take long: writing a file, or switching a line of an adapter. One thread
+// makes the calls, one at a time. The destructor waits for the last call.
 namespace boresight::transmit {
 
 class ThreadedOutput final : public TransmitOutput
@@ -19,7 +19,7 @@ class ThreadedOutput final : public TransmitOutput
     Q_OBJECT
 
 public:
-    // Called on the thread, and at the end once more on the owner's.
+    // Called on the worker thread. The destructor may call it once more, on the thread of the owner.
     using Write = std::function<Result<>(bool on)>;
 
     explicit ThreadedOutput(Write write, QObject* parent = nullptr);
@@ -34,9 +34,9 @@ private:
 
     Write m_write;
     bool m_wanted = false;
-    std::optional<bool> m_begun;  // is being written; empty: nothing is
-    bool m_asked = false;         // set() was called meanwhile
-    QThreadPool m_worker;         // last, so that it ends first
+    std::optional<bool> m_begun;  // the state that is being written; empty: none
+    bool m_asked = false;         // set() was called during that write
+    QThreadPool m_worker;         // the last member, so that it is destroyed first
 };
 
 }  // namespace boresight::transmit

@@ -4,9 +4,9 @@
 #include <QObject>
 #include <QString>
 
-// What permits a transmitter to transmit: on or off. Its owner sets it again and again, also to what it has, so that an
-// output that was lost is found again. Nothing blocks. It is left as it was set last, so set it off before its end.
-// Station thread.
+// An output that permits a transmitter to transmit: on or off. Its owner sets it again and again, even to the same
+// state, so that a lost output is restored. set() does not block. The destructor leaves the output as it was last set,
+// so set it off before. Station thread.
 namespace boresight::transmit {
 
 class TransmitOutput : public QObject
@@ -16,15 +16,15 @@ class TransmitOutput : public QObject
 public:
     using QObject::QObject;
 
-    // Answered by one of the signals, also within the call. Of several that wait the newest counts.
+    // One of the signals answers, perhaps within the call. If several calls wait, only the newest is carried out.
     virtual void set(bool on) = 0;
-    // Its end waits for nothing now. Where it is not, a later signal follows.
+    // True: the destructor would not have to wait. If false, a signal follows later.
     [[nodiscard]] virtual bool isIdle() const { return true; }
 
 Q_SIGNALS:
-    // It is so now.
+    // The output is in this state.
     void reached(bool on);
-    // It could not be set. Nobody knows what it is.
+    // The output could not be set. Its state is unknown.
     void failed(const QString& reason);
 };
 
