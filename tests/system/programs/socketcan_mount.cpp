@@ -27,6 +27,9 @@ using namespace std::chrono_literals;
 constexpr auto kPatience = 60s;  // for a guest system on a busy computer
 // The noise of a simulated encoder moves the truth by less. The slowest commanded motion is a hundred times faster.
 constexpr double kSocketcanMountStill = 0.02;  // °
+constexpr std::size_t kLinesAtRest = 5;        // half a second
+constexpr const char* kReArm = "R 1";
+constexpr const char* kDone = "RPRT 0\n";
 
 double farthest(const Truth& a, const Truth& b)
 {
@@ -113,18 +116,10 @@ bool MountOnCan::notesProof()
         kPatience);
 }
 
-bool MountOnCan::reArm()
-{
-    const std::size_t before = log().size();
-    const bool armed = ask("R 1") == "RPRT 0\n";
-    const bool needless = log().find("there is no fault to re-arm from", before) != std::string::npos;
-    m_armed = armed ? before : needless ? log().size() : m_armed;
-    return armed;
-}
-
 bool MountOnCan::reArms()
 {
-    return QTest::qWaitFor([this] { return reArm(); }, static_cast<int>(std::chrono::milliseconds(kPatience).count()));
+    return QTest::qWaitFor([this] { return ask(kReArm) == kDone; },
+                           static_cast<int>(std::chrono::milliseconds(kPatience).count()));
 }
 
 const std::vector<Truth>& MountOnCan::truths()
@@ -146,17 +141,15 @@ bool MountOnCan::waitForTruths(std::size_t more)
 
 bool MountOnCan::commandUntil(const std::string& command, const std::function<bool()>& reached)
 {
-    const auto pause = [] { QTest::qWait(200); };
-    const auto stopped = [this] { return wantsReArm(); };
     const QDeadlineTimer patience(kPatience);
     while (!reached() && !patience.hasExpired()) {
-        if (stopped() && !reArm()) {
-            pause();
-        }
-        if (ask(command) == "RPRT 0\n") {
+        static_cast<void>(ask(kReArm));  // refused if the drives have not stopped
+        if (ask(command) == kDone) {
+            const std::size_t before = truths().size();
+            const auto stopped = [this, before] { return truths().size() > before + kLinesAtRest && rests(); };
             static_cast<void>(fakes::waitUntil([&] { return reached() || stopped(); }, kPatience));
         } else {  // the drives are searched, read and checked before anything may move
-            pause();
+            QTest::qWait(200);
         }
     }
     return reached();
@@ -175,14 +168,15 @@ bool MountOnCan::comesTo(double azimuth, double elevation)
     return commandUntil(command, [this, &wanted] { return farthest(truth(), wanted) < 0.1; });
 }
 
+bool MountOnCan::rests()
+{
+    const auto& all = truths();
+    return all.size() > kLinesAtRest && farthest(all.back(), all[all.size() - kLinesAtRest]) < kSocketcanMountStill;
+}
+
 std::optional<Standstill> MountOnCan::standstillAfter(std::size_t before)
 {
-    constexpr std::size_t kLinesAtRest = 5;
-    const auto rests = [this] {
-        const auto& all = truths();
-        return all.size() > kLinesAtRest && farthest(all.back(), all[all.size() - kLinesAtRest]) < kSocketcanMountStill;
-    };
-    if (!waitForTruths(kLinesAtRest) || !fakes::waitUntil(rests, kPatience)) {
+    if (!waitForTruths(kLinesAtRest) || !fakes::waitUntil([this] { return rests(); }, kPatience)) {
         return std::nullopt;
     }
     const auto& all = truths();

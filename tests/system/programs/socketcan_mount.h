@@ -77,8 +77,7 @@ public:
 
 private:
     [[nodiscard]] bool startPrograms();
-    [[nodiscard]] bool reArm();  // lines of the log may still be on their way
-    [[nodiscard]] bool wantsReArm() { return log().find("re-arm.", m_armed) != std::string::npos; }
+    [[nodiscard]] bool rests();
     [[nodiscard]] bool commandUntil(const std::string& command, const std::function<bool()>& reached);
 
     QString m_drivesInterface;
@@ -90,7 +89,6 @@ private:
     std::vector<Truth> m_truths;
     qsizetype m_linesRead = 0;
     std::string m_log;
-    std::size_t m_armed = 0;  // length of the log at the last re-arm, or when no re-arm was found necessary
     StarvedTime m_starved;
 };
 
