@@ -26,125 +26,6 @@ constexpr QSize kMenuSize{44, 44};
 constexpr long kLongestInMinutes = 6000;  // s
 constexpr int kControlMargin = 8;         // px, around the name of the client in control
 
-struct Shown
-{
-    QString text;
-    Tone tone = Tone::Secondary;
-    Symbol symbol = Symbol::Healthy;
-};
-
-Shown lineShown(const StationStatus& status)
-{
-    const QString& kind = status.line.kind;
-    if (kind.isEmpty()) {
-        return {QString(), Tone::Secondary, Symbol::None};
-    }
-    if (drivesOf(status).released) {
-        return {HeaderBar::tr("%1 off").arg(kind), Tone::Advisory, Symbol::Advisory};
-    }
-    switch (status.line.state) {
-        case MountLine::State::Up:
-            return {kind};
-        case MountLine::State::Down:
-            return {HeaderBar::tr("%1 down").arg(kind), Tone::Alarm, Symbol::Alarm};
-        case MountLine::State::Lost:
-            return {HeaderBar::tr("%1 lost").arg(kind), Tone::Alarm, Symbol::Alarm};
-        case MountLine::State::Closed:
-            break;
-    }
-    return {HeaderBar::tr("%1 off").arg(kind), Tone::Warning, Symbol::Warning};
-}
-
-Shown driveShown(const QString& name, const AxisStatus& axis, bool released)
-{
-    const bool missing = axis.state == AxisState::Missing;
-    if (missing || (freshness(axis.age) == Freshness::NoData && released)) {
-        return {name, Tone::Secondary, Symbol::Lost};
-    }
-    if (freshness(axis.age) == Freshness::NoData) {
-        return {HeaderBar::tr("%1 silent").arg(name), Tone::Alarm, Symbol::Alarm};
-    }
-    if (axis.state == AxisState::Fault) {
-        return {HeaderBar::tr("%1 fault").arg(name), Tone::Alarm, Symbol::Alarm};
-    }
-    if (freshness(axis.age) == Freshness::Late) {
-        return {HeaderBar::tr("%1 late").arg(name), Tone::Warning, Symbol::Warning};
-    }
-    return {name};
-}
-
-// Empty without a sensor: then the label takes no room.
-Shown sensorShown(const SensorStatus& sensor)
-{
-    if (!sensor.configured()) {
-        return {QString(), Tone::Secondary, Symbol::None};
-    }
-    if (sensor.dead || sensor.presence == orientation::Presence::Lost) {
-        return {HeaderBar::tr("Sensor lost"), Tone::Warning, Symbol::Warning};
-    }
-    if (sensor.disagrees) {
-        return {HeaderBar::tr("Sensor differs"), Tone::Warning, Symbol::Warning};
-    }
-    if (sensor.presence == orientation::Presence::Late) {
-        return {HeaderBar::tr("Sensor late"), Tone::Warning, Symbol::Warning};
-    }
-    // The broker or the port does not answer. The readout, if there is room for it, and the alarm give the reason.
-    if (sensor.presence == orientation::Presence::Awaited && !sensor.problem.isEmpty()) {
-        return {HeaderBar::tr("Sensor silent"), Tone::Warning, Symbol::Warning};
-    }
-    return sensor.presence == orientation::Presence::Awaited
-               ? Shown{HeaderBar::tr("Sensor awaited"), Tone::Secondary, Symbol::Lost}
-               : Shown{HeaderBar::tr("Sensor")};
-}
-
-QString sensorHelp(const SensorStatus& sensor)
-{
-    QString text = HeaderBar::tr("%1: %2 values, %3 refused, %4 outliers")
-                       .arg(sensor.source)
-                       .arg(sensor.counts.accepted)
-                       .arg(sensor.counts.allRefused())
-                       .arg(sensor.outliers);
-    for (const QString& more : {sensor.problem, sensor.doubt}) {
-        text += more.isEmpty() ? QString() : QLatin1Char('\n') + more;
-    }
-    return text;
-}
-
-// Empty without an output: then the label takes no room.
-Shown transmitShown(const TransmitStatus& transmit)
-{
-    if (transmit.output.isEmpty()) {
-        return {QString(), Tone::Secondary, Symbol::None};
-    }
-    if (!transmit.problem.isEmpty()) {
-        return {HeaderBar::tr("TX output failed"), Tone::Warning, Symbol::Warning};
-    }
-    return transmit.on ? Shown{HeaderBar::tr("TX on"), Tone::Normal}
-                       : Shown{HeaderBar::tr("TX off"), Tone::Secondary, Symbol::Lost};
-}
-
-QString transmitHelp(const TransmitStatus& transmit)
-{
-    QString text = HeaderBar::tr("The output %1 is on only while the beam is less than %2 from the target.")
-                       .arg(transmit.output, angleText(transmit.within));
-    for (const QString& more : {transmit.problem, transmit.whyOff}) {
-        text += more.isEmpty() ? QString() : QLatin1Char('\n') + more;
-    }
-    return text;
-}
-
-QString lineHelp(const StationStatus& status)
-{
-    const MountLine& line = status.line;
-    QString text = HeaderBar::tr("%1: %2 frames sent, %3 received, %4 dropped, %5 bus errors")
-                       .arg(line.name)
-                       .arg(line.sent)
-                       .arg(line.received)
-                       .arg(line.dropped)
-                       .arg(line.errors);
-    return line.problem.isEmpty() ? text : line.problem + QLatin1Char('\n') + text;
-}
-
 QString controlHelp(const StationStatus& status)
 {
     QString text = HeaderBar::tr(
@@ -277,25 +158,6 @@ Symbol stateSymbol(Tone tone)
     return tone == Tone::Alarm ? Symbol::Alarm : tone == Tone::Warning ? Symbol::Warning : Symbol::None;
 }
 
-QString widestMountLine(const QString& kind)
-{
-    return kind.isEmpty()
-               ? QString()
-               : widest(fonts::label(), {HeaderBar::tr("%1 off").arg(kind), HeaderBar::tr("%1 down").arg(kind),
-                                         HeaderBar::tr("%1 lost").arg(kind)});
-}
-
-QString widestDrive(const QString& name)
-{
-    return widest(fonts::label(), {HeaderBar::tr("%1 silent").arg(name), HeaderBar::tr("%1 fault").arg(name),
-                                   HeaderBar::tr("%1 late").arg(name)});
-}
-
-void setShown(ValueLabel& label, const Shown& shown)
-{
-    label.setValue(shown.text, shown.tone, shown.symbol);
-}
-
 }  // namespace
 
 HeaderBar::HeaderBar(AuthorityButton& authority, QWidget* parent)
@@ -304,11 +166,7 @@ HeaderBar::HeaderBar(AuthorityButton& authority, QWidget* parent)
       m_reason(new ValueLabel(tr("Reason of the state"), fonts::label(), {}, this)),
       m_limited(new ValueLabel(tr("Target limited"), fonts::text(), tr("AT LIMIT"), this)),
       m_target(new ValueLabel(tr("Target and its source"), fonts::text(), {}, this)),
-      m_line(new ValueLabel(tr("Line to the mount"), fonts::label(), {}, this)),
-      m_azimuth(new ValueLabel(tr("Azimuth drive"), fonts::label(), widestDrive(tr("AZ")), this)),
-      m_elevation(new ValueLabel(tr("Elevation drive"), fonts::label(), widestDrive(tr("EL")), this)),
-      m_sensor(new ValueLabel(tr("Orientation sensor"), fonts::label(), tr("Sensor awaited"), this)),
-      m_transmit(new ValueLabel(tr("Transmit output"), fonts::label(), tr("TX off"), this)),
+      m_links(this),
       m_control(new ValueLabel(tr("Who has control"), fonts::label(), {}, this)),
       m_utc(new ValueLabel(tr("UTC"), fonts::clock(), QStringLiteral("00:00:00Z?"), this)),
       m_clock(new ValueLabel(tr("Error of the clock"), fonts::label(), widestClockErrorText(), this)),
@@ -326,13 +184,10 @@ void HeaderBar::build(AuthorityButton& authority)
     for (ValueLabel* const wide : {m_reason, m_target, m_control}) {
         wide->setStretching(true);
     }
-    for (ValueLabel* const marked : {m_state, m_limited, m_line, m_azimuth, m_elevation, m_sensor, m_transmit}) {
+    for (ValueLabel* const marked : {m_state, m_limited}) {
         marked->setSymbolRoom(true);
     }
     m_target->setLines(2);
-    m_line->setCollapsing(true);
-    m_sensor->setCollapsing(true);
-    m_transmit->setCollapsing(true);
     m_simulated->setOutlined(true);
     m_simulated->setToolTip(
         tr("No real drive is connected. Settings and results stay in the simulation of this mount."));
@@ -345,12 +200,13 @@ void HeaderBar::build(AuthorityButton& authority)
     targetRow->setSpacing(4);
     targetRow->addWidget(m_limited);
     targetRow->addWidget(m_target, 1);
-    targetRow->addWidget(m_transmit);
-    targetRow->addWidget(m_sensor);  // the row below has no room for it at 1024 px
+    for (QWidget* const link : m_links.besideTheTarget()) {
+        targetRow->addWidget(link);  // the row below has no room for it at 1024 px
+    }
     auto* const linkRow = new QHBoxLayout;
     grid->addLayout(linkRow, 1, 1);
     linkRow->setSpacing(1);
-    for (ValueLabel* const link : {m_line, m_azimuth, m_elevation}) {
+    for (QWidget* const link : m_links.ofTheMount()) {
         linkRow->addWidget(link);
     }
     linkRow->addStretch(1);
@@ -392,7 +248,8 @@ void HeaderBar::showStatus(const StationStatus& status)
 {
     showState(status);
     showTarget(status);
-    showLinks(status);
+    m_links.showStatus(status);
+    showControl(status);
     showClock(status);
     m_simulated->setValue(status.simulated ? tr("SIMULATED") : QString(), Tone::Advisory);
 }
@@ -462,19 +319,8 @@ QString HeaderBar::withRange(const QString& doing, const QString& range) const
     return !range.isEmpty() && isWhole(both) ? both : doing;
 }
 
-void HeaderBar::showLinks(const StationStatus& status)
+void HeaderBar::showControl(const StationStatus& status)
 {
-    m_line->setWidest(widestMountLine(status.line.kind));
-    setShown(*m_line, lineShown(status));
-    setShown(*m_azimuth, driveShown(tr("AZ"), status.azimuth, drivesOf(status).released));
-    setShown(*m_elevation, driveShown(tr("EL"), status.elevation, drivesOf(status).released));
-    setShown(*m_sensor, sensorShown(status.sensor));
-    m_sensor->setToolTip(status.sensor.configured() ? sensorHelp(status.sensor) : QString());
-    setShown(*m_transmit, transmitShown(status.transmit));
-    m_transmit->setToolTip(status.transmit.output.isEmpty() ? QString() : transmitHelp(status.transmit));
-    m_line->setToolTip(status.line.kind.isEmpty() ? QString() : lineHelp(status));
-    m_azimuth->setToolTip(status.azimuth.stateText);
-    m_elevation->setToolTip(status.elevation.stateText);
     const bool ours = status.authority == Authority::Operator;
     if (status.listening.isEmpty()) {
         m_control->setValue(notListening(m_control->width()), Tone::Warning, Symbol::Warning);

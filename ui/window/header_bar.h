@@ -2,14 +2,14 @@
 #pragma once
 
 #include "core/messages/station_status.h"
+#include "ui/window/link_labels.h"
 
 #include <QWidget>
 
 class QToolButton;
 
 // The top row, visible with every panel: the state in a word with its reason, the target and its source, the links,
-// UTC, the SIMULATED tag, STOP. Shows the status and decides nothing. It has more than 15 members: a label for each
-// fact.
+// UTC, the SIMULATED tag, STOP. Shows the status and decides nothing.
 namespace boresight::ui {
 
 class StopButton;
@@ -42,18 +42,14 @@ private:
     [[nodiscard]] QString inTwoLines(QStringList parts) const;
     [[nodiscard]] bool isWhole(const QString& text) const;
     [[nodiscard]] QString withRange(const QString& doing, const QString& range) const;
-    void showLinks(const StationStatus& status);
+    void showControl(const StationStatus& status);
     void showClock(const StationStatus& status);
 
     ValueLabel* m_state;
     ValueLabel* m_reason;
     ValueLabel* m_limited;
     ValueLabel* m_target;
-    ValueLabel* m_line;
-    ValueLabel* m_azimuth;
-    ValueLabel* m_elevation;
-    ValueLabel* m_sensor;
-    ValueLabel* m_transmit;
+    LinkLabels m_links;
     ValueLabel* m_control;
     ValueLabel* m_utc;
     ValueLabel* m_clock;  // how far it may be off

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/link_labels.h"
+
+#include "ui/kit/axes.h"
+#include "ui/kit/format.h"
+#include "ui/kit/value_label.h"
+#include "ui/kit/widest.h"
+
+namespace boresight::ui {
+
+namespace {
+
+struct Shown
+{
+    QString text;
+    Tone tone = Tone::Secondary;
+    Symbol symbol = Symbol::Healthy;
+};
+
+Shown lineShown(const StationStatus& status)
+{
+    const QString& kind = status.line.kind;
+    if (kind.isEmpty()) {
+        return {QString(), Tone::Secondary, Symbol::None};
+    }
+    if (drivesOf(status).released) {
+        return {LinkLabels::tr("%1 off").arg(kind), Tone::Advisory, Symbol::Advisory};
+    }
+    switch (status.line.state) {
+        case MountLine::State::Up:
+            return {kind};
+        case MountLine::State::Down:
+            return {LinkLabels::tr("%1 down").arg(kind), Tone::Alarm, Symbol::Alarm};
+        case MountLine::State::Lost:
+            return {LinkLabels::tr("%1 lost").arg(kind), Tone::Alarm, Symbol::Alarm};
+        case MountLine::State::Closed:
+            break;
+    }
+    return {LinkLabels::tr("%1 off").arg(kind), Tone::Warning, Symbol::Warning};
+}
+
+Shown driveShown(const QString& name, const AxisStatus& axis, bool released)
+{
+    const bool missing = axis.state == AxisState::Missing;
+    if (missing || (freshness(axis.age) == Freshness::NoData && released)) {
+        return {name, Tone::Secondary, Symbol::Lost};
+    }
+    if (freshness(axis.age) == Freshness::NoData) {
+        return {LinkLabels::tr("%1 silent").arg(name), Tone::Alarm, Symbol::Alarm};
+    }
+    if (axis.state == AxisState::Fault) {
+        return {LinkLabels::tr("%1 fault").arg(name), Tone::Alarm, Symbol::Alarm};
+    }
+    if (freshness(axis.age) == Freshness::Late) {
+        return {LinkLabels::tr("%1 late").arg(name), Tone::Warning, Symbol::Warning};
+    }
+    return {name};
+}
+
+// Empty without a sensor: then the label takes no room.
+Shown sensorShown(const SensorStatus& sensor)
+{
+    if (!sensor.configured()) {
+        return {QString(), Tone::Secondary, Symbol::None};
+    }
+    if (sensor.dead || sensor.presence == orientation::Presence::Lost) {
+        return {LinkLabels::tr("Sensor lost"), Tone::Warning, Symbol::Warning};
+    }
+    if (sensor.disagrees) {
+        return {LinkLabels::tr("Sensor differs"), Tone::Warning, Symbol::Warning};
+    }
+    if (sensor.presence == orientation::Presence::Late) {
+        return {LinkLabels::tr("Sensor late"), Tone::Warning, Symbol::Warning};
+    }
+    // The broker or the port does not answer. The readout, if there is room for it, and the alarm give the reason.
+    if (sensor.presence == orientation::Presence::Awaited && !sensor.problem.isEmpty()) {
+        return {LinkLabels::tr("Sensor silent"), Tone::Warning, Symbol::Warning};
+    }
+    return sensor.presence == orientation::Presence::Awaited
+               ? Shown{LinkLabels::tr("Sensor awaited"), Tone::Secondary, Symbol::Lost}
+               : Shown{LinkLabels::tr("Sensor")};
+}
+
+QString sensorHelp(const SensorStatus& sensor)
+{
+    QString text = LinkLabels::tr("%1: %2 values, %3 refused, %4 outliers")
+                       .arg(sensor.source)
+                       .arg(sensor.counts.accepted)
+                       .arg(sensor.counts.allRefused())
+                       .arg(sensor.outliers);
+    for (const QString& more : {sensor.problem, sensor.doubt}) {
+        text += more.isEmpty() ? QString() : QLatin1Char('\n') + more;
+    }
+    return text;
+}
+
+// Empty without an output: then the label takes no room.
+Shown transmitShown(const TransmitStatus& transmit)
+{
+    if (transmit.output.isEmpty()) {
+        return {QString(), Tone::Secondary, Symbol::None};
+    }
+    if (!transmit.problem.isEmpty()) {
+        return {LinkLabels::tr("TX output failed"), Tone::Warning, Symbol::Warning};
+    }
+    return transmit.on ? Shown{LinkLabels::tr("TX on"), Tone::Normal}
+                       : Shown{LinkLabels::tr("TX off"), Tone::Secondary, Symbol::Lost};
+}
+
+QString transmitHelp(const TransmitStatus& transmit)
+{
+    QString text = LinkLabels::tr("The output %1 is on only while the beam is less than %2 from the target.")
+                       .arg(transmit.output, angleText(transmit.within));
+    for (const QString& more : {transmit.problem, transmit.whyOff}) {
+        text += more.isEmpty() ? QString() : QLatin1Char('\n') + more;
+    }
+    return text;
+}
+
+QString lineHelp(const StationStatus& status)
+{
+    const MountLine& line = status.line;
+    QString text = LinkLabels::tr("%1: %2 frames sent, %3 received, %4 dropped, %5 bus errors")
+                       .arg(line.name)
+                       .arg(line.sent)
+                       .arg(line.received)
+                       .arg(line.dropped)
+                       .arg(line.errors);
+    return line.problem.isEmpty() ? text : line.problem + QLatin1Char('\n') + text;
+}
+
+QString widestMountLine(const QString& kind)
+{
+    return kind.isEmpty()
+               ? QString()
+               : widest(fonts::label(), {LinkLabels::tr("%1 off").arg(kind), LinkLabels::tr("%1 down").arg(kind),
+                                         LinkLabels::tr("%1 lost").arg(kind)});
+}
+
+QString widestDrive(const QString& name)
+{
+    return widest(fonts::label(), {LinkLabels::tr("%1 silent").arg(name), LinkLabels::tr("%1 fault").arg(name),
+                                   LinkLabels::tr("%1 late").arg(name)});
+}
+
+void setShown(ValueLabel& label, const Shown& shown)
+{
+    label.setValue(shown.text, shown.tone, shown.symbol);
+}
+
+}  // namespace
+
+LinkLabels::LinkLabels(QWidget* header)
+    : m_line(new ValueLabel(tr("Line to the mount"), fonts::label(), {}, header)),
+      m_azimuth(new ValueLabel(tr("Azimuth drive"), fonts::label(), widestDrive(tr("AZ")), header)),
+      m_elevation(new ValueLabel(tr("Elevation drive"), fonts::label(), widestDrive(tr("EL")), header)),
+      m_sensor(new ValueLabel(tr("Orientation sensor"), fonts::label(), tr("Sensor awaited"), header)),
+      m_transmit(new ValueLabel(tr("Transmit output"), fonts::label(), tr("TX off"), header))
+{
+    for (ValueLabel* const link : {m_line, m_azimuth, m_elevation, m_sensor, m_transmit}) {
+        link->setSymbolRoom(true);
+    }
+    for (ValueLabel* const mayBeMissing : {m_line, m_sensor, m_transmit}) {
+        mayBeMissing->setCollapsing(true);
+    }
+}
+
+std::array<QWidget*, 3> LinkLabels::ofTheMount() const
+{
+    return {m_line, m_azimuth, m_elevation};
+}
+
+std::array<QWidget*, 2> LinkLabels::besideTheTarget() const
+{
+    return {m_transmit, m_sensor};
+}
+
+void LinkLabels::showStatus(const StationStatus& status)
+{
+    m_line->setWidest(widestMountLine(status.line.kind));
+    setShown(*m_line, lineShown(status));
+    m_line->setToolTip(status.line.kind.isEmpty() ? QString() : lineHelp(status));
+    setShown(*m_azimuth, driveShown(tr("AZ"), status.azimuth, drivesOf(status).released));
+    m_azimuth->setToolTip(status.azimuth.stateText);
+    setShown(*m_elevation, driveShown(tr("EL"), status.elevation, drivesOf(status).released));
+    m_elevation->setToolTip(status.elevation.stateText);
+    setShown(*m_sensor, sensorShown(status.sensor));
+    m_sensor->setToolTip(status.sensor.configured() ? sensorHelp(status.sensor) : QString());
+    setShown(*m_transmit, transmitShown(status.transmit));
+    m_transmit->setToolTip(status.transmit.output.isEmpty() ? QString() : transmitHelp(status.transmit));
+}
+
+}  // namespace boresight::ui
