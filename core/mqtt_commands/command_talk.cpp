@@ -100,8 +100,8 @@ LineOutcome CommandTalk::run(std::string_view line, Retain retain)
 {
     if (retain == Retain::Yes) {
         return refuse(line, ErrorCode::Refused,
-                      Text::tr("The broker kept this message, so it is old. Delete it there, and send commands without "
-                               "the retain flag."));
+                      Text::tr("The broker kept this message, so it is old. Delete it at the broker. Send commands "
+                               "without the retain flag."));
     }
     if (line.size() > kLongest) {
         return refuse(line, ErrorCode::InvalidInput,

@@ -156,8 +156,8 @@ void checkBroker(std::vector<Problem>& problems, const Profile& profile)
             profile.sensor.reads(topic) || profile.position.reads(topic) || profile.wind.source == "mqtt:" + topic;
         if (broker.commands != BrokerCommands::Off && isTaken) {
             problems.push_back(
-                {"mqtt.prefix", Text::tr("the topic %1 is read for the sensor, for positions or for the wind already")
-                                    .arg(toQString(topic))});
+                {"mqtt.prefix",
+                 Text::tr("the sensor, the positions or the wind already use the topic %1").arg(toQString(topic))});
         }
     }
 }

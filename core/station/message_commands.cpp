@@ -34,8 +34,8 @@ MessageCommands::MessageCommands(AlarmBoard& alarms, const profile::InForce& pro
     connect(&connection, &mqtt::Connection::subscriptionRefused, this, [this](const QString& topic) {
         if (!topic.isEmpty() && (topic == m_commandTopic || topic == m_stopTopic)) {
             m_log.add(Severity::Warning, QStringLiteral("mqtt"),
-                      Text::tr("The broker refuses to let Boresight read the topic %1, so no command arrives there. "
-                               "Permit it in the access list of the broker.")
+                      Text::tr("The broker does not let Boresight read the topic %1. No command arrives. Permit this "
+                               "topic in the access list of the broker.")
                           .arg(topic));
         }
     });

@@ -513,6 +513,109 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
     </message>
 </context>
 <context>
+    <name>LinkLabels</name>
+    <message>
+        <source>%1 off</source>
+        <translation>%1 off</translation>
+    </message>
+    <message>
+        <source>%1 down</source>
+        <translation>%1 caído</translation>
+    </message>
+    <message>
+        <source>%1 lost</source>
+        <translation>%1 fora</translation>
+    </message>
+    <message>
+        <source>%1 silent</source>
+        <translation>%1 mudo</translation>
+    </message>
+    <message>
+        <source>%1 fault</source>
+        <translation>%1 falha</translation>
+    </message>
+    <message>
+        <source>%1 late</source>
+        <translation>%1 tarde</translation>
+    </message>
+    <message>
+        <source>Sensor lost</source>
+        <translation>Sensor perdido</translation>
+    </message>
+    <message>
+        <source>Sensor differs</source>
+        <translation>Sensor difere</translation>
+    </message>
+    <message>
+        <source>Sensor late</source>
+        <translation>Sensor atrasado</translation>
+    </message>
+    <message>
+        <source>Sensor silent</source>
+        <translation>Sensor mudo</translation>
+    </message>
+    <message>
+        <source>Sensor awaited</source>
+        <translation>Sensor esperado</translation>
+    </message>
+    <message>
+        <source>Sensor</source>
+        <translation>Sensor</translation>
+    </message>
+    <message>
+        <source>%1: %2 values, %3 refused, %4 outliers</source>
+        <translation>%1: %2 valores, %3 recusados, %4 discrepantes</translation>
+    </message>
+    <message>
+        <source>TX output failed</source>
+        <translation>Saída TX falhou</translation>
+    </message>
+    <message>
+        <source>TX on</source>
+        <translation>TX ligado</translation>
+    </message>
+    <message>
+        <source>TX off</source>
+        <translation>TX desligado</translation>
+    </message>
+    <message>
+        <source>The output %1 is on only while the beam is less than %2 from the target.</source>
+        <translation>A saída %1 só está ligada enquanto o feixe está a menos de %2 do alvo.</translation>
+    </message>
+    <message>
+        <source>%1: %2 frames sent, %3 received, %4 dropped, %5 bus errors</source>
+        <translation>%1: %2 quadros enviados, %3 recebidos, %4 perdidos, %5 erros no barramento</translation>
+    </message>
+    <message>
+        <source>Line to the mount</source>
+        <translation>Ligação com a montagem</translation>
+    </message>
+    <message>
+        <source>Azimuth drive</source>
+        <translation>Acionamento de azimute</translation>
+    </message>
+    <message>
+        <source>AZ</source>
+        <translation>AZ</translation>
+    </message>
+    <message>
+        <source>Elevation drive</source>
+        <translation>Acionamento de elevação</translation>
+    </message>
+    <message>
+        <source>EL</source>
+        <translation>EL</translation>
+    </message>
+    <message>
+        <source>Orientation sensor</source>
+        <translation>Sensor de orientação</translation>
+    </message>
+    <message>
+        <source>Transmit output</source>
+        <translation>Saída de emissão</translation>
+    </message>
+</context>
+<context>
     <name>ParkWords</name>
     <message>
         <source>Move park to %1</source>
@@ -638,20 +741,20 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
         <translation>O azimute roda menos de 360°, por isso a montagem não segue toda a passagem.</translation>
     </message>
     <message>
-        <source>elements %1 days old: about %2 s or %3 off, more than half the beam of %4</source>
-        <translation>elementos com %1 dias: erro de cerca de %2 s ou %3, mais de metade do feixe de %4</translation>
-    </message>
-    <message>
-        <source>elements %1 days old: about %2 s or %3 off, beam %4</source>
-        <translation>elementos com %1 dias: erro de cerca de %2 s ou %3, feixe %4</translation>
-    </message>
-    <message>
         <source>elements %1 d old: %2 s, %3 off, beam %4, too old</source>
         <translation>elementos com %1 d: %2 s, erro %3, feixe %4, velhos demais</translation>
     </message>
     <message>
         <source>elements %1 d old: %2 s, %3 off, beam %4</source>
         <translation>elementos com %1 d: %2 s, erro %3, feixe %4</translation>
+    </message>
+    <message>
+        <source>elements %1 days old: %2 s or %3 off, more than half the beam of %4</source>
+        <translation>elementos com %1 dias: erro de %2 s ou %3, mais de metade do feixe de %4</translation>
+    </message>
+    <message>
+        <source>elements %1 days old: %2 s or %3 off, beam %4</source>
+        <translation>elementos com %1 dias: erro de %2 s ou %3, feixe %4</translation>
     </message>
 </context>
 <context>
@@ -9959,10 +10062,6 @@ até %1</translation>
         <translation>Dê ao broker utilizadores e palavras-passe e introduza os do Boresight na página Perfil (mqtt.user)</translation>
     </message>
     <message>
-        <source>The broker kept this message, so it is old. Delete it there, and send commands without the retain flag.</source>
-        <translation>O broker guardou esta mensagem, portanto é antiga. Apague-a lá e envie comandos sem a marca retain.</translation>
-    </message>
-    <message>
         <source>A command has at most %1 bytes.</source>
         <translation>Um comando tem no máximo %1 bytes.</translation>
     </message>
@@ -10023,14 +10122,6 @@ até %1</translation>
         <translation>precisa de mqtt.publish = &quot;on&quot;</translation>
     </message>
     <message>
-        <source>the topic %1 is read for the sensor, for positions or for the wind already</source>
-        <translation>o tópico %1 já é lido para o sensor, para posições ou para o vento</translation>
-    </message>
-    <message>
-        <source>The broker refuses to let Boresight read the topic %1, so no command arrives there. Permit it in the access list of the broker.</source>
-        <translation>O broker recusa que o Boresight leia o tópico %1, portanto nenhum comando chega por ele. Permita-o na lista de acesso do broker.</translation>
-    </message>
-    <message>
         <source>Boresight no longer reads commands by MQTT</source>
         <translation>O Boresight deixou de ler comandos por MQTT</translation>
     </message>
@@ -10045,6 +10136,18 @@ até %1</translation>
     <message>
         <source>By MQTT a motion needs an azimuth and an elevation, such as &quot;120.5 30&quot;, because a message may arrive twice.</source>
         <translation>Por MQTT um movimento precisa de um azimute e de uma elevação, como &quot;120.5 30&quot;, porque uma mensagem pode chegar duas vezes.</translation>
+    </message>
+    <message>
+        <source>The broker kept this message, so it is old. Delete it at the broker. Send commands without the retain flag.</source>
+        <translation>O broker guardou esta mensagem, portanto é antiga. Apague-a no broker. Envie comandos sem a marca retain.</translation>
+    </message>
+    <message>
+        <source>the sensor, the positions or the wind already use the topic %1</source>
+        <translation>o sensor, as posições ou o vento já usam o tópico %1</translation>
+    </message>
+    <message>
+        <source>The broker does not let Boresight read the topic %1. No command arrives. Permit this topic in the access list of the broker.</source>
+        <translation>O broker não deixa o Boresight ler o tópico %1. Nenhum comando chega. Permita este tópico na lista de acesso do broker.</translation>
     </message>
 </context>
 <context>
@@ -13009,22 +13112,6 @@ trocar os motores</translation>
 <context>
     <name>boresight::ui::HeaderBar</name>
     <message>
-        <source>%1 silent</source>
-        <translation>%1 mudo</translation>
-    </message>
-    <message>
-        <source>%1 fault</source>
-        <translation>%1 falha</translation>
-    </message>
-    <message>
-        <source>%1 late</source>
-        <translation>%1 tarde</translation>
-    </message>
-    <message>
-        <source>%1: %2 frames sent, %3 received, %4 dropped, %5 bus errors</source>
-        <translation>%1: %2 quadros enviados, %3 recebidos, %4 perdidos, %5 erros no barramento</translation>
-    </message>
-    <message>
         <source>rotctld does not listen</source>
         <translation>o rotctld não escuta</translation>
     </message>
@@ -13049,14 +13136,6 @@ trocar os motores</translation>
         <translation>Alvo limitado</translation>
     </message>
     <message>
-        <source>Azimuth drive</source>
-        <translation>Acionamento de azimute</translation>
-    </message>
-    <message>
-        <source>Elevation drive</source>
-        <translation>Acionamento de elevação</translation>
-    </message>
-    <message>
         <source>UTC</source>
         <translation>UTC</translation>
     </message>
@@ -13071,58 +13150,6 @@ trocar os motores</translation>
     <message>
         <source>no target</source>
         <translation>sem alvo</translation>
-    </message>
-    <message>
-        <source>AZ</source>
-        <translation>AZ</translation>
-    </message>
-    <message>
-        <source>EL</source>
-        <translation>EL</translation>
-    </message>
-    <message>
-        <source>Sensor lost</source>
-        <translation>Sensor perdido</translation>
-    </message>
-    <message>
-        <source>Sensor differs</source>
-        <translation>Sensor difere</translation>
-    </message>
-    <message>
-        <source>Sensor late</source>
-        <translation>Sensor atrasado</translation>
-    </message>
-    <message>
-        <source>Sensor awaited</source>
-        <translation>Sensor esperado</translation>
-    </message>
-    <message>
-        <source>Sensor</source>
-        <translation>Sensor</translation>
-    </message>
-    <message>
-        <source>%1: %2 values, %3 refused, %4 outliers</source>
-        <translation>%1: %2 valores, %3 recusados, %4 discrepantes</translation>
-    </message>
-    <message>
-        <source>Orientation sensor</source>
-        <translation>Sensor de orientação</translation>
-    </message>
-    <message>
-        <source>%1 off</source>
-        <translation>%1 off</translation>
-    </message>
-    <message>
-        <source>%1 down</source>
-        <translation>%1 caído</translation>
-    </message>
-    <message>
-        <source>%1 lost</source>
-        <translation>%1 fora</translation>
-    </message>
-    <message>
-        <source>Line to the mount</source>
-        <translation>Ligação com a montagem</translation>
     </message>
     <message>
         <source>there in %1 s</source>
@@ -13217,30 +13244,6 @@ trocar os motores</translation>
     <message>
         <source>%1 h %2 min</source>
         <translation>%1 h %2 min</translation>
-    </message>
-    <message>
-        <source>TX output failed</source>
-        <translation>Saída TX falhou</translation>
-    </message>
-    <message>
-        <source>TX on</source>
-        <translation>TX ligado</translation>
-    </message>
-    <message>
-        <source>TX off</source>
-        <translation>TX desligado</translation>
-    </message>
-    <message>
-        <source>The output %1 is on only while the beam is less than %2 from the target.</source>
-        <translation>A saída %1 só está ligada enquanto o feixe está a menos de %2 do alvo.</translation>
-    </message>
-    <message>
-        <source>Transmit output</source>
-        <translation>Saída de emissão</translation>
-    </message>
-    <message>
-        <source>Sensor silent</source>
-        <translation>Sensor mudo</translation>
     </message>
     <message>
         <source>Schedule armed</source>
@@ -17677,28 +17680,28 @@ Em comparação com a montagem em uso:
         <translation>Refração</translation>
     </message>
     <message>
-        <source>Without refraction, as WSJT-X shows it.</source>
-        <translation>Sem refração, como o WSJT-X a mostra.</translation>
+        <source>Without refraction, as in WSJT-X.</source>
+        <translation>Sem refração, como no WSJT-X.</translation>
     </message>
     <message>
-        <source>With optical refraction, as the mount tracks it.</source>
-        <translation>Com refração ótica, como a montagem o segue.</translation>
+        <source>The mount tracks with optical refraction.</source>
+        <translation>A montagem segue com refração ótica.</translation>
     </message>
     <message>
-        <source>With radio refraction, as the mount tracks it.</source>
-        <translation>Com refração rádio, como a montagem o segue.</translation>
+        <source>The mount tracks with radio refraction.</source>
+        <translation>A montagem segue com refração rádio.</translation>
     </message>
     <message>
-        <source>Without refraction, as WSJT-X shows it, it does not rise within a day.</source>
-        <translation>Sem refração, como o WSJT-X a mostra, não nasce dentro de um dia.</translation>
+        <source>Without refraction (as in WSJT-X) the target does not rise within a day.</source>
+        <translation>Sem refração (como no WSJT-X) o alvo não nasce dentro de um dia.</translation>
     </message>
     <message>
-        <source>Without refraction, as WSJT-X shows it, it sets %1Z.</source>
-        <translation>Sem refração, como o WSJT-X a mostra, põe-se às %1Z.</translation>
+        <source>Without refraction (as in WSJT-X) the target sets at %1Z.</source>
+        <translation>Sem refração (como no WSJT-X) o alvo põe-se às %1Z.</translation>
     </message>
     <message>
-        <source>Without refraction, as WSJT-X shows it, it rises %1Z.</source>
-        <translation>Sem refração, como o WSJT-X a mostra, nasce às %1Z.</translation>
+        <source>Without refraction (as in WSJT-X) the target rises at %1Z.</source>
+        <translation>Sem refração (como no WSJT-X) o alvo nasce às %1Z.</translation>
     </message>
 </context>
 <context>

@@ -52,9 +52,9 @@ QString beamText(Angle beam)
 // A tenth of a degree says nothing of a narrow beam.
 QString ageText(const ElementAge& age)
 {
-    const QString words =
-        age.isTooOld ? PassWords::tr("elements %1 days old: about %2 s or %3 off, more than half the beam of %4")
-                     : PassWords::tr("elements %1 days old: about %2 s or %3 off, beam %4");
+    const QString words = age.isTooOld
+                              ? PassWords::tr("elements %1 days old: %2 s or %3 off, more than half the beam of %4")
+                              : PassWords::tr("elements %1 days old: %2 s or %3 off, beam %4");
     return words.arg(age.days).arg(age.late.count(), 0, 'f', 1).arg(angleText(age.shift, 2), beamText(age.beam));
 }
 

@@ -99,22 +99,23 @@ QString TargetTable::help(const Place& place) const
 {
     const ephemeris::Refraction kind = place.path.refractionOfRise();
     if (kind == ephemeris::Refraction::None) {
-        return tr("Without refraction, as WSJT-X shows it.");
+        return tr("Without refraction, as in WSJT-X.");
     }
-    const QString with = kind == ephemeris::Refraction::Light ? tr("With optical refraction, as the mount tracks it.")
-                                                              : tr("With radio refraction, as the mount tracks it.");
+    const QString with = kind == ephemeris::Refraction::Light ? tr("The mount tracks with optical refraction.")
+                                                              : tr("The mount tracks with radio refraction.");
     targets::TargetPath path = place.path;
     path.setRule(ephemeris::RefractionRule::None);
     const auto up = path.nextUp(m_now);
     if (!up) {
-        return with + QLatin1Char('\n') + tr("Without refraction, as WSJT-X shows it, it does not rise within a day.");
+        return with + QLatin1Char('\n') +
+               tr("Without refraction (as in WSJT-X) the target does not rise within a day.");
     }
     const bool isUp = up->rises <= m_now;
     if (isUp && !up->sets) {
         return with;
     }
-    const QString without = isUp ? tr("Without refraction, as WSJT-X shows it, it sets %1Z.")
-                                 : tr("Without refraction, as WSJT-X shows it, it rises %1Z.");
+    const QString without = isUp ? tr("Without refraction (as in WSJT-X) the target sets at %1Z.")
+                                 : tr("Without refraction (as in WSJT-X) the target rises at %1Z.");
     return with + QLatin1Char('\n') + without.arg(clockText(isUp ? *up->sets : up->rises));
 }
 

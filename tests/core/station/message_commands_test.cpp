@@ -221,7 +221,7 @@ TEST_F(MessageCommandsTest, ATopicThatTheBrokerRefusesIsALineInTheLog)
         return std::ranges::any_of(log,
                                    [](const std::string& line) { return line.find("boresight/stop") != line.npos; });
     }));
-    EXPECT_THAT(log, Contains(HasSubstr("refuses to let Boresight read the topic boresight/command, so no command")));
+    EXPECT_THAT(log, Contains(HasSubstr("does not let Boresight read the topic boresight/command. No command")));
 }
 
 // REQ-MQTT-11

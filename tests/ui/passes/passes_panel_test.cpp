@@ -161,7 +161,7 @@ TEST_F(PassesPanelTest, JudgesTheAgeOfTheElements)
     giveFound(status);
     // A low panel has all facts in the tooltip.
     const auto facts = [this] { return named<ValueLabel>("The selected pass")->toolTip(); };
-    EXPECT_THAT(facts().toStdString(), AllOf(HasSubstr("elements 0.0 days old: about 0."), HasSubstr("° off, beam "),
+    EXPECT_THAT(facts().toStdString(), AllOf(HasSubstr("elements 0.0 days old: 0."), HasSubstr("° off, beam "),
                                              Not(HasSubstr("half the beam"))));
     EXPECT_THAT(text("The selected pass").toStdString(),
                 MatchesRegex("(.|\n)*elements 0\\.0 d old: 0\\.[0-9] s, 0\\.[0-9][0-9]° off, beam [0-9.]+°(.|\n)*"));

@@ -119,8 +119,8 @@ TEST_F(TargetsPageTest, SaysByWhichRefractionATargetRisesAndSets)
     const UtcTime geometric = path.nextUp(status.utc).value().sets.value();
     EXPECT_GT(sets - geometric, std::chrono::minutes(2));
     const auto help = [&] { return table().model()->index(kMoon, TargetTable::Next).data(Qt::ToolTipRole).toString(); };
-    EXPECT_EQ(help(), QStringLiteral("With optical refraction, as the mount tracks it.\nWithout refraction, as WSJT-X "
-                                     "shows it, it sets %1Z.")
+    EXPECT_EQ(help(), QStringLiteral("The mount tracks with optical refraction.\nWithout refraction (as in WSJT-X) the "
+                                     "target sets at %1Z.")
                           .arg(clockText(geometric)));
 
     profile::Profile airless = *status.profile;
@@ -130,7 +130,7 @@ TEST_F(TargetsPageTest, SaysByWhichRefractionATargetRisesAndSets)
     show(status);
     EXPECT_EQ(cell(kMoon, TargetTable::Refraction), QStringLiteral("off"));
     EXPECT_TRUE(cell(kMoon, TargetTable::Next).startsWith(QStringLiteral("sets ") + clockText(geometric)));
-    EXPECT_EQ(help(), QStringLiteral("Without refraction, as WSJT-X shows it."));
+    EXPECT_EQ(help(), QStringLiteral("Without refraction, as in WSJT-X."));
 }
 
 // REQ-TARGETS-962: Track is not enabled for a target that the station would refuse. The tooltip has the reason of the
