@@ -100,7 +100,7 @@ TEST(SensorWatch, TheDeclinationOfAnotherSiteIsForgotten)
     EXPECT_THAT(rig.watch.status().declinationText.toStdString(), HasSubstr("not known"));
 }
 
-// Whole turns for either sense of the sensor: the mount turns clockwise by 500°.
+// The mount turns clockwise by 500°. The course counts more than a full turn, whichever way the sensor counts.
 // REQ-WITNESS-46
 TEST(SensorWatch, ItsCourseIsThatOfTheMount)
 {
