@@ -18,7 +18,7 @@ namespace boresight {
 class EnergyMeter
 {
 public:
-    // Once per tick. A new `motion id` (motion id) begins a new motion.
+    // Once per tick. Another motion id begins a new motion.
     void look(const MountDriver& mount, bool moves, std::uint64_t motionId, SteadyTime now);
 
     [[nodiscard]] PowerStatus status() const;

@@ -12,7 +12,7 @@
 namespace boresight {
 namespace {
 
-// An axis that rests at a limit is now and then a little beyond it.
+// An axis that stands at a limit may be measured slightly beyond it.
 constexpr Angle kAtTheEdge = Angle::fromDegrees(0.5);
 
 // The distance on the sky.
