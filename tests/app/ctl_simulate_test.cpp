@@ -313,8 +313,8 @@ TEST_F(SimulateTest, AxisStopsWhenTheServiceIsKilledInMotion)
     ASSERT_TRUE(moving) << "the axis never moved";
     service.kill();
     EXPECT_EQ(service.waitForEnd(), -1);
-    // Until then the service may have sent commands, so a busy computer must not count as a longer motion. A device
-    // that did not run reads the last commands later.
+    // The service may have sent commands until it was killed, and a device that did not run reads the last commands
+    // later. So delays of a busy computer must not count as a longer motion.
     const double gone = lateness(*moving);
     const auto still =
         waitForTruth([&](const Truth& now) { return now.time > moving->time + gone + 0.25 + longestPause(); });
