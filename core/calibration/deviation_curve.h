@@ -61,7 +61,7 @@ struct DeviationCurve
     [[nodiscard]] Angle sigmaAt(Angle otherElevation) const;
     [[nodiscard]] Angle firstAmplitude() const;
     [[nodiscard]] Angle secondAmplitude() const;
-    // Each reading has exactly one heading: the curve nowhere falls nearly as fast as the heading grows.
+    // Each reading has exactly one heading. That holds while the curve never falls nearly as fast as the heading grows.
     [[nodiscard]] bool isInvertible() const;
 
     // The curve for the same readings after true north was corrected: the heading ψ becomes ψ + correction.

@@ -63,8 +63,9 @@ public:
     // The operator takes control from the clients. Returns the name of the client that had it. Empty: no client had
     // it.
     QString taken(SteadyTime now);
-    // A connected client would move the mount if the operator gave control back: it asks for motions, or it had
-    // control and continues to read the position. A program that connects for each command counts once it asks again.
+    // A connected client would move the mount if the operator gave control back: it asks for motions, or it had control
+    // and continues to read the position. A program that connects for each command counts only after it has asked
+    // again.
     [[nodiscard]] bool isWanted(const Rules& rules, SteadyTime now) const;
     // Clients may move the mount again. The client that had control before the operator continues with it.
     void resume(SteadyTime now);

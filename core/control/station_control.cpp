@@ -403,7 +403,7 @@ void StationControl::tick()
     keepStopped();
     // Before the sources: in a strong wind one source parks the mount, and the others are refused.
     m_wind.step();
-    // After STOP and faults, which refuse the next motion of a source.
+    // After STOP and faults are known, so that no source begins a motion which they forbid.
     stepSources();
     // After the sources, because a source may have ended its tracking.
     releaseAntenna();

@@ -20,13 +20,14 @@
 
 // Runs the schedule: plans the passes of the watch list. While the schedule is armed, it sends the mount to each pass,
 // unwraps or parks it in between, and keeps the report. It stands beside StationControl and moves the mount only by
-// requests to it, so limits, STOP, faults and authority apply as for everybody. It is off after each start. Only a
-// person arms it, or once the written policy of the profile. Any other use of the mount disarms it. Station thread.
+// requests to it, so limits, STOP, faults and authority apply as for everybody. After each start the schedule is not
+// armed. A person arms it, or the profile permits that it is armed once automatically. Any other use of the mount
+// disarms it. Station thread.
 //
 // It has more than 15 members: the objects that it works with, the plan and its inputs, and the present pass.
 namespace boresight {
 
-// Who asks for the motions of the schedule.
+// The source of all motions of the schedule.
 [[nodiscard]] const Source& scheduleSource();
 
 // Requests that only read, or that do not concern the mount.
