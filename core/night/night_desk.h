@@ -98,15 +98,15 @@ private:
     EventLog& m_log;
     Search m_search;
     Satellites m_satellites = std::make_shared<const std::vector<orbit::ElementSet>>();
-    std::uint64_t m_searches = 0;               // the number of the last one
+    std::uint64_t m_searches = 0;               // the number of the last search
     std::optional<SteadyTime> m_searched = {};  // empty: the inputs have changed since
     schedule::NightPlan m_plan;
     QString m_missing;  // what cannot be planned, in words
     bool m_armed = false;
-    bool m_policyUsed = false;  // or somebody has acted since the start
+    bool m_policyUsed = false;  // the policy was used, or a person has acted since the start
     QString m_why;              // why the schedule was disarmed
     std::uint64_t m_motionId = 0;
-    UtcTime m_handledUntil{};  // passes that end before are over
+    UtcTime m_handledUntil{};  // passes that end before this time are over
     sources::SteeredUtc m_utc;
     std::optional<TrackedPass> m_tracked;
     PassMoments m_moments;

@@ -83,10 +83,10 @@ calibration::TermSheet ModelInForce::sheet() const
     return sheet;
 }
 
-// How exactly Sun, Moon or landmarks gave the terms in force on this mount. A compass knows north and the zero of
-// elevation only relative to its box, and sigmas from a text were not measured here. A term that the points only
-// confirmed is known by the swing before them, and the next swing is worth as much. A term keeps its sigma as long as
-// it keeps its value.
+// How exactly Sun, Moon or landmarks gave the terms in force on this mount. A compass shows north and the zero of
+// elevation only relative to its box, so it does not count. Sigmas from a text were not measured on this mount. If the
+// points only confirmed a term, its value comes from an earlier swing, and the next swing is as good as that one. A
+// term keeps its sigma as long as it keeps its value.
 TermSigmas ModelInForce::toldByPoints() const
 {
     TermSigmas told;
