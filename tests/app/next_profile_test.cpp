@@ -326,7 +326,7 @@ TEST(NextProfile, WhatDoesNotGoWithTheMountsOwnProfileIsReported)
     EXPECT_EQ(rig.realFiles(), before);
 }
 
-// Story: after switching to it such a mount was the current one, with which the program does not start.
+// Story: such a mount was selected and became the current one. After that the program did not start any more.
 TEST(NextProfile, AMountOfTheListThatCannotBeARealOneIsNotConnected)
 {
     ProfileRig rig;

@@ -90,8 +90,8 @@ TEST(CalibrationSwing, ANorthThatPointsHaveToldStaysAndTheCurveCanBeHad)
     EXPECT_TRUE(rig.status().progress.outcome.contains(QStringLiteral("North stays")));
 }
 
-// Story: a swing found the tilt to 0.05°, and three points left it at 0.045°. The next swing treated this as better
-// known, so its own tilt, equally good and newer, could not be applied.
+// Story: a swing found the tilt within ±0.05°, and three points then gave ±0.045°. The next swing took this value as
+// known better than its own. So its tilt, which was as good and newer, could not be applied.
 // REQ-NORTH-36b
 TEST(CalibrationSwing, ATiltThatPointsHaveOnlyHeldIsNoneThatTheyHaveTold)
 {
