@@ -107,8 +107,8 @@ QString whoControls(const StationStatus& status)
     return leader->program.isEmpty() ? leader->address : leader->program;
 }
 
-// Who has control, and how many clients wait for it. If there is little room, without the words around it: the complete
-// text is in the tooltip.
+// The source that has control, and the number of clients that wait for it. If there is little room, only the names and
+// numbers: the complete text is in the tooltip.
 QString controlText(const StationStatus& status, int room)
 {
     const QString who = whoControls(status);
@@ -130,7 +130,7 @@ QString notListening(int room)
                                                                                       : HeaderBar::tr("no clients");
 }
 
-// For little room. A longer name of a program is cut.
+// The width if there is little room. A longer name of a program is cut.
 int widestControl()
 {
     const QFontMetrics metrics(fonts::label());
