@@ -86,7 +86,7 @@ TEST(NextProfile, NothingOfASimulationReachesAFileOfARealMount)
     EXPECT_EQ(rig.realFiles(), before);
 }
 
-// Otherwise the simulation would continue with limits that the mount does not have any more.
+// A simulation with the old profile would have limits that the mount does not have any more.
 // REQ-PROFILE-17a
 TEST(NextProfile, AChangedProfileIsSimulatedAnew)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a swing reports about the zero of elevation, and what it does with a north and a tilt that points have
+// Tests the report of a swing about the zero of elevation, and how a swing treats a north and a tilt that points have
 // determined.
 #include "core/cross_check/sensor_curve.h"
 #include "tests/core/north/calibration_swing.h"

@@ -169,7 +169,7 @@ struct SerialRotator
     }
 
     fakes::PseudoTerminal terminal;
-    // Otherwise the terminal hangs up when the first rotctld ends.
+    // Keeps the terminal open: it would hang up when the first rotctld ends.
     FileDescriptor keeper{::open(terminal.path().toLocal8Bit().constData(), O_RDWR | O_NOCTTY | O_CLOEXEC)};
     gs232::Gs232Box box{{},
                         {.acknowledge = gs232::Gs232Box::Acknowledge::None, .latency = std::chrono::milliseconds(5)}};

@@ -45,7 +45,7 @@ protected:
     }
     SkyMarkers& markers() { return *plot.findChild<SkyMarkers*>(); }
     QColor pixel(QPointF at) { return plot.grab().toImage().pixelColor(at.toPoint()); }
-    // Nothing is drawn there or next to it.
+    // True if nothing is drawn at this direction or next to it.
     bool isFree(const SkyPointing& direction)
     {
         const QImage image = plot.grab().toImage();
