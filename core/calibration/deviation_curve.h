@@ -20,7 +20,7 @@
 // (withNorthMoved()), not to a heading, because a heading may count counter-clockwise. Pure values.
 namespace boresight::calibration {
 
-// Which way the sensor's angle grows when the mount turns clockwise, seen from above.
+// The direction in which the sensor's angle grows, seen from above, when the mount turns clockwise.
 using AzimuthSense = orientation::Sense;
 
 // An arc of true headings, clockwise from `from` to `to` (the whole circle if both are equal), in which iron disturbs

@@ -21,7 +21,7 @@ namespace boresight {
 class AntennaChoice
 {
 public:
-    // What the station tracks by itself.
+    // A target that the station tracks by itself.
     struct Tracked
     {
         std::optional<std::int64_t> satellite;  // its own antenna is used; empty: the chosen one is

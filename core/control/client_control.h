@@ -12,9 +12,9 @@
 #include <optional>
 #include <string>
 
-// Which of several clients may move the mount. The rule in the profile is one of three. "First": the first client has
-// control until it leaves or has asked for no motion during kRelease. "Last": the client that asked last. "Locked":
-// only the host that the mount is locked to. The operator can give control to a client, and can make a client
+// Decides which of several clients may move the mount. The rule in the profile is one of three. "First": the first
+// client has control until it leaves or has asked for no motion during kRelease. "Last": the client that asked last.
+// "Locked": only the host that the mount is locked to. The operator can give control to a client, and can make a client
 // read-only for as long as it is connected. This class does not decide about reading and stopping. StationControl asks
 // it: it starts no motion and ends none. The caller gives the time. Station thread only.
 namespace boresight {

@@ -154,9 +154,9 @@ template <class Which>
 class Permissions
 {
 public:
-    // Nothing is allowed, because the gates have not been asked yet.
+    // Nothing is allowed: the state before the gates were asked.
     Permissions();
-    // Everything is allowed, but fastestJog is 0: what the gates begin with.
+    // Everything is allowed, but fastestJog is 0: the state from which the gates refuse actions.
     [[nodiscard]] static Permissions all() { return Permissions(QString()); }
 
     // Why the action is refused; empty: it is allowed.

@@ -93,7 +93,7 @@ struct CableEnd
     std::optional<Seconds> lostByHolding = {};
 };
 
-// Who may move the mount.
+// Whether the clients or the operator may move the mount.
 enum class Authority
 {
     Clients,
@@ -107,8 +107,8 @@ enum class SourceKind
     Station
 };
 
-// Who sent a request. The log and the screen show `name`: "operator", "rotctld 127.0.0.1:51234".
-// A client that speaks another protocol is "client PROTOCOL ADDRESS".
+// The sender of a request. The log and the screen show `name`: "operator", "rotctld 127.0.0.1:51234". A client that
+// speaks another protocol is "client PROTOCOL ADDRESS".
 struct Source
 {
     SourceKind kind = SourceKind::Station;
@@ -347,7 +347,7 @@ struct TickSample
     std::array<AxisSample, 2> axes;  // azimuth, elevation
 };
 
-// What a line of the log reports.
+// The kind of event that a line of the log reports.
 enum class LogKind
 {
     Event,

@@ -19,7 +19,7 @@ namespace boresight {
 class DriveWatch
 {
 public:
-    // What the station knows and the drive does not report.
+    // Facts that the station knows and the drive does not report.
     struct Context
     {
         SteadyTime now{};

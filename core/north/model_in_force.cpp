@@ -48,7 +48,7 @@ const calibration::CalibrationRecord* ModelInForce::entry() const
     return isSame(last.terms.after, m_profile->pointing) ? &last : nullptr;
 }
 
-// What was changed in another way since the last applied entry. Empty: nothing.
+// The changes made in another way since the last applied entry. Empty: none.
 QString ModelInForce::changedSince() const
 {
     const calibration::CalibrationHistory& history = m_file.history();

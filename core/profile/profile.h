@@ -366,7 +366,7 @@ enum class Publish
     On
 };
 
-// What commands by MQTT may do. Everyone who may write to the topics of the broker can send them.
+// The permitted commands by MQTT. Everyone who may write to the topics of the broker can send them.
 enum class BrokerCommands
 {
     Off,   // nothing: Boresight does not read the topics

@@ -144,7 +144,7 @@ Result<> ProfileStore::remove(const QString& path) const
     if (!QFile::rename(path, kept)) {
         return failure(ErrorCode::Io, Text::tr("%1: cannot be renamed to %2").arg(path, kept));
     }
-    // Else another mount that later gets this file name would take FILE~ for its own previous version.
+    // Without this, another mount that later gets this file name would take FILE~ for its own previous version.
     QFile::rename(previousOf(path), previousOf(kept));
     return {};
 }

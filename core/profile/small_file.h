@@ -20,7 +20,7 @@ enum class Readers
 
 // All or nothing: a failure leaves the old file untouched.
 [[nodiscard]] Result<> writeFile(const QString& path, const QByteArray& bytes, Readers readers = Readers::Anybody);
-// Who may read an existing file. A copy of the file is written with the same rights.
+// The readers of an existing file. A copy of the file is written with the same rights.
 [[nodiscard]] Readers readersOf(const QString& path);
 
 }  // namespace boresight::profile

@@ -22,7 +22,7 @@ struct MotionLimits
     bool operator==(const MotionLimits&) const = default;
 };
 
-// What the axis must do at the end of a tick.
+// The wanted state of the axis at the end of a tick.
 struct Setpoint
 {
     Angle position;

@@ -68,7 +68,8 @@ QString trackingText(const TrackedTarget& tracked, UtcTime now)
                         : HeaderBar::tr("Waiting for %1, rises in %2").arg(tracked.name, time);
 }
 
-// What the mount does in one sentence: the action, the remaining time, the source. The least important part is last.
+// The action of the mount in one sentence: the action, the remaining time, the source. The least important part is
+// last.
 QStringList doing(const StationStatus& status)
 {
     if (status.tracked) {
@@ -85,7 +86,7 @@ QStringList doing(const StationStatus& status)
     return parts;
 }
 
-// What the mount waits for while the schedule is armed: it will move by itself.
+// The pass that the mount waits for while the schedule is armed: it will move by itself.
 QString armedText(const ScheduleStatus& schedule, UtcTime now)
 {
     const auto next = std::ranges::find_if(schedule.plan.chosen,
