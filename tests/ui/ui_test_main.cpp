@@ -20,7 +20,7 @@ void setUnlessSet(const char* name, const char* value)
     }
 }
 
-// Here and not at the end of the program, where Qt ends its pooled threads: LeakSanitizer crashes on a thread that is
+// Called before the end of the program, where Qt ends its pooled threads: LeakSanitizer crashes on a thread that is
 // just ending ("Tracer caught signal 11", one of 36 runs).
 void lookForLeaks()
 {
