@@ -398,8 +398,8 @@ void StationControl::tick()
     }
     // Before every source, because an axis that was lost in this tick must not move on.
     superviseMount();
-    // After the supervision, which finds a drive that is back. A drive that moves in spite of STOP is stopped again.
-    // Before the sources, which must find it stopped.
+    // After the supervision, because only then it is known which drives are back. A drive that moves in spite of STOP
+    // is stopped again. This is before the sources, so that they find the drive stopped.
     keepStopped();
     // Before the sources: in a strong wind one source parks the mount, and the others are refused.
     m_wind.step();

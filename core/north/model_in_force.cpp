@@ -17,9 +17,9 @@ QString dayOf(UtcTime when)
 
 }  // namespace
 
-// The tilt known apart from the points, by the first `entries` of the history. Only a swing gives one, and a swing
-// always changes the sensor. A tilt that was fitted to points would count the same points twice. A tilt that was typed
-// or read does not show what it was found from.
+// The tilt that is known independently of the points, by the first `entries` of the history. Only a swing gives it, and
+// a swing always changes the sensor. A tilt that was fitted to points is left out, because the same points would count
+// twice. A tilt that was typed or read is left out, because its origin is unknown.
 calibration::TermKnowledge ModelInForce::knownBy(std::size_t entries) const
 {
     calibration::TermKnowledge known = calibration::TermKnowledge::usual();

@@ -131,7 +131,7 @@ TEST(NextProfile, EverySimulationOfAProfileThatHasChangedIsKept)
     EXPECT_EQ(eldest->pointing.azimuthOffset, 37.4_deg);
     EXPECT_EQ(eldest->jog.slow, realMount().jog.slow);
     EXPECT_EQ(second->jog.slow, 0.7_deg_s);
-    // A simulation in which nothing was set leaves nothing to keep.
+    // A simulation without changes is not kept as an old copy.
     ASSERT_TRUE(profile::saveProfile(realMount(), rig.options.profilePath));
     EXPECT_EQ(rig.first(), realMount());
     EXPECT_FALSE(QFile::exists(old + QLatin1Char('3')));
