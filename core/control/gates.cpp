@@ -12,7 +12,7 @@
 
 namespace boresight {
 
-// The obstacles that also concern parking are named before the wind.
+// The wind is checked last, because the other reasons also forbid parking.
 Result<> Gates::isWindFine() const
 {
     return m_of.arming.isReady().and_then([this] { return m_of.wind.admits(); });
@@ -411,7 +411,7 @@ bool Gates::isInSunBand(const AxisPosition& place) const
     return m_of.mount.wrapsKnown() && m_of.sun.mayBeAt(m_of.model.toSky(place), m_of.model.missing());
 }
 
-// Nobody knows where in the band the Sun is. So no way out of the band is known to be safe.
+// The Sun may be anywhere in the band, so no way out of the band is known to be safe.
 Result<> Gates::mayLeaveSunBand(const AxisRates& rates, const Source& source) const
 {
     const AngularRate fastest = m_of.profile.jog.unwind;
@@ -442,7 +442,8 @@ Result<> Gates::mayGiveControl() const
     }
     for (const Axis axis : kAxes) {
         if (m_of.mount.report(axis).wrapAsked) {
-            return isPlaced(axis);  // the operator has to answer first, and clients could not move the mount
+            // The operator must answer which wrap the axis is on. Before that, clients could not move the mount.
+            return isPlaced(axis);
         }
     }
     return {};
@@ -453,8 +454,8 @@ Result<> Gates::mayGiveControlTo(std::uint64_t clientId) const
     return mayGiveControl().and_then([&] { return m_of.clientControl.mayBeGiven(m_of.profile.rotctld, clientId); });
 }
 
-// The axes that belong to a direction are others then: what follows directions would set off for them, and what is on
-// its way to one would arrive beside it.
+// The change gives other axis angles to a direction. A tracking mount would leave its target, and a mount on its way to
+// a direction would arrive beside it.
 Result<> Gates::mayChangePointing() const
 {
     if (m_of.current.is(Activity::Streaming)) {

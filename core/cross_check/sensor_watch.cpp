@@ -234,7 +234,7 @@ bool SensorWatch::disagrees(Axis axis) const
     return m_inForce.difference(axis).lasts && !expected && !explained;
 }
 
-// An advisory without sound: a new user is shown the way.
+// Only an advisory, which makes no sound: it shows a new user what to do.
 void SensorWatch::tellNorth()
 {
     const SensorCheck::Difference& azimuth = m_inForce.difference(Axis::Azimuth);
@@ -251,8 +251,8 @@ void SensorWatch::tellDisagreement()
 {
     tellNorth();
     const bool disagrees = this->disagrees();
-    // That the difference follows the current becomes visible only after some motions. Then the alarm is raised again
-    // and names the current as its cause.
+    // Only after some motions it becomes visible that the difference follows the current. Then the alarm is raised
+    // again and names the current as its cause.
     const bool byCurrent = this->disagrees(Axis::Azimuth) && m_currentLink.correlation();
     if (disagrees && (!m_told.stands || (byCurrent && !m_told.currentNamed) || hasChanged())) {
         raiseDisagreement();

@@ -22,8 +22,8 @@ constexpr Angle kWorthNoting = Angle::fromDegrees(0.1);
 constexpr Angle kEyeSight = Angle::fromDegrees(20.0);
 // The millisecond counter of the drive starts again at 0 after this time.
 constexpr Seconds kCounterSpan{4294967.296};
-// What is known about the drive may be from before its restart. The heartbeat of the drive check detects a restart
-// within a second.
+// The facts about the drive may be from before its restart. The heartbeat of the drive check detects a restart within a
+// second.
 constexpr std::chrono::milliseconds kHeartbeat{1500};
 // Each reading takes half a dozen frames.
 constexpr std::chrono::seconds kOriginPeriod{5};

@@ -148,9 +148,10 @@ void setTilt(Proposal& proposal, const calibration::AxisTilt& tilt, const std::o
             .arg(degreesText(tilt.size, 2), degreesText(tilt.sizeSigma, 2), azimuthText(tilt.direction, 0));
 }
 
-// Decides whether a difference between the sensor's elevation and that of the beam belongs to the sensor or to the
-// axis. What a box that is mounted askew can explain belongs to the sensor. Everything does once the Sun or the Moon
-// gave the zero. Only a larger difference belongs to the axis (core/calibration/METHOD.md, Tilt).
+// Decides whether a difference between the elevation of the sensor and that of the beam is an error of the sensor or of
+// the axis. A sensor that is mounted askew explains a small difference. After the Sun or the Moon has given the zero of
+// the axis, every difference is an error of the sensor. Otherwise a larger difference is an error of the axis
+// (core/calibration/METHOD.md, Tilt).
 void setZero(Proposal& proposal, calibration::SensorMounting& mounting, const calibration::Estimate& zero,
              const pointing::PointingTerms& present, const std::optional<Angle>& presentSigma)
 {

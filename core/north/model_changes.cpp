@@ -148,7 +148,7 @@ Result<> ModelChanges::redo()
     });
 }
 
-// Without this check an edit made since then would be lost silently.
+// An edit that was made since then must not be lost silently.
 Result<> ModelChanges::stillInForce(const pointing::PointingTerms& terms,
                                     const std::optional<calibration::SensorMounting>& sensor) const
 {

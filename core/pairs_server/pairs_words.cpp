@@ -54,7 +54,7 @@ std::optional<Angle> angleIn(const std::string& word)
     return degrees ? std::optional(Angle::fromDegrees(*degrees)) : std::nullopt;
 }
 
-// True for a number with a sign. "0" needs none.
+// True for a number with a sign, and for zero.
 bool isStep(const std::string& word)
 {
     return word.front() == '+' || word.front() == '-' || angleIn(word) == Angle{};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The satellites that are known, the Moon of azel.dat, and what reports its position.
+// Settings of satellites and refraction, of the Moon from azel.dat, and of the position of a balloon or rocket.
 #include "core/base/control_characters.h"
 #include "core/base/text.h"
 #include "core/elements/element_address.h"
@@ -32,7 +32,7 @@ Result<> checkElements(const std::string& entry)
                                                            "celestrak:GROUP is expected"));
 }
 
-// Of one line: the file and the window have no place for more.
+// A note is one line, because the file and the window have room for one line only.
 Result<> checkNote(const std::string& note)
 {
     return hasControlCharacters(note) || toQString(note).size() > static_cast<qsizetype>(orbit::kLongestNote)
@@ -59,7 +59,7 @@ SettingOf<orbit::SatelliteMark> antennaOfSatellite()
     return antenna;
 }
 
-// Without the wildcards of a filter: one thing is tracked.
+// Refuses the wildcards of MQTT: only one topic is read.
 Result<> checkPositionTopic(const std::string& topic)
 {
     const bool isTopic = !topic.empty() && topic.front() != '$' && topic.find_first_of("+#") == std::string::npos;

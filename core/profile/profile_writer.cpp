@@ -112,7 +112,7 @@ std::string rowsText(std::string_view list, const std::string& meaning, std::spa
     return text;
 }
 
-// What follows the settings of one table: TOML wants the keys of a table in one place.
+// The lists that follow the settings of one table. In TOML all keys of a table are in one place.
 std::string listsAfter(const std::string& table, const Profile& profile)
 {
     if (table == "mount") {

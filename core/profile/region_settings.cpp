@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the mount may point, where it stands, the Sun, and the operator's own directions.
+// Settings of the permitted region, the site, the Sun, the park position and the presets.
 #include "core/base/text.h"
 #include "core/profile/setting_groups.h"
 #include "core/profile/setting_makers.h"
@@ -14,7 +14,7 @@ constexpr Range kAxisAngle{-3600.0, 3600.0};
 constexpr Range kAzimuth{0.0, 359.999999};  // 360° is written 0
 constexpr Range kElevation{-90.0, 90.0};
 
-// The site is known when one of its values is set; the reader sees to it that a file has all of them.
+// Setting one value of the site makes the site known. The reader checks that a file contains all of them.
 template <class Access>
 Setting siteNumber(const std::string& key, const std::string& unit, Range range, const Words& words, Access access)
 {

@@ -27,7 +27,7 @@ Result<> checkKey(const std::string& key)
                            Text::tr("a word of at most %1 characters is expected").arg(kLongestKey));
 }
 
-// How a reading arrives, and how it is read.
+// How a reading arrives, and how Boresight reads the wind speed from it.
 void addReading(std::vector<Setting>& list)
 {
     list.push_back(textual(
@@ -138,7 +138,7 @@ void checkWindTopic(std::vector<Problem>& problems, const Profile& profile)
     }
 }
 
-// That it is inside the limits is checked with the region.
+// Checks the travel only. checkRegion() reports a place outside the limits of operation.
 void checkWindTravel(std::vector<Problem>& problems, const std::string& axis, const TravelRange& travel, Angle place)
 {
     if (travel.min < travel.max && !travel.contains(place)) {

@@ -152,7 +152,7 @@ void Station::openAll()
     m_eventFile.tick();
 }
 
-// A line in the log, because a service has no window with a guide.
+// Reports this in the log, because a service has no window with a guide.
 void Station::tellDirections()
 {
     if (m_profile->mount.directions == profile::Directions::Unconfirmed) {

@@ -116,7 +116,7 @@ protected:
         clock.start();
         return clock;
     }();
-    // by the clock of the test, from the fastest line
+    // start of the device's clock on the clock of the test, computed from the fastest line
     mutable double m_startOfTruth = std::numeric_limits<double>::infinity();
 };
 
@@ -205,7 +205,7 @@ TEST_F(SimulateTest, ABrokerThatTakesNobodyIsOneLineHoweverOftenItIsTried)
     });
     const QString address = QStringLiteral("127.0.0.1:%1").arg(nobody.serverPort());
     start({QStringLiteral("--sensor-mqtt"), address});
-    ASSERT_TRUE(fakes::waitUntil([&] { return attempts == 3; }));  // by then the problem of two of them was reported
+    ASSERT_TRUE(fakes::waitUntil([&] { return attempts == 3; }));  // two of them have failed by then
     EXPECT_EQ(m_device->errors().count(QStringLiteral("MQTT broker ") + address), 1)
         << m_device->errors().toStdString();
 }
@@ -313,8 +313,8 @@ TEST_F(SimulateTest, AxisStopsWhenTheServiceIsKilledInMotion)
     ASSERT_TRUE(moving) << "the axis never moved";
     service.kill();
     EXPECT_EQ(service.waitForEnd(), -1);
-    // Until then the service may have sent commands, so a busy computer must not count as a longer motion. A device
-    // that did not run reads the last commands later.
+    // The service may have sent commands until it was killed, and a device that did not run reads the last commands
+    // later. So delays of a busy computer must not count as a longer motion.
     const double gone = lateness(*moving);
     const auto still =
         waitForTruth([&](const Truth& now) { return now.time > moving->time + gone + 0.25 + longestPause(); });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a drive does against an obstacle after the mount was stopped because of it. The integrators of the simulated
-// drives wind up to the allowed torque, as those of real drives do.
+// A drive at an obstacle, after the mount was stopped because of it. The integrators of the simulated drives wind up to
+// the allowed torque, as those of real drives do.
 #include "tests/system/simulated_station.h"
 
 #include <gmock/gmock.h>

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kHead = 9.0;  // px, length of the arrow's head
 
-// On the screen: degrees counter-clockwise from the right, as Qt's arcs count.
+// `degrees`: counter-clockwise from the right, like the angles of Qt's arcs.
 QPointF onCircle(QPointF centre, double radius, double degrees)
 {
     const double radians = degrees * std::numbers::pi / 180.0;

@@ -111,7 +111,7 @@ void GuideDirections::showStatus(const StationStatus& status)
 {
     for (const Axis axis : kAxes) {
         if (!sameMotor(status.profile->axis(axis), m_status.profile->axis(axis))) {
-            m_rows[axisIndex(axis)].origin.reset();  // what was seen was another motor, or the other way
+            m_rows[axisIndex(axis)].origin.reset();  // the observed motion was that of another motor or direction
         }
     }
     m_status = status;
@@ -154,7 +154,7 @@ void GuideDirections::showButtons()
     const bool both =
         m_status.drives && std::ranges::all_of(kAxes, [this](Axis axis) { return driveOf(m_status, axis).present; });
     const bool single = missingAxis(m_status).has_value();
-    m_swap->setVisible(!single && m_status.drives);  // else there is nothing to exchange
+    m_swap->setVisible(!single && m_status.drives);  // otherwise there is nothing to exchange
     const bool ownCount = std::ranges::any_of(
         kAxes, [this](Axis axis) { return profile::kindOf(m_status.profile->axis(axis).driver).countsItself; });
     m_atTheBox->setValue(ownCount ? tr("The box of the rotator decides the direction. If an axis moves the wrong way, "

@@ -35,7 +35,7 @@ void NoteLine::show(const std::optional<int>& satellite, const orbit::SatelliteM
     setEnabled(satellite.has_value());
 }
 
-// Esc leaves the line for no other.
+// After Esc the focus leaves without a new target (OtherFocusReason). Then the stored text returns.
 void NoteLine::focusOutEvent(QFocusEvent* event)
 {
     QLineEdit::focusOutEvent(event);
@@ -53,7 +53,7 @@ void NoteLine::takeBack()
     setModified(false);
 }
 
-// A refusal leaves what was typed.
+// If the station refuses the note, the typed text stays.
 void NoteLine::store()
 {
     const QString note = text().trimmed();

@@ -19,11 +19,11 @@ namespace boresight::ui {
 namespace {
 
 constexpr int kCellMargins = 14;               // px
-constexpr int kButtonSide = 44;                // px: of the star beside it
+constexpr int kButtonSide = 44;                // px: the button of the star beside it
 constexpr int kLeastName = 14;                 // letters
-constexpr int kAlways = PassTable::Satellite;  // up to this column
+constexpr int kAlways = PassTable::Satellite;  // columns up to this one are always shown
 
-// The most wanted first.
+// The most important first.
 const std::pair<PassTable::Column, QString> kNames[] = {
     {PassTable::Rises, QStringLiteral("rises")},       {PassTable::Until, QStringLiteral("in")},
     {PassTable::Highest, QStringLiteral("highest")},   {PassTable::Lasts, QStringLiteral("lasts")},
@@ -31,7 +31,8 @@ const std::pair<PassTable::Column, QString> kNames[] = {
     {PassTable::Sets, QStringLiteral("sets")},         {PassTable::Sunlit, QStringLiteral("sunlit")},
     {PassTable::Elements, QStringLiteral("elements")}, {PassTable::HighestAt, QStringLiteral("highest_at")}};
 
-// The name of the columns that are always there, so that nothing else can be chosen, too.
+// Stands for the columns that are always shown. Without it, a choice of no other column would be an empty list, which
+// means "as many as there is room for".
 const QString kAlwaysName = QStringLiteral("satellite");
 
 }  // namespace
@@ -116,7 +117,7 @@ void PassColumns::choose(const QStringList& names)
     fit();
 }
 
-// What is seen then is chosen.
+// The visible columns become the choice, with this change.
 void PassColumns::toggle(int column, bool on)
 {
     QList<int> columns = m_chosen.value_or(roomyColumns());
@@ -140,7 +141,7 @@ bool PassColumns::eventFilter(QObject* watched, QEvent* event)
     return QObject::eventFilter(watched, event);
 }
 
-// Where there is too little room below, Qt would put the menu above, over the STOP button.
+// If there is too little room below, Qt would open the menu upwards, over the STOP button.
 void PassColumns::keepOffHeader()
 {
     const auto* const panel = static_cast<QWidget*>(parent());
@@ -168,7 +169,7 @@ void PassColumns::fit()
     tick();
 }
 
-// As they are now.
+// Ticks the columns that are shown now.
 void PassColumns::tick()
 {
     for (QAction* const action : m_menu->actions()) {

@@ -11,9 +11,9 @@ class QMenu;
 class QTableView;
 class QToolButton;
 
-// Which columns the list of the passes has, and how wide they are. Star and name are always there. By itself it has as
-// many as the panel has room for, the most wanted first. Columns that the operator chose stay, and the list is scrolled
-// sideways where they need more room: no number is cut. Gui thread.
+// The columns of the list of passes, and their widths. Star and name are always shown. Without a choice of the operator
+// the list has as many columns as the panel has room for, the most important first. Chosen columns always stay. If they
+// need more room the list scrolls sideways, so no number is cut off. Gui thread.
 namespace boresight::ui {
 
 class PassTable;
@@ -25,11 +25,12 @@ class PassColumns : public QObject
 public:
     PassColumns(const PassTable& passes, QTableView& table, QWidget* panel);
 
-    [[nodiscard]] QToolButton* makeButton(QWidget* parent);  // to choose them; so does the right button on a heading
+    [[nodiscard]] QToolButton* makeButton(
+        QWidget* parent);  // opens the menu of the columns; so does a right click on a heading
 
-    // For people who read the file and for other programs: "rises", "hidden". Empty: as many as there is room for.
+    // Names for the settings file: "rises", "hidden". Empty: as many columns as there is room for.
     [[nodiscard]] QStringList chosen() const;
-    void choose(const QStringList& names);  // names of no column are left out
+    void choose(const QStringList& names);  // unknown names are ignored
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

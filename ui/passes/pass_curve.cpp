@@ -79,7 +79,7 @@ QRectF PassCurve::canvas() const
     return QRectF(rect()).adjusted(left, fontMetrics().height() / 2.0 + 2.0, -14.0, -fontMetrics().height() - 10.0);
 }
 
-// A low pass has a scale of its own.
+// A low pass has a smaller scale.
 Angle PassCurve::top() const
 {
     const double most = m_way ? highest().direction.elevation.degrees() : 90.0;
@@ -93,7 +93,7 @@ QPointF PassCurve::pixelOf(UtcTime utc, Angle elevation) const
     return {box.left() + along * box.width(), box.bottom() - box.height() * (elevation / top())};
 }
 
-// A piece is hidden if its end is.
+// A segment is hidden if its end is hidden.
 QPainterPath PassCurve::line(bool hidden) const
 {
     QPainterPath path;
@@ -165,7 +165,7 @@ void PassCurve::paintGrid(QPainter& painter) const
     }
 }
 
-// As many as have room. Rise and set have their own.
+// As many times as there is room for. The times of rise and set are painted elsewhere.
 void PassCurve::paintTimes(QPainter& painter) const
 {
     const Theme& colours = currentTheme();

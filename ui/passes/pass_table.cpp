@@ -220,7 +220,7 @@ QString PassTable::text(std::size_t pass, int column) const
     }
 }
 
-// Empty until it is worked out.
+// Empty until it is computed.
 QString PassTable::detail(std::size_t pass, int column) const
 {
     const PassDetails::Facts* const facts = m_details->find(pass);

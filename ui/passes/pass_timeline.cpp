@@ -21,14 +21,14 @@ namespace boresight::ui {
 
 namespace {
 
-// The day ahead, and what has gone by of this hour.
+// The next day, and the part of the present hour that is over.
 constexpr std::chrono::hours kSpan{25};
 constexpr double kLeastRow = 20.0;    // px
 constexpr double kLeastBar = 3.0;     // px wide
-constexpr double kReach = 10.0;       // px: so far beside a bar a click still means it
+constexpr double kReach = 10.0;       // px: a click this far beside a bar still selects it
 constexpr double kStar = 12.0;        // px
-constexpr double kWeakest = 0.35;     // of the colour and the height of a pass along the horizon
-constexpr double kStrongFrom = 60.0;  // °
+constexpr double kWeakest = 0.35;     // of colour and height, for a pass that stays at the horizon
+constexpr double kStrongFrom = 60.0;  // °: from this highest elevation on, a bar has its full colour
 
 }  // namespace
 
@@ -74,7 +74,7 @@ QString PassTimeline::leftOutText() const
     return m_timeline.leftOut == 0 ? QString() : tr("%1 more satellites are only in the list.").arg(m_timeline.leftOut);
 }
 
-// The last one says what has none.
+// One more row gives the number of satellites without a row.
 std::size_t PassTimeline::rowCount() const
 {
     return m_timeline.rows.size() + (m_timeline.leftOut == 0 ? 0 : 1);
@@ -109,7 +109,7 @@ QRectF PassTimeline::rowBox(std::size_t row) const
     return {0.0, top, static_cast<double>(viewport()->width()), rowHeight()};
 }
 
-// As high as the pass, so that a high one is seen in a theme of one colour, too.
+// The height of the bar grows with the elevation, so a high pass is also visible in a theme with one colour.
 QRectF PassTimeline::barBox(std::size_t row, const TimelineBar& bar) const
 {
     const QRectF box = rowBox(row).adjusted(0.0, 3.0, 0.0, -3.0);
@@ -159,7 +159,7 @@ void PassTimeline::paintEvent(QPaintEvent*)
     paintHours(painter);
 }
 
-// Over all rows, so that overlaps are seen.
+// Across all rows, so that overlapping passes are visible.
 void PassTimeline::paintSelectedSpan(QPainter& painter) const
 {
     for (const TimelineRow& row : m_timeline.rows) {
@@ -200,7 +200,7 @@ void PassTimeline::paintRow(QPainter& painter, std::size_t row) const
     }
 }
 
-// What the schedule tracks is underlined, what it leaves out is hollow.
+// Bars of passes that the schedule tracks are underlined. Bars of passes that it omits are hollow.
 void PassTimeline::paintBar(QPainter& painter, std::size_t row, const TimelineBar& bar) const
 {
     const Theme& colours = currentTheme();

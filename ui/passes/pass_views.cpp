@@ -131,7 +131,7 @@ void PassViews::showMap()
     m_map->setPlace(m_pass ? placeBelow(m_book->elementsOf(*m_pass), m_now) : std::nullopt);
 }
 
-// From where the pass counts: as the schedule watches for it, else the lowest elevation of the mount.
+// The elevation from which the pass counts: that of the watch list, else the lowest elevation of the mount.
 std::optional<Angle> PassViews::lowest() const
 {
     if (!m_profile) {

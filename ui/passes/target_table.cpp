@@ -10,7 +10,8 @@ namespace boresight::ui {
 
 namespace {
 
-// The next rise of a satellite may be found later. The clock may also have been set.
+// Rise and set are computed again after this time. A rise may have come within the searched time, and the clock may
+// have been set.
 constexpr std::chrono::minutes kLookAgain{10};
 
 QString refractionText(ephemeris::Refraction kind)
@@ -48,7 +49,7 @@ void TargetTable::setSite(const std::optional<Site>& site)
     changeCells();
 }
 
-// Rises and sets are looked for again.
+// A changed rule clears the rises and sets, so that they are computed again.
 void TargetTable::setRefraction(ephemeris::RefractionRule rule)
 {
     m_refraction = rule;
@@ -94,7 +95,7 @@ QString TargetTable::nextText(const Place& place) const
                           : tr("up all day");
 }
 
-// WSJT-X and many tables show rises and sets without refraction, minutes apart from these.
+// WSJT-X and many tables show rises and sets without refraction. They differ from these by minutes.
 QString TargetTable::help(const Place& place) const
 {
     const ephemeris::Refraction kind = place.path.refractionOfRise();

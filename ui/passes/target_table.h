@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-// Sun, Moon, planets and radio sources: where each stands over the site now, and when it rises or sets. Gui thread.
+// Sun, Moon, planets and radio sources: the present direction of each, and when it rises or sets. Gui thread.
 namespace boresight::ui {
 
 class TargetTable : public TableModel
@@ -26,13 +26,13 @@ public:
 
     explicit TargetTable(QObject* parent = nullptr);
 
-    // Empty: the site is not set, and nothing is known but the names.
+    // Empty: the site is unknown, so only the names are shown.
     void setSite(const std::optional<Site>& site);
     void setRefraction(ephemeris::RefractionRule rule);
     void tick(UtcTime now);
 
     [[nodiscard]] const targets::Target& target(int row) const { return m_targets.at(std::size_t(row)); }
-    // Why the station would not track it now, as far as its rise decides; empty: it would.
+    // Why the station would not track this target now, judged only by its rise and set. Empty: it would.
     [[nodiscard]] QString whyNotTracked(int row) const;
 
     [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
@@ -45,7 +45,7 @@ private:
     {
         targets::TargetPath path;
         std::optional<SkyPointing> direction = {};
-        std::optional<targets::UpTime> up = {};  // empty: not within a day
+        std::optional<targets::UpTime> up = {};  // empty: it does not rise within a day
         QString whyNotUp = {};
         UtcTime lookedForAt{};
     };
@@ -58,7 +58,7 @@ private:
     std::vector<targets::Target> m_targets;
     std::optional<Site> m_site;
     ephemeris::RefractionRule m_refraction = ephemeris::RefractionRule::ByKind;
-    std::vector<Place> m_places;  // one for each target, or none
+    std::vector<Place> m_places;  // one for each target, or empty
     UtcTime m_now{};
 };
 

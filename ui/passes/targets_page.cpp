@@ -82,7 +82,7 @@ void TargetsPage::build()
     QHeaderView* const header = m_table->horizontalHeader();
     header->setSectionResizeMode(QHeaderView::ResizeToContents);
     header->setSectionResizeMode(TargetTable::Next, QHeaderView::Stretch);
-    m_table->selectRow(1);  // not the Sun
+    m_table->selectRow(1);  // the Moon: the Sun must not be the default
 }
 
 void TargetsPage::trackChosen()
@@ -95,7 +95,7 @@ void TargetsPage::trackChosen()
 void TargetsPage::trackTyped()
 {
     if (!m_trackTyped->isEnabled()) {
-        return;  // Enter in the field
+        return;  // Enter in the field also comes here while the button is disabled
     }
     if (const auto file = targets::tableFile(m_typed->text().toStdString())) {
         m_trackTyped->ask(request::TrackFile{QFileInfo(*file).absoluteFilePath()});

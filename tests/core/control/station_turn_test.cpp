@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which wrap an axis is on: the operator is asked where the wrap cannot be proven, and the answer is written into the
-// drive. station_turn_proof_test.cpp shows what proves the wrap.
+// Tests the question about the wrap of an axis: the operator is asked if the wrap cannot be proven, and the answer is
+// written into the drive. station_turn_proof_test.cpp tests the proofs.
 #include "tests/core/control/station_rig.h"
 #include "tests/fakes/text_of.h"
 

@@ -252,8 +252,8 @@ TEST(ReconcileClock, NoStepOfTheClockMakesARestartedDriveCertain)
     }
 }
 
-// The worst case: a computer without a clock battery and a drive share one switch. They start together, and the clock
-// always starts at the same time. So by UTC today's drive started just when the drive of the record did.
+// The worst case: a drive and a computer without a clock battery share one switch. They start together, and the clock
+// always starts at the same time. So by UTC the drive seems to have started at the same time as in the record.
 TEST(ReconcileClock, AComputerThatStartsAtTheSameTimeEachDayIsNoWitness)
 {
     Scene scene(Kind::HundredToOne);

@@ -68,7 +68,7 @@ protected:
         socket.connectToServer(server.path());
         return answerTo(socket, sent);
     }
-    // What a program that was killed leaves behind.
+    // Leaves a socket like a program that was killed.
     void leaveASocket() const
     {
         ASSERT_TRUE(QDir(runtime.path()).mkpath(QStringLiteral("boresight")));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a swing proposes for the zero of elevation, which a tilted sensor box falsifies too. What it does with a north
-// and a tilt that points have determined better.
+// Tests the proposal of a swing for the zero of elevation, which a tilted sensor box falsifies, too. Also tests how a
+// swing treats a north and a tilt that points have determined better.
 #include "core/north/calibration_proposal.h"
 
 #include <gtest/gtest.h>

@@ -59,8 +59,9 @@ TEST_F(PassesPanelTest, SaysWhatToDoWithoutSatellites)
     EXPECT_TRUE(text("About the passes").startsWith(QStringLiteral("The site is not set.")));
 }
 
-// REQ-PASSES-990: What the list lacks can be added on the page itself. Without elements a button adds a file or a group
-// of CelesTrak to the profile at once, and a refusal stays readable. Without a site it opens that step of the guide.
+// REQ-PASSES-990: If elements or the site are missing, they can be added from the page of the passes. Without elements
+// a button adds a file or a group of CelesTrak to the profile at once, and a refusal stays readable. Without a site a
+// button opens that step of the guide.
 TEST_F(PassesPanelTest, TheButtonAddsElements)
 {
     StationStatus status = samples::idle();

@@ -119,9 +119,9 @@ TEST_F(StationAntenna, DirectionsAreThoseOfItsBeam)
     EXPECT_LT(angleBetween(*rig.control.directionBy(rig.profile.pointing), {175.9976_deg, 57.0605_deg}), 0.01_deg);
 }
 
-// REQ-ANTENNA-911: Choosing another antenna moves nothing. The choice is refused to clients, while a client's target is
-// tracked, on the way to a target, and for an antenna that is not in the profile. That refusal lists the antennas of
-// the profile.
+// REQ-ANTENNA-911: Choosing another antenna moves nothing. Clients cannot choose one. The choice is refused while a
+// client's target is tracked, and while the mount is on its way to a target. An antenna that is not in the profile is
+// refused, and the refusal lists the antennas of the profile.
 TEST_F(StationAntenna, ToChooseItMovesNothing)
 {
     ASSERT_EQ(ask(request::PointAxes{{100_deg, 30_deg}}), "");
