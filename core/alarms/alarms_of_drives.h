@@ -188,8 +188,9 @@ inline constexpr std::array kDriveAlarms{
         .source = "%1 drive",
         .severity = Severity::Warning,
         .what = QT_TRANSLATE_NOOP("Text", "The %1 is active (mode: %2) without a command from Boresight"),
-        .action = QT_TRANSLATE_NOOP(
-            "Text", "Boresight leaves it alone until the first motion. STOP takes it over and holds it"),
+        .action = QT_TRANSLATE_NOOP("Text",
+                                    "Boresight commands this drive only from the first motion on. STOP takes the drive "
+                                    "over and holds its axis"),
         .remedy = QT_TRANSLATE_NOOP("Text", "End the program that commands the drive. If there is none, press STOP"),
         .examples = {"azimuth drive", "position"}},
     AlarmEntry{

@@ -141,7 +141,7 @@ inline constexpr std::array kPointingAlarms{
                .what = QT_TRANSLATE_NOOP("Text", "The mount no longer follows another rotator: %1"),
                .action = QT_TRANSLATE_NOOP("Text", "Boresight ended the tracking. The mount holds"),
                .remedy = QT_TRANSLATE_NOOP(
-                   "Text", "Check that rotctld, its rotator and the limits of this mount. Then follow it again"),
+                   "Text", "Check rotctld, its rotator and the limits of this mount. Then track the rotator again"),
                .examples = {"rotctld:10.0.0.7:4533 does not answer"},
                .identifying = 0},
     AlarmEntry{.id = "azel.differs",
@@ -231,8 +231,8 @@ inline constexpr std::array kPointingAlarms{
                .what = QT_TRANSLATE_NOOP("Text", "The points on the page Sun/Moon were taken with another drive"),
                .action = QT_TRANSLATE_NOOP("Text", "Boresight no longer uses any of them"),
                .remedy = QT_TRANSLATE_NOOP("Text",
-                                           "Open the page North, drop the points and take new ones. On its page Model "
-                                           "you can use a point again that is still right"),
+                                           "Open the page North, drop the points and take new points. To keep a point "
+                                           "that is still right, press Use again on the page Model"),
                .help = AlarmHelp::OpenNorth},
     AlarmEntry{.id = "points.other-site",
                .source = "calibration",
@@ -240,8 +240,8 @@ inline constexpr std::array kPointingAlarms{
                .what = QT_TRANSLATE_NOOP("Text", "The points on the page Sun/Moon were taken at another site"),
                .action = QT_TRANSLATE_NOOP("Text", "Boresight no longer uses any of them"),
                .remedy = QT_TRANSLATE_NOOP("Text",
-                                           "Open the page North, drop the points and take new ones. On its page Model "
-                                           "you can use a point again that is still right"),
+                                           "Open the page North, drop the points and take new points. To keep a point "
+                                           "that is still right, press Use again on the page Model"),
                .help = AlarmHelp::OpenNorth,
                .placeOf = "points.other-drive"},
 };

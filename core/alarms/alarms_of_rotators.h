@@ -52,8 +52,8 @@ inline constexpr std::array kRotatorAlarms{
                .severity = Severity::Alarm,
                .what = QT_TRANSLATE_NOOP("Text", "The rotator fell silent in motion"),
                .action = QT_TRANSLATE_NOOP("Text",
-                                           "Boresight sent a stop. Boresight sends another one as soon as an answer "
-                                           "comes. Until then the rotator may run to where it was sent last"),
+                                           "Boresight sent a stop, and sends another stop as soon as an answer comes. "
+                                           "Until then the rotator may run to its last target"),
                .remedy = QT_TRANSLATE_NOOP("Text", "Look at the mount. Check the power of the box and the cable."),
                .thenRearm = true,
                .help = AlarmHelp::Rearm,

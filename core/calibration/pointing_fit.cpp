@@ -101,7 +101,7 @@ private:
                        : Text::tr("kept at its known value until there are %1 points").arg(fewest);
         }
         return state == TermState::Held ? Text::tr("its known value counts as much as the points")
-                                        : Text::tr("the points do not need it");
+                                        : Text::tr("the points fit without this term");
     }
 
     void takeResiduals(const TermChoice& choice)
@@ -140,7 +140,7 @@ private:
             }
             const auto& leftOut = m_fit.points[i].leftOut;
             if (choice.chances[place++] < kUnlikely && leftOut) {
-                say(Text::tr("Point %1 is %2 away from where the other points put it.")
+                say(Text::tr("Point %1 is %2 away from the fit of the other points.")
                         .arg(i + 1)
                         .arg(inWords(leftOut->size(), 2)));
             }

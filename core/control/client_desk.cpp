@@ -114,7 +114,7 @@ QString ClientDesk::controlObstacle(const ClientStatus& client) const
     if (view.profile.rotctld.control == profile::ControlRule::Last) {
         return Text::tr("the client that sent last has control");
     }
-    return client.inControl ? Text::tr("it has control") : QString();
+    return client.inControl ? Text::tr("this client has control") : QString();
 }
 
 void ClientDesk::describe(ClientStatus& client, const std::optional<SteadyTime>& lastMotion) const

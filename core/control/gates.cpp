@@ -296,7 +296,7 @@ Result<> Gates::hasService() const
 {
     return m_of.mount.service() != nullptr
                ? Result<>{}
-               : failure(ErrorCode::NotAvailable, Text::tr("this rotator does not offer this"));
+               : failure(ErrorCode::NotAvailable, Text::tr("this rotator does not have this function"));
 }
 
 Result<> Gates::drivesAnswer() const
@@ -459,12 +459,12 @@ Result<> Gates::mayChangePointing() const
 {
     if (m_of.current.is(Activity::Streaming)) {
         return failure(ErrorCode::Refused,
-                       Text::tr("The mount tracks a target, and the change would move it. Press Hold first."));
+                       Text::tr("The mount tracks a target, and the change would move the mount. Press Hold first."));
     }
     const bool goes = m_of.current.is(Activity::Pointing) || m_of.current.is(Activity::Placing);
     if (goes && !StatusReport(m_of).arrived()) {
-        return failure(ErrorCode::Refused, Text::tr("The mount is on its way to a target, and the change would move "
-                                                    "it. Wait until it is there, or press Hold."));
+        return failure(ErrorCode::Refused, Text::tr("The mount moves to a target, and the change would redirect it. "
+                                                    "Wait until the mount stands still, or press Hold."));
     }
     return {};
 }

@@ -100,7 +100,7 @@ Result<> DriveCheck::mayFix() const
     return failure(
         ErrorCode::NotAvailable,
         right ? Text::tr("every setting is right")
-              : Text::tr("Fix has nothing to write. Change the marked settings by hand, as each line explains"));
+              : Text::tr("Fix has nothing to write. Change the marked settings by hand. Each line explains how"));
 }
 
 Result<> DriveCheck::fix(SteadyTime)

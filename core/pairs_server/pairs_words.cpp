@@ -40,8 +40,8 @@ std::string lowered(std::string text)
 tl::unexpected<Error> unknown(std::string_view line)
 {
     return failure(ErrorCode::InvalidInput,
-                   Text::tr("\"%1\" is no command. Known are: ELEVATION, AZIMUTH ELEVATION, +AZIMUTH +ELEVATION, "
-                            "bearing LOCATOR, bearing LOCATOR long, stop, hold, park, ?")
+                   Text::tr("\"%1\" is not a command. The commands are ELEVATION, AZIMUTH ELEVATION, +AZIMUTH "
+                            "+ELEVATION, bearing LOCATOR, bearing LOCATOR long, stop, hold, park and ?")
                        .arg(shownText(line)));
 }
 

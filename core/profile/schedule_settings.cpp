@@ -17,7 +17,7 @@ std::vector<SettingOf<schedule::WatchEntry>> makeWatchSettings()
     return {integer<WatchEntry>(
                 "norad", {}, {1.0, 999'999'999.0}, kNow,
                 {QT_TRANSLATE_NOOP("Text", "Satellite"),
-                 QT_TRANSLATE_NOOP("Text", "Its number in the catalogue of NORAD.")},
+                 QT_TRANSLATE_NOOP("Text", "Number of the satellite in the catalogue of NORAD.")},
                 [](auto& row) -> auto& { return row.number; }),
             integer<WatchEntry>(
                 "priority", {}, {1.0, 99.0}, kNow,

@@ -171,7 +171,7 @@ void Station::refuseToStart()
     m_control.alarms().raise(alarmEntry("journal.in-use"), {problem});
     m_startTold = true;
     Q_EMIT started({}, problem + QStringLiteral(". ") +
-                           Text::tr("End that program, or give this mount another name in its profile"));
+                           Text::tr("End the other program, or give this mount another name in its profile"));
 }
 
 void Station::openMount()

@@ -186,7 +186,7 @@ TEST_F(GuideRotatorTest, WhatCannotBeAnAddressIsRefusedWithTheReason)
     choose(kRotctld);
     for (const char* const host : {"two words", "a/b", "[::1", "x]", "tower:", "tower:99999", "tower:port"}) {
         enter(host);
-        EXPECT_TRUE(whyNoConnect().contains(QStringLiteral("is no address"))) << host;
+        EXPECT_TRUE(whyNoConnect().contains(QStringLiteral("is not an address"))) << host;
     }
     enter("localhost");
     EXPECT_TRUE(whyNoConnect().contains(QStringLiteral("rotctld -t 4534"))) << whyNoConnect().toStdString();
@@ -194,7 +194,7 @@ TEST_F(GuideRotatorTest, WhatCannotBeAnAddressIsRefusedWithTheReason)
     choose(kGs232);
     for (const char* const port : {"ttyUSB0", "10.0.0.7"}) {
         enter(port);
-        EXPECT_TRUE(whyNoConnect().contains(QStringLiteral("is no address"))) << port;
+        EXPECT_TRUE(whyNoConnect().contains(QStringLiteral("is not an address"))) << port;
     }
 }
 

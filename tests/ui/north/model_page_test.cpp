@@ -144,7 +144,7 @@ TEST_F(NorthTest, WhyThereIsNoFitIsSaid)
     calibration.fit.reset();
     status.calibration = std::make_shared<const CalibrationStatus>(calibration);
     show(CalibrationStep::Model, status);
-    EXPECT_EQ(text("How well the model fits"), QStringLiteral("No fit of these points"));
+    EXPECT_EQ(text("How well the model fits"), QStringLiteral("No fit for these points"));
     calibration.noFit = QStringLiteral("they wait");
     status.calibration = std::make_shared<const CalibrationStatus>(calibration);
     give(samples::update(status));
