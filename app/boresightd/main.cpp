@@ -46,7 +46,7 @@ Result<profile::Profile> readAgain(const app::Options& started)
         if (!started.isFirstStart() && QFileInfo(now.profilePath) != QFileInfo(started.profilePath)) {
             return failure(
                 ErrorCode::Refused,
-                QStringLiteral("boresightd runs with %1, which is not the current mount any more: restart it")
+                QStringLiteral("boresightd runs with %1. The current mount is another one: restart boresightd")
                     .arg(started.profilePath));
         }
         return now.profile;
