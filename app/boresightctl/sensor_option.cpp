@@ -67,7 +67,7 @@ constexpr std::array<SensorOption, 8> kSensorOptionOptions{{
          }},
     {.name = "sensor-per-ampere",
      .values = "DEGREES",
-     .text = "compass error by each ampere of the motors. Default 0",
+     .text = "compass error in degrees for each ampere of the motors. Default 0",
      .min = -90.0,
      .max = 90.0,
      .set = [](SensorTruth& truth, const double* n) { truth.perAmpere = degrees(n[0]); }},

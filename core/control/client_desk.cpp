@@ -129,7 +129,7 @@ void ClientDesk::describe(ClientStatus& client, const std::optional<SteadyTime>&
     client.controlObstacle = controlObstacle(client);
     if (const QString reason = StatusReport(view).limitedReason(); client.driving && !reason.isEmpty()) {
         client.advice =
-            Text::tr("asks for a position outside the limits (%1). The mount goes to the nearest permitted one")
+            Text::tr("asks for a position outside the limits (%1). The mount goes to the nearest permitted position")
                 .arg(reason);
     }
 }

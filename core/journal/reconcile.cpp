@@ -137,9 +137,10 @@ private:
             return Text::tr("The drive does not know the position of the axis. Enter the angle");
         }
         if (m_candidates.empty()) {
-            return Text::tr("The drive reports %1. No cable wrap of it lies within %2° of the travel. Enter the angle")
-                .arg(inWords(m_axis.toAxis(m_frame.reported)))
-                .arg(kBeyondTravel.degrees());
+            return Text::
+                tr("The drive reports %1. No cable wrap of this angle lies within %2° of the travel. Enter the angle")
+                    .arg(inWords(m_axis.toAxis(m_frame.reported)))
+                    .arg(kBeyondTravel.degrees());
         }
         if (m_candidates.size() == 1) {
             return Text::tr("The position that the drive reports fits only %1").arg(inWords(m_candidates.front()));

@@ -189,7 +189,7 @@ static_assert(std::ranges::is_sorted(kRows, {}, &FaultRow::code));
 
 constexpr FaultText kUndefined{
     "undefined code", QT_TRANSLATE_NOOP("Text", "The drive reports a code that register map 5 does not define"),
-    QT_TRANSLATE_NOOP("Text", "Firmware other than the one that Boresight was made for"),
+    QT_TRANSLATE_NOOP("Text", "Firmware that Boresight does not support"),
     QT_TRANSLATE_NOOP("Text",
                       "Compare the firmware version of the drive with the version that this program was made for")};
 

@@ -48,7 +48,9 @@ RotatorOffer rotctldOffer()
         .usualPort = kPort,
         .promise = {Text::tr("rotctld runs on the computer that has the cable of the rotator. "
                              "Example: rotctld -m 901 -r /dev/ttyUSB0"),
-                    Text::tr("On this computer add -t %1 to it. Boresight itself uses %2.").arg(kBeside).arg(kPort),
+                    Text::tr("On this computer start rotctld with -t %1. Boresight itself uses port %2.")
+                        .arg(kBeside)
+                        .arg(kPort),
                     Text::tr("Connect asks rotctld for the limits and for the position. Nothing moves."),
                     Text::tr("A server of another kind is asked one question and left alone.")},
         .checks = {Text::tr("Check that rotctld runs on that computer, and that its rotator has power."),

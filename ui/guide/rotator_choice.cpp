@@ -288,7 +288,7 @@ QStringList RotatorChoice::wordsInUse() const
         }
     }
     if (const QString obstacle = m_status.permissions.reason(Action::Move); !obstacle.isEmpty()) {
-        lines << tr("It must not move yet: %1").arg(obstacle);
+        lines << tr("The mount must not move yet: %1").arg(obstacle);
     }
     return lines;
 }

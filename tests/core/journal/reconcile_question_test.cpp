@@ -144,7 +144,7 @@ TEST(ReconcileQuestion, NoTurnWithinTheTravelAsksForTheAngle)
     scene.powerCycledAt(120.0);
     EXPECT_TRUE(scene.question().candidates.empty());
     EXPECT_EQ(scene.sentences().front(),
-              "The drive reports 120.0°. No cable wrap of it lies within 15° of the travel. Enter the angle");
+              "The drive reports 120.0°. No cable wrap of this angle lies within 15° of the travel. Enter the angle");
 }
 
 TEST(ReconcileQuestion, ManyCandidatesAreAllKept)
