@@ -48,7 +48,7 @@ RotatorOffer rotctldOffer()
         .usualPort = kPort,
         .promise = {Text::tr("rotctld runs on the computer that has the cable of the rotator. "
                              "Example: rotctld -m 901 -r /dev/ttyUSB0"),
-                    Text::tr("On this computer start rotctld with -t %1. Boresight itself uses port %2.")
+                    Text::tr("On this computer use the option -t %1. Boresight itself uses %2.")
                         .arg(kBeside)
                         .arg(kPort),
                     Text::tr("Connect asks rotctld for the limits and for the position. Nothing moves."),
