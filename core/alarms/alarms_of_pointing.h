@@ -70,7 +70,8 @@ inline constexpr std::array kPointingAlarms{
         .severity = Severity::Warning,
         .what = QT_TRANSLATE_NOOP("Text", "The antenna stands in a forbidden direction: %1"),
         .action = QT_TRANSLATE_NOOP("Text", "Boresight allows only motions that lead out. It starts none by itself"),
-        .remedy = QT_TRANSLATE_NOOP("Text", "Move the antenna out on the page Jog, or change the limits"),
+        .remedy =
+            QT_TRANSLATE_NOOP("Text", "Jog the antenna out of this direction on the page Jog, or change the limits"),
         .help = AlarmHelp::OpenLimits,
         .examples = {"the keep-out \"mast\""}},
     AlarmEntry{.id = "schedule.disarmed",

@@ -90,7 +90,7 @@ inline constexpr std::array kDriveCheckAlarms{
         .action = QT_TRANSLATE_NOOP("Text", "Boresight moves nothing. The board's reports may mean something else"),
         .remedy = "%2",
         .examples =
-            {"the board of azimuth has the register map 4, but Boresight knows only version 5",
+            {"The board of azimuth has the register map 4. Boresight supports only version 5",
              "Install firmware with the register map 5 in the board (moteus_tool --flash), or a newer Boresight."}},
     AlarmEntry{.id = "drives.unread",
                .source = "drives",

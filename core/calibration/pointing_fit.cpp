@@ -157,7 +157,7 @@ private:
         if (m_used.size() > 1 && lever(*high) - lever(*low) < kLeastLever) {
             say(
                 Text::tr("All points have nearly the same elevation, so azimuth offset and collimation cannot be "
-                         "separated. Take one point much higher or lower, or one over the top."));
+                         "separated. Take a point much higher or lower, or a point over the top."));
         }
         if (m_used.size() >= fewestPoints(Term::TiltNorth) && arc() < Angle::fromDegrees(kPointingFitLeastArc)) {
             say(Text::tr("All points lie within %1 of azimuth. They show the tilt from one side only.")

@@ -48,9 +48,10 @@ Result<> Gates::mayHold(const Source& source) const
 Result<> Gates::isPlaced(Axis axis) const
 {
     if (!m_of.mount.report(axis).wrapKnown) {
-        return failure(ErrorCode::Refused,
-                       Text::tr("The cable wrap of the %1 is unknown. Enter where the axis is. Only slow jog works.")
-                           .arg(m_of.mount.label(axis)));
+        return failure(
+            ErrorCode::Refused,
+            Text::tr("The cable wrap of the %1 is unknown. Enter the position of the axis. Only slow jog works.")
+                .arg(m_of.mount.label(axis)));
     }
     return {};
 }

@@ -339,7 +339,7 @@ Result<> TurnKeeper::mayChoose(Axis axis, const Drive& drive) const
 {
     if (!question(axis, drive)) {
         return failure(ErrorCode::Refused,
-                       Text::tr("Boresight did not ask where the axis of the %1 is.").arg(drive.label()));
+                       Text::tr("Boresight did not ask for the axis position of the %1.").arg(drive.label()));
     }
     if (!drive.canBeReferenced()) {
         return failure(ErrorCode::Refused, Text::tr("The drive is busy. Try again in a second."));

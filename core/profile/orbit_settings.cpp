@@ -146,8 +146,8 @@ void addAzel(std::vector<Setting>& list)
         "azel.beam_fraction", "", {0.0, 1.0}, kNow,
         {QT_TRANSLATE_NOOP("Text", "Part of the beam width"),
          QT_TRANSLATE_NOOP("Text",
-                           "The mount moves on only when the Moon is this part of the beam width away from where the "
-                           "mount points. 0: the interval alone counts.")},
+                           "The mount moves on only when the Moon is this part of the beam width away from the "
+                           "direction of the mount. 0: only the interval counts.")},
         [](auto& p) -> auto& { return p.azel.beamFraction; }));
     list.push_back(choice(
         "azel.only_while_receiving", {"off", "on"}, kNow,

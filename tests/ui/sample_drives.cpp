@@ -242,7 +242,7 @@ StationStatus asking(Axis axis, int places, Angle period, bool proposed)
     (axis == Axis::Azimuth ? status.azimuth : status.elevation).turnKnown = false;
     one.turnQuestion = question;
     const QString why =
-        QStringLiteral("The cable wrap of the %1 is unknown. Enter where the axis is. Only slow jog works.")
+        QStringLiteral("The cable wrap of the %1 is unknown. Enter the position of the axis. Only slow jog works.")
             .arg(axis == Axis::Azimuth ? QStringLiteral("azimuth drive") : QStringLiteral("elevation drive"));
     status.permissions = withoutPointing(why);
     status.permissions.refuse(setAction(axis), why);
