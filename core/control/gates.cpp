@@ -473,12 +473,10 @@ Result<> Gates::mayChangePointing() const
 Result<> Gates::usesMainAntenna() const
 {
     const pointing::Antenna& antenna = m_of.antenna.inUse();
-    return antenna.isMain()
-               ? Result<>{}
-               : failure(
-                     ErrorCode::Refused,
-                     Text::tr("Antenna \"%1\" is in use. North is found with the antenna \"main\". Use \"main\" first.")
-                         .arg(toQString(antenna.name)));
+    return antenna.isMain() ? Result<>{}
+                            : failure(ErrorCode::Refused,
+                                      Text::tr("Antenna \"%1\" is in use. Use the antenna \"main\" to find north.")
+                                          .arg(toQString(antenna.name)));
 }
 
 Result<> Gates::mayUseAntenna() const
