@@ -35,7 +35,7 @@ void announce(const QString& listening)
 Result<app::Options> readOptions()
 {
     return app::readOptions(QCoreApplication::arguments(),
-                            QStringLiteral("Boresight without a screen: rotctld server for a moteus antenna mount."))
+                            QStringLiteral("Boresight without a window: rotctld server for an antenna mount."))
         .map_error([](const app::NoStart& problem) { return problem.error; });
 }
 

@@ -61,7 +61,7 @@ Result<> ModelChanges::makesSense(const CalibrationChange& change) const
         }
         if (!problems.empty()) {
             return failure(ErrorCode::Refused,
-                           Text::tr("The profile would then be inconsistent: %1. Change that first.")
+                           Text::tr("The profile would then be inconsistent: %1. Change this setting first.")
                                .arg(profile::toText(problems.front())));
         }
     }

@@ -64,7 +64,7 @@ void checkAntennas(std::vector<Problem>& problems, const Profile& profile)
     if (profile.antennas.size() > kMaxAntennas) {
         problems.push_back(
             {std::string(kAntennaKey),
-             Text::tr("%1 antennas are too many. The most is %2.").arg(profile.antennas.size()).arg(kMaxAntennas)});
+             Text::tr("%1 antennas are too many. The maximum is %2.").arg(profile.antennas.size()).arg(kMaxAntennas)});
     }
     std::set<std::string> names{pointing::kMainAntenna};
     for (std::size_t i = 0; i < profile.antennas.size(); ++i) {
