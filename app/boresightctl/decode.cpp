@@ -39,8 +39,9 @@ Result<std::vector<std::uint8_t>> readBytes(const std::string& digits)
     }
     const auto bytes = parseHex(digits);
     if (!bytes) {
-        return failure(ErrorCode::InvalidInput,
-                       QStringLiteral("the data has %1 digits, an odd number: a byte has two").arg(digits.size()));
+        return failure(
+            ErrorCode::InvalidInput,
+            QStringLiteral("the data has %1 digits, an odd number. Each byte has two digits").arg(digits.size()));
     }
     if (bytes->size() > kMaxCanPayload) {
         return failure(ErrorCode::OutOfRange,

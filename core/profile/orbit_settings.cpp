@@ -106,9 +106,9 @@ void addOrbit(std::vector<Setting>& list)
     list.push_back(number(
         "orbit.oldest_days", "d", {1.0, 3650.0}, kNow,
         {QT_TRANSLATE_NOOP("Text", "Oldest elements"),
-         QT_TRANSLATE_NOOP("Text",
-                           "Satellites with older elements are not tracked. The error of a low orbit grows by some "
-                           "kilometres a day.")},
+         QT_TRANSLATE_NOOP(
+             "Text",
+             "Satellites with older elements are not tracked. The error of a low orbit grows by 1 to 3 km a day.")},
         [](auto& p) -> auto& { return p.orbit.oldestDays; }));
     list.push_back(number(
         "orbit.lead_s", "s", {-1.0, 1.0}, kNow,
