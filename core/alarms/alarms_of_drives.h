@@ -133,7 +133,7 @@ inline constexpr std::array kDriveAlarms{
         .thenRearm = true,
         .help = AlarmHelp::Rearm,
         .kin = AlarmKin::Silence,
-        .examples = {"azimuth drive", "8 s", "The axis moved 0.4° while no reply came. Its position is continuous"},
+        .examples = {"azimuth drive", "8 s", "The axis moved 0.4° while no reply came. Its position is still known"},
         .identifying = 1,
         .placeOf = "drive.silent"},
     AlarmEntry{
