@@ -246,7 +246,7 @@ TEST_F(SimulateTest, InjectedFaultsAreAnnouncedAndSeenByScan)
     ASSERT_TRUE(fakes::waitUntil([&] { return m_device->errors().contains(QStringLiteral("ends:")); }));
     EXPECT_THAT(m_device->errors().toStdString(),
                 HasSubstr("s: begins: elevation: drive fault 38, over temperature\n"));
-    EXPECT_THAT(m_device->errors().toStdString(), HasSubstr("s: ends: both axes: answers 0.02 s late\n"));
+    EXPECT_THAT(m_device->errors().toStdString(), HasSubstr("s: ends: both axes: replies 0.02 s late\n"));
     scan();
     EXPECT_EQ(scanStatus, 1);
     EXPECT_THAT(scanned, HasSubstr("id 1: register map version 4 is unknown. Boresight supports version 5."));
