@@ -134,7 +134,7 @@ TEST_F(NorthTest, TheRmsIsThatOfWhatIsProposed)
     EXPECT_TRUE(told.endsWith(QStringLiteral("χ² 0.012"))) << told.toStdString();
 }
 
-// Story: six stored points waited for a drive, and only "No fit of these points" was shown.
+// Story: six stored points waited for a drive, and only "No fit for these points" was shown.
 // REQ-NORTH-38i
 TEST_F(NorthTest, WhyThereIsNoFitIsSaid)
 {
