@@ -101,7 +101,7 @@ constexpr std::array kRows{
               QT_TRANSLATE_NOOP("Text", "Check supply, fuse and cable")}},
     FaultRow{
         41,
-        {"configuration changed", QT_TRANSLATE_NOOP("Text", "A setting was changed while driving that requires a stop"),
+        {"configuration changed", QT_TRANSLATE_NOOP("Text", "A setting that requires a stop was changed while driving"),
          QT_TRANSLATE_NOOP("Text", "Another program wrote to the drive"),
          QT_TRANSLATE_NOOP("Text", "Close the other program, then re-arm"), true}},
     FaultRow{42,
