@@ -45,7 +45,7 @@ inline constexpr std::array kRotatorAlarms{
         .remedy = "%1",
         .help = AlarmHelp::OpenProfile,
         .kin = AlarmKin::Silence,
-        .examples = {"Check its power, the cable, and its speed (bus.baud, 9600)"},
+        .examples = {"Check the power of the rotator, the cable, and the speed (bus.baud, 9600)"},
         .identifying = 0},
     AlarmEntry{.id = "rotator.silent",
                .source = "rotator",

@@ -164,7 +164,7 @@ inline constexpr std::array kStationAlarms{
         .source = "transmit",
         .severity = Severity::Warning,
         .what = QT_TRANSLATE_NOOP("Text", "The transmit output %1 does not work: %2"),
-        .action = QT_TRANSLATE_NOOP("Text", "Boresight counts it as off and tries to switch it again"),
+        .action = QT_TRANSLATE_NOOP("Text", "Boresight counts the output as off and tries to switch it again"),
         .remedy = QT_TRANSLATE_NOOP("Text",
                                     "Do not transmit: the output may still be on. Check it, or choose another one "
                                     "(transmit.output on the page Profile)"),

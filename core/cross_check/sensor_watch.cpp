@@ -215,9 +215,10 @@ void SensorWatch::raiseAbsence()
         m_alarms.raise(alarmEntry("sensor.dead"));
         return;
     }
-    m_alarms.raise(alarmEntry("sensor.silent"),
-                   {m_source.name, m_source.status.problem.isEmpty() ? Text::tr("Check its power, WiFi and cable")
-                                                                     : m_source.status.problem});
+    m_alarms.raise(
+        alarmEntry("sensor.silent"),
+        {m_source.name, m_source.status.problem.isEmpty() ? Text::tr("Check the power, WiFi and cable of the sensor")
+                                                          : m_source.status.problem});
 }
 
 bool SensorWatch::isNorthUnknown() const

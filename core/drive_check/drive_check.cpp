@@ -261,11 +261,12 @@ void DriveCheck::collectFindings()
     m_findings = identityFindings(*m_profile, m_known, m_scan.controllers(), m_axes);
     for (const Side& side : m_sides) {
         if (!side.drive.trouble().isEmpty()) {
-            m_findings.push_back({.kind = FindingKind::Unread,
-                                  .about = axisName(side.axis),
-                                  .weight = FindingWeight::Blocking,
-                                  .what = side.drive.trouble(),
-                                  .remedy = Text::tr("Check its power, its plugs and the bus cable.")});
+            m_findings.push_back(
+                {.kind = FindingKind::Unread,
+                 .about = axisName(side.axis),
+                 .weight = FindingWeight::Blocking,
+                 .what = side.drive.trouble(),
+                 .remedy = Text::tr("Check the power and the plugs of the board, and the bus cable.")});
         }
         if (!side.drive.fixTrouble().isEmpty()) {
             m_findings.push_back({.kind = FindingKind::NotStored,
