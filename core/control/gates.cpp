@@ -464,8 +464,8 @@ Result<> Gates::mayChangePointing() const
     }
     const bool goes = m_of.current.is(Activity::Pointing) || m_of.current.is(Activity::Placing);
     if (goes && !StatusReport(m_of).arrived()) {
-        return failure(ErrorCode::Refused, Text::tr("The mount moves to a target, and the change would redirect it. "
-                                                    "Wait until the mount stands still, or press Hold."));
+        return failure(ErrorCode::Refused, Text::tr("The mount moves to a target, and the change would move the mount "
+                                                    "elsewhere. Wait until it stands still, or press Hold."));
     }
     return {};
 }
