@@ -48,9 +48,10 @@ Result<> Gates::mayHold(const Source& source) const
 Result<> Gates::isPlaced(Axis axis) const
 {
     if (!m_of.mount.report(axis).wrapKnown) {
-        return failure(ErrorCode::Refused,
-                       Text::tr("The cable wrap of the %1 is unknown. Enter where the axis is. Only slow jog works.")
-                           .arg(m_of.mount.label(axis)));
+        return failure(
+            ErrorCode::Refused,
+            Text::tr("The cable wrap of the %1 is unknown. Enter the position of the axis. Only slow jog works.")
+                .arg(m_of.mount.label(axis)));
     }
     return {};
 }
@@ -296,7 +297,7 @@ Result<> Gates::hasService() const
 {
     return m_of.mount.service() != nullptr
                ? Result<>{}
-               : failure(ErrorCode::NotAvailable, Text::tr("this rotator does not offer this"));
+               : failure(ErrorCode::NotAvailable, Text::tr("this rotator does not have this function"));
 }
 
 Result<> Gates::drivesAnswer() const
@@ -460,12 +461,12 @@ Result<> Gates::mayChangePointing() const
 {
     if (m_of.current.is(Activity::Streaming)) {
         return failure(ErrorCode::Refused,
-                       Text::tr("The mount tracks a target, and the change would move it. Press Hold first."));
+                       Text::tr("The mount tracks a target, and the change would move the mount. Press Hold first."));
     }
     const bool goes = m_of.current.is(Activity::Pointing) || m_of.current.is(Activity::Placing);
     if (goes && !StatusReport(m_of).arrived()) {
-        return failure(ErrorCode::Refused, Text::tr("The mount is on its way to a target, and the change would move "
-                                                    "it. Wait until it is there, or press Hold."));
+        return failure(ErrorCode::Refused, Text::tr("The mount moves to a target, and the change would move the mount "
+                                                    "elsewhere. Wait until it stands still, or press Hold."));
     }
     return {};
 }
@@ -474,9 +475,9 @@ Result<> Gates::usesMainAntenna() const
 {
     const pointing::Antenna& antenna = m_of.antenna.inUse();
     return antenna.isMain() ? Result<>{}
-                            : failure(ErrorCode::Refused, Text::tr("Antenna \"%1\" is in use. North is found with "
-                                                                   "the antenna \"main\". Use that one first.")
-                                                              .arg(toQString(antenna.name)));
+                            : failure(ErrorCode::Refused,
+                                      Text::tr("Antenna \"%1\" is in use. Use the antenna \"main\" to find north.")
+                                          .arg(toQString(antenna.name)));
 }
 
 Result<> Gates::mayUseAntenna() const

@@ -167,7 +167,7 @@ void setZero(Proposal& proposal, calibration::SensorMounting& mounting, const ca
         proposal.warnings.push_back(Text::tr("Sensor and elevation axis differ by %1.").arg(degreesText(off, 1)));
     } else if (isSensors) {
         mounting.elevationOffset = present.elevationOffset - zero.value;
-        verdict = Text::tr("Boresight takes this as a tilted sensor. The elevation of the beam stays unchanged.");
+        verdict = Text::tr("Boresight treats this as a tilted sensor. The elevation of the beam stays unchanged.");
     } else {
         proposal.terms.elevationOffset = beam;
         proposal.sigmas[indexOf(Term::ElevationOffset)] = zero.sigma;

@@ -38,9 +38,10 @@ Result<> ModelChanges::mayChange() const
                     .arg(toQString(m_profile.wanted().bus), toQString(m_profile->bus)));
         }
         if (m_control.followsClient()) {
-            return failure(ErrorCode::Refused,
-                           Text::tr("The mount tracks the target of a client, and the change would move it. "
-                                    "Press Hold first."));
+            return failure(
+                ErrorCode::Refused,
+                Text::tr(
+                    "The mount tracks the target of a client, and the change would move the mount. Press Hold first."));
         }
         return m_follower.following() ? Result<>{} : m_control.mayChangePointing();  // a tracked body is released first
     });
@@ -60,7 +61,7 @@ Result<> ModelChanges::makesSense(const CalibrationChange& change) const
         }
         if (!problems.empty()) {
             return failure(ErrorCode::Refused,
-                           Text::tr("The profile would then be inconsistent: %1. Change that first.")
+                           Text::tr("The profile would then be inconsistent: %1. Change this setting first.")
                                .arg(profile::toText(problems.front())));
         }
     }

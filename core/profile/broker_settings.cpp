@@ -113,8 +113,8 @@ void addCommands(std::vector<Setting>& list)
         "mqtt.home_assistant", {"off", "on"}, Applies::Now,
         {QT_TRANSLATE_NOOP("Text", "Home Assistant"),
          QT_TRANSLATE_NOOP("Text",
-                           "Whether Home Assistant finds the mount by itself. Needs mqtt.publish. The buttons for "
-                           "STOP and park appear as far as mqtt.commands permits them.")},
+                           "Whether Home Assistant finds the mount by itself. Needs mqtt.publish. The buttons for STOP "
+                           "and park appear only if mqtt.commands permits them.")},
         [](auto& p) -> auto& { return p.mqtt.homeAssistant; }));
     list.push_back(line(
         "mqtt.discovery_prefix",

@@ -43,7 +43,7 @@ void addTransmit(std::vector<Setting>& list)
          QT_TRANSLATE_NOOP(
              "Text",
              "An output that is on only while the beam is on its target: file:PATH, mqtt:TOPIC, command:PROGRAM with "
-             "its arguments, dtr:PORT or rts:PORT. Let it hold the transmitter. Empty: none.")},
+             "its arguments, dtr:PORT or rts:PORT. Use it as the interlock of the transmitter. Empty: none.")},
         [](const Profile& p) { return p.transmit.output; },
         [](Profile& p, const std::string& wanted) {
             return transmit::parseOutput(wanted).map([&](const transmit::OutputName&) { p.transmit.output = wanted; });

@@ -60,7 +60,7 @@ std::string writtenSite(const Profile& profile)
 QString siteText(const Profile& profile)
 {
     if (!profile.site.known) {
-        return Text::tr("not given");
+        return Text::tr("not set");
     }
     QStringList parts;
     for (const char* const key : kSiteKeys) {

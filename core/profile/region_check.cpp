@@ -76,7 +76,7 @@ void checkCount(std::vector<Problem>& problems, std::string_view key, std::size_
 void checkHorizon(std::vector<Problem>& problems, const std::vector<pointing::HorizonPoint>& horizon)
 {
     checkCount(problems, kHorizonKey, horizon.size(), kMaxHorizonPoints,
-               Text::tr("%1 points are too many. The most is %2."));
+               Text::tr("%1 points are too many. The maximum is %2."));
     for (std::size_t i = 1; i < horizon.size(); ++i) {
         if (horizon[i].azimuth <= horizon[i - 1].azimuth) {
             problems.push_back({rowKey(kHorizonKey, i),
@@ -101,7 +101,7 @@ void checkNames(std::vector<Problem>& problems, std::string_view list, const std
 void checkKeepOuts(std::vector<Problem>& problems, const std::vector<pointing::KeepOut>& keepOuts)
 {
     checkCount(problems, kKeepOutKey, keepOuts.size(), kMaxKeepOuts,
-               Text::tr("%1 keep-outs are too many. The most is %2."));
+               Text::tr("%1 keep-outs are too many. The maximum is %2."));
     checkNames(problems, kKeepOutKey, keepOuts);
     for (std::size_t i = 0; i < keepOuts.size(); ++i) {
         const pointing::KeepOut& keepOut = keepOuts[i];

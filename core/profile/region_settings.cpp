@@ -49,20 +49,22 @@ std::vector<SettingOf<pointing::KeepOut>> makeKeepOutSettings()
                 [](auto& row) -> auto& { return row.name; }),
             number<KeepOut>(
                 "azimuth_from_deg", "°", kAzimuth, kNow,
-                {QT_TRANSLATE_NOOP("Text", "Azimuth from"), QT_TRANSLATE_NOOP("Text", "Its anticlockwise side.")},
+                {QT_TRANSLATE_NOOP("Text", "Azimuth from"),
+                 QT_TRANSLATE_NOOP("Text", "Counter-clockwise side of the keep-out.")},
                 [](auto& row) -> auto& { return row.azimuthFrom; }),
             number<KeepOut>(
                 "azimuth_to_deg", "°", kAzimuth, kNow,
                 {QT_TRANSLATE_NOOP("Text", "Azimuth to"),
-                 QT_TRANSLATE_NOOP("Text", "Its clockwise side. From 350 to 10 it passes through north.")},
+                 QT_TRANSLATE_NOOP("Text",
+                                   "Clockwise side of the keep-out. A keep-out from 350 to 10 passes through north.")},
                 [](auto& row) -> auto& { return row.azimuthTo; }),
             number<KeepOut>(
                 "elevation_min_deg", "°", kElevation, kNow,
-                {QT_TRANSLATE_NOOP("Text", "Elevation from"), QT_TRANSLATE_NOOP("Text", "Its lower side.")},
+                {QT_TRANSLATE_NOOP("Text", "Elevation from"), QT_TRANSLATE_NOOP("Text", "Lower side of the keep-out.")},
                 [](auto& row) -> auto& { return row.elevationMin; }),
             number<KeepOut>(
                 "elevation_max_deg", "°", kElevation, kNow,
-                {QT_TRANSLATE_NOOP("Text", "Elevation to"), QT_TRANSLATE_NOOP("Text", "Its upper side.")},
+                {QT_TRANSLATE_NOOP("Text", "Elevation to"), QT_TRANSLATE_NOOP("Text", "Upper side of the keep-out.")},
                 [](auto& row) -> auto& { return row.elevationMax; })};
 }
 

@@ -78,7 +78,9 @@ void addWindLimits(std::vector<Setting>& list)
     list.push_back(number(
         "wind.calm_min", "min", {0.0, 240.0}, kNow,
         {QT_TRANSLATE_NOOP("Text", "Calm time"),
-         QT_TRANSLATE_NOOP("Text", "The wind must stay below the lower limit so long. Nothing moves by itself then.")},
+         QT_TRANSLATE_NOOP("Text",
+                           "The wind must stay below the lower limit for this time. Then the mount may move, but "
+                           "nothing moves by itself.")},
         [](auto& p) -> auto& { return p.wind.calm; }));
     list.push_back(number(
         "wind.gust_s", "s", {0.0, 60.0}, kNow,

@@ -250,10 +250,9 @@ void TargetTrack::step(SteadyTime)
     renewWay(utc);
     m_tracked->isUp = utc > m_tracked->up.rises;
     if (m_tracked->up.sets && utc > *m_tracked->up.sets) {
-        end(Severity::Advisory,
-            (isTable(m_tracked->target) ? Text::tr("the table of %1 leads no further, and the mount holds")
-                                        : Text::tr("%1 has set, and the mount holds"))
-                .arg(m_tracked->target.name));
+        end(Severity::Advisory, (isTable(m_tracked->target) ? Text::tr("the table of %1 has ended, and the mount holds")
+                                                            : Text::tr("%1 has set, and the mount holds"))
+                                    .arg(m_tracked->target.name));
         return;
     }
     followOn(std::max(utc, m_tracked->up.rises));

@@ -189,7 +189,7 @@ TEST_F(SimulateTest, ItsSensorPublishesAtABrokerAsWell)
     EXPECT_NEAR(heard.back().elevation.degrees(), 10.0, 2.0);
     EXPECT_EQ(heard[3].heading, heard[2].heading) << "frozen, for it is not without noise";
     EXPECT_THAT(m_device->errors().toStdString(), HasSubstr("s: the sensor publishes on roof/\n"));
-    EXPECT_THAT(m_device->errors().toStdString(), HasSubstr("begins: the sensor says one value again and again\n"));
+    EXPECT_THAT(m_device->errors().toStdString(), HasSubstr("begins: the sensor repeats one value\n"));
     m_device->terminate();
     EXPECT_EQ(m_device->waitForEnd(), 0);
 }
@@ -235,7 +235,7 @@ TEST_F(SimulateTest, BoardsFreshFromTheBoxAreSaidToShareAnId)
     start({QStringLiteral("--factory")});
     scan();
     EXPECT_EQ(scanStatus, 1);
-    EXPECT_THAT(scanned, HasSubstr("id 1: a controller answers, but its UUID never arrives complete"));
+    EXPECT_THAT(scanned, HasSubstr("id 1: a controller replies, but its UUID never arrives complete"));
     EXPECT_THAT(scanned, HasSubstr("Probably two controllers have this id"));
 }
 
@@ -246,10 +246,10 @@ TEST_F(SimulateTest, InjectedFaultsAreAnnouncedAndSeenByScan)
     ASSERT_TRUE(fakes::waitUntil([&] { return m_device->errors().contains(QStringLiteral("ends:")); }));
     EXPECT_THAT(m_device->errors().toStdString(),
                 HasSubstr("s: begins: elevation: drive fault 38, over temperature\n"));
-    EXPECT_THAT(m_device->errors().toStdString(), HasSubstr("s: ends: both axes: answers 0.02 s late\n"));
+    EXPECT_THAT(m_device->errors().toStdString(), HasSubstr("s: ends: both axes: replies 0.02 s late\n"));
     scan();
     EXPECT_EQ(scanStatus, 1);
-    EXPECT_THAT(scanned, HasSubstr("id 1: register map version 4 is not known here (5 is)"));
+    EXPECT_THAT(scanned, HasSubstr("id 1: register map version 4 is unknown. Boresight supports version 5."));
     EXPECT_THAT(scanned, HasSubstr("id 2: fault 38, over temperature"));
 }
 
@@ -258,7 +258,7 @@ TEST_F(SimulateTest, SilenceTellsWhatToCheck)
     start({QStringLiteral("--silence")});
     scan();
     EXPECT_EQ(scanStatus, 1);
-    EXPECT_THAT(scanned, HasSubstr("no controller answered on fdcanusb:"));
+    EXPECT_THAT(scanned, HasSubstr("no controller replied on fdcanusb:"));
 }
 
 TEST_F(SimulateTest, AnAdapterThatRefusesIsNamedAsTheCause)

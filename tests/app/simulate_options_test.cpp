@@ -127,8 +127,8 @@ TEST(SimulateOptions, RefuseWithTheOptionsName)
     EXPECT_THAT(refusal({"--pty", "--factory"}), HasSubstr("--pty needs a value"));
     EXPECT_THAT(refusal({"--pty", "p", "--az-id", "127"}), HasSubstr("--az-id \"127\": expected an id, 1…126"));
     EXPECT_THAT(refusal({"--pty", "p", "--factory=yes"}), HasSubstr("--factory takes no value"));
-    EXPECT_THAT(refusal({"--pty", "p", "--gremlins"}), HasSubstr("there is no option --gremlins"));
-    EXPECT_THAT(refusal({"p"}), HasSubstr("\"p\" is no option."));
+    EXPECT_THAT(refusal({"--pty", "p", "--gremlins"}), HasSubstr("there is not an option --gremlins"));
+    EXPECT_THAT(refusal({"p"}), HasSubstr("\"p\" is not an option."));
     EXPECT_THAT(refusal({"--pty", "p", "--wind"}), HasSubstr("--wind : the value is missing"));
     EXPECT_THAT(refusal({"--can", "vcan0", "--bus-off", "@5"}), HasSubstr("need --pty"));
 }

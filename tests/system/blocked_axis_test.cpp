@@ -138,7 +138,8 @@ TEST_P(BlockedAxis, TorqueAtRestIsToldInNewtonMetres)
     EXPECT_TRUE(rig.status().alarms.empty());
     rig.link->inject({.kind = FaultKind::Wind, .axis = axis, .duration = Seconds(10.0), .value = 28.0});
     rig.run(Seconds(4.0));
-    EXPECT_TRUE(rig.alarmSays(QStringLiteral("stands and needs"))) << "20 Nm are what weight and friction may need";
+    EXPECT_TRUE(rig.alarmSays(QStringLiteral("stands still and needs")))
+        << "20 Nm are what weight and friction may need";
     EXPECT_TRUE(rig.alarmSays(QStringLiteral(" Nm of weight and friction")));
     EXPECT_FALSE(fault());
     rig.run(Seconds(15.0));

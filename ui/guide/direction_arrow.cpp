@@ -60,7 +60,7 @@ void DirectionArrow::setTurning(Turning turning)
 void DirectionArrow::describe()
 {
     const bool azimuth = m_axis == Axis::Azimuth;
-    setAccessibleDescription(m_turning == Turning::Rests ? tr("at rest")
+    setAccessibleDescription(m_turning == Turning::Rests ? tr("standing still")
                              : m_turning == Turning::Grows
                                  ? (azimuth ? tr("clockwise, seen from above") : tr("upwards"))
                              : azimuth ? tr("counter-clockwise, seen from above")

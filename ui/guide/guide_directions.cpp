@@ -86,8 +86,10 @@ void GuideDirections::addAxis(QGridLayout& grid, Axis axis, RequestDesk& desk)
     row.hold = new HoldButtons(desk, *m_notice, tr("Test move"), this);
     const QString rate = rateText(kRate);
     if (azimuth) {
-        row.hold->addButton(JogDirection::Left, tr("AZ ↺\n(hold)"), tr("Turn azimuth back at %1 while held").arg(rate));
-        row.hold->addButton(JogDirection::Right, tr("AZ ↻\n(hold)"), tr("Turn azimuth on at %1 while held").arg(rate));
+        row.hold->addButton(JogDirection::Left, tr("AZ ↺\n(hold)"),
+                            tr("Turn azimuth counter-clockwise at %1 while held").arg(rate));
+        row.hold->addButton(JogDirection::Right, tr("AZ ↻\n(hold)"),
+                            tr("Turn azimuth clockwise at %1 while held").arg(rate));
     } else {
         row.hold->addButton(JogDirection::Down, tr("EL ↓\n(hold)"), tr("Lower elevation at %1 while held").arg(rate));
         row.hold->addButton(JogDirection::Up, tr("EL ↑\n(hold)"), tr("Raise elevation at %1 while held").arg(rate));

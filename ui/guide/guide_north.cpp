@@ -59,11 +59,11 @@ QString explanation(const QString& known, bool sensor)
     return known.isEmpty() && !sensor ? GuideNorth::tr(
                                             "Point the antenna at a landmark with a known bearing, and type the "
                                             "bearing. Or use the Sun or the Moon. This mount has no sensor. To find "
-                                            "north later, press Next. Everything else works without it.")
+                                            "north later, press Next. Everything else works without north.")
            : known.isEmpty()
                ? GuideNorth::tr(
                      "Point the antenna at a landmark with a known bearing, and type the bearing. Or use the sensor, "
-                     "the Sun or the Moon. To find north later, press Next. Everything else works without it.")
+                     "the Sun or the Moon. To find north later, press Next. Everything else works without north.")
                : known + QLatin1Char(' ') +
                      GuideNorth::tr("Press Confirm to keep it. To replace it, type the true azimuth of the antenna.");
 }

@@ -325,7 +325,7 @@ void GuidePage::showHint()
         hint = tr("The cable wrap of the %1 is unknown. Press Ctrl+9 to enter it, and F3 to return").arg(name(*axis));
     } else if (moves(step) && !drivesOf(m_status).armingObstacle.isEmpty() &&
                drivesOf(m_status).driveCheck == DriveCheckState::Done) {
-        hint = tr("Nothing may move before step %1, %2, is done: %3")
+        hint = tr("Nothing may move before step %1 (%2) is done: %3")
                    .arg(numberOf(GuideStep::Protection, m_status))
                    .arg(name(GuideStep::Protection), drivesOf(m_status).armingObstacle);
     } else if (moves(step)) {

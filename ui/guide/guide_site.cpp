@@ -244,7 +244,7 @@ void GuideSite::showButton()
     const bool entered = m_latitude->value() != 0.0 ||
                          m_longitude->value() != 0.0;  // 0°, 0° is in the sea, so it means that nothing was entered
     m_choose->setBlocked(m_change.whyNot(m_status, [](profile::Profile&) {}));
-    m_set->setBlocked(!entered                     ? tr("enter where the mount stands first")
+    m_set->setBlocked(!entered                     ? tr("enter the site of the mount first")
                       : m_change.isAlready(edit()) ? tr("this is the site in the profile")
                                                    : m_change.whyNot(m_status, edit()));
 }

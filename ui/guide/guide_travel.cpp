@@ -94,7 +94,7 @@ QPushButton* GuideTravel::makeHere(Axis axis, QDoubleSpinBox& field, const QStri
     QPushButton* const button =
         makePushButton({.text = tr("Here"),
                         .name = tr("Set the %1 end of %2 here").arg(end, name(axis)),
-                        .help = tr("The %1 end of %2 is where the axis stands now").arg(end, name(axis))},
+                        .help = tr("The %1 end of %2 is the present position of the axis").arg(end, name(axis))},
                        parent);
     // The row has room for two fields and two buttons.
     button->setMinimumSize(button->fontMetrics().horizontalAdvance(button->text()) + 2 * kGrid, field.minimumHeight());

@@ -75,7 +75,7 @@ RotatorChoice::RotatorChoice(const std::vector<RotatorOffer>& offers, QWidget* p
       m_kinds(new TouchCombo(tr("What turns the mount"), tr("How the motors of the mount are commanded"), this)),
       m_model(new ModelChoice(this)),
       m_fields(new QWidget(this)),
-      m_place(new TouchCombo(tr("Where the rotator answers"), {}, m_fields)),
+      m_place(new TouchCombo(tr("Port or address of the rotator"), {}, m_fields)),
       m_baud(new TouchCombo(tr("Speed of the serial port"), tr("As the switches of the box are set"), m_fields))
 {
     build();
@@ -206,7 +206,7 @@ Result<std::string> RotatorChoice::bus() const
     }
     if (place.isEmpty()) {
         return failure(ErrorCode::InvalidInput,
-                       tr("Enter where the rotator answers, for example %1.").arg(offer().example));
+                       tr("Enter the port or the address of the rotator, for example %1.").arg(offer().example));
     }
     return parseBusName(busText(place).toStdString()).map([](const BusName& bus) { return toString(bus); });
 }
@@ -289,7 +289,7 @@ QStringList RotatorChoice::wordsInUse() const
         }
     }
     if (const QString obstacle = m_status.permissions.reason(Action::Move); !obstacle.isEmpty()) {
-        lines << tr("It must not move yet: %1").arg(obstacle);
+        lines << tr("The mount must not move yet: %1").arg(obstacle);
     }
     return lines;
 }

@@ -94,7 +94,7 @@ QString noFitText(const CalibrationStatus& calibration)
     if (calibration.points.empty()) {
         return CalibrationWords::tr("No points yet. Take them in step 3");
     }
-    return calibration.noFit.isEmpty() ? CalibrationWords::tr("No fit of these points")
+    return calibration.noFit.isEmpty() ? CalibrationWords::tr("No fit for these points")
                                        : CalibrationWords::tr("No fit: %1").arg(calibration.noFit);
 }
 

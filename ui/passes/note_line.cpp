@@ -14,7 +14,7 @@ NoteLine::NoteLine(ProfileDraft& draft, ValueLabel& notice, QWidget* parent)
     setFont(fonts::label());
     setAccessibleName(tr("Note about the satellite"));
     setPlaceholderText(tr("Note: frequency, polarisation, …"));
-    setToolTip(tr("A note about this satellite. Enter stores it, Esc takes back what was typed"));
+    setToolTip(tr("A note about this satellite. Enter stores the note. Esc restores the old note"));
     setMaxLength(static_cast<int>(orbit::kLongestNote));
     setMinimumHeight(kRowHeight);
     connect(this, &QLineEdit::returnPressed, this, &NoteLine::store);

@@ -250,25 +250,25 @@ QVariant PassTable::headerData(int section, Qt::Orientation orientation, int rol
     }
     switch (section) {
         case Rises:
-            return tr("AOS, when it rises above the horizon, without refraction");
+            return tr("AOS: the satellite rises above the horizon, without refraction");
         case Until:
-            return tr("how long until it rises");
+            return tr("time until the satellite rises");
         case HighestAt:
-            return tr("TCA, when it is highest");
+            return tr("TCA: the satellite is highest");
         case Sets:
-            return tr("LOS, when it sets, without refraction");
+            return tr("LOS: the satellite sets, without refraction");
         case Highest:
             return tr("the highest elevation of the pass");
         case Lasts:
-            return tr("from rise to set");
+            return tr("time from rise to set");
         case Hidden:
-            return tr("for how long horizon, keep-outs and limits hide it");
+            return tr("how long horizon, keep-outs and limits hide the satellite");
         case Unwraps:
-            return tr("whether the cable ends during the pass, and what that loses");
+            return tr("whether the cable ends during the pass, and how much of the pass is lost");
         case Sunlit:
-            return tr("for how long the Sun shines on it");
+            return tr("how long the satellite is in sunlight");
         case Elements:
-            return tr("age of its elements in days");
+            return tr("age of the elements in days");
         default:
             return {};
     }

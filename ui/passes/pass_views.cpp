@@ -42,7 +42,7 @@ QWidget* PassViews::makeChoices(QWidget* parent)
     const std::pair<QString, QString> views[] = {{tr("List"), tr("The passes as a list")},
                                                  {tr("Timeline"), tr("The passes of the next 24 hours side by side")},
                                                  {tr("Elevation"), tr("The elevation of the selected pass over time")},
-                                                 {tr("Map"), tr("The way of the selected satellite over the Earth")}};
+                                                 {tr("Map"), tr("The path of the selected satellite over the Earth")}};
     auto* const box = new QWidget(parent);
     auto* const row = new QHBoxLayout(box);
     row->setContentsMargins(0, 0, 0, 0);

@@ -41,9 +41,10 @@ SelectedPass::SelectedPass(ProfileDraft& draft, RequestDesk& desk, QWidget* pare
       m_facts(new ValueLabel(tr("The selected pass"), fonts::label(), {}, this)),
       m_refused(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
       m_buttons(new QBoxLayout(QBoxLayout::TopToBottom)),
-      m_track(new CommandButton(tr("Track"),
-                                tr("Go to where the satellite rises and track it until it sets. Then the mount holds"),
-                                desk, *m_refused, this)),
+      m_track(new CommandButton(
+          tr("Track"),
+          tr("Go to the place where the satellite rises, and track it until it sets. Then the mount holds"), desk,
+          *m_refused, this)),
       m_watch(new WatchButton(draft, desk, *m_refused, this)),
       m_favourite(new FavouriteButton(draft, desk, *m_refused, this)),
       m_note(new NoteLine(draft, *m_refused, this)),

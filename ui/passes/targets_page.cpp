@@ -111,7 +111,7 @@ void TargetsPage::trackTyped()
 void TargetsPage::askForTable()
 {
     const QFileDialog* const dialog =
-        askForFile(*this, tr("Track the way of a file"), QFileDialog::AcceptOpen,
+        askForFile(*this, tr("Track the path in a file"), QFileDialog::AcceptOpen,
                    {tr("Tables and OEM (*.txt *.csv *.tsv *.dat *.oem *.kvn)"), tr("All files (*)")});
     connect(dialog, &QFileDialog::fileSelected, this,
             [this](const QString& path) { m_trackFile->ask(request::TrackFile{path}); });

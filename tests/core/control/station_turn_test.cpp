@@ -104,7 +104,7 @@ TEST(StationTurns, ControlIsHandedBackOnlyAfterTheAnswer)
     const Result<> refused = rig.ask(request::GiveAuthority{});
     ASSERT_FALSE(refused);
     EXPECT_EQ(textOf(refused.error()),
-              "The cable wrap of the azimuth drive is unknown. Enter where the axis is. Only slow jog works.");
+              "The cable wrap of the azimuth drive is unknown. Enter the position of the axis. Only slow jog works.");
     ASSERT_TRUE(rig.ask(request::ChooseTurn{Axis::Azimuth, 100_deg}));
     rig.run(Seconds(3.0));
     ASSERT_FALSE(rig.question());

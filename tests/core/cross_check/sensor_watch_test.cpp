@@ -224,7 +224,7 @@ TEST(SensorWatch, WhatASwingFoundSaysHowFarItIsToBeBelieved)
     EXPECT_FALSE(rig.watch.status().azimuthSigma);
     EXPECT_FALSE(rig.watch.evidence().azimuth);
     EXPECT_THAT(rig.watch.status().doubt.toStdString(),
-                HasSubstr("steel disturbs its compass near 100.0°, as the swing found"));
+                HasSubstr("steel disturbs its compass near 100.0° (result of the swing)"));
     rig.heading = curveOf(profile.sensor, profile.sensor.declinationInSensor).reading(120_deg).angle();
     rig.run(10.0);
     EXPECT_EQ(rig.alarmText(), "") << "20° off, but nothing is to be made of it there";

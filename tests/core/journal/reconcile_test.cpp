@@ -195,7 +195,7 @@ TEST_P(ReconcileKinds, ADriveThatDoesNotTellItsOriginMustBeAskedAbout)
 {
     Scene now(GetParam().kind);
     now.frame.origin.reset();
-    EXPECT_THAT(now.sentences(), Contains("The drive did not report whether its position was set after that"));
+    EXPECT_THAT(now.sentences(), Contains("The drive did not report whether its position was set since then"));
     Scene then(GetParam().kind);
     then.evidence.record->origin.reset();
     EXPECT_EQ(then.certain(), std::nullopt);

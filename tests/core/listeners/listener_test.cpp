@@ -53,8 +53,8 @@ TEST(Listener, NamesTheWordThatIsWrong)
         EXPECT_TRUE(refusalOf(std::string("gs232a drive ") + place).contains(QString::fromLatin1(place))) << place;
     }
     EXPECT_TRUE(refusalOf("gs232a drive tcp:0.0.0.0:4534 10.0.0.0/8 shack").contains(QStringLiteral("\"shack\"")));
-    EXPECT_TRUE(refusalOf("gs232a drive pty:/tmp/r 10.0.0.0/8").contains(QStringLiteral("takes no addresses")));
-    EXPECT_TRUE(refusalOf("pairs drive unix:/tmp/r 10.0.0.0/8").contains(QStringLiteral("takes no addresses")));
+    EXPECT_TRUE(refusalOf("gs232a drive pty:/tmp/r 10.0.0.0/8").contains(QStringLiteral("must not follow a path")));
+    EXPECT_TRUE(refusalOf("pairs drive unix:/tmp/r 10.0.0.0/8").contains(QStringLiteral("must not follow a path")));
 }
 
 TEST(Listener, SaysWhereItIsAndWhoReachesIt)

@@ -96,7 +96,7 @@ TEST_F(CommandTalkTest, RefusesWhatIsNoCommand)
     }
     EXPECT_EQ(talk->obey("10\xe2\x82", Retain::No)->contains("error: "), true) << "half a letter";
     EXPECT_EQ(rotator.actions, 0);
-    EXPECT_THAT(say("PRESS"), HasSubstr("Known are: ELEVATION, AZIMUTH ELEVATION"));
+    EXPECT_THAT(say("PRESS"), HasSubstr("The commands are ELEVATION, AZIMUTH ELEVATION"));
     EXPECT_THAT(rotator.remarks.back(), HasSubstr("\"PRESS\" refused: ")) << "the log has it";
     EXPECT_THAT(say(QByteArray(201, '1')), HasSubstr("at most 200 bytes"));
 }

@@ -419,7 +419,7 @@ TEST(CrossCheck, KeepOutsHaveAMaximum)
     profile.limits.keepOuts.push_back({"one more", 100_deg, 110_deg, 40_deg, 50_deg});
     const auto problems = crossCheck(profile);
     ASSERT_EQ(keysOf(problems), std::vector<std::string>{"keep_out"});
-    EXPECT_EQ(problems.front().text.toStdString(), "33 keep-outs are too many. The most is 32.");
+    EXPECT_EQ(problems.front().text.toStdString(), "33 keep-outs are too many. The maximum is 32.");
 }
 
 // REQ-PROFILE-05b: Keep-away from the Sun needs the site.

@@ -90,7 +90,7 @@ TEST_F(MessageCommandsTest, ACommandMovesTheMount)
     EXPECT_EQ(clients().front().address, QStringLiteral("topic boresight/command"));
     EXPECT_EQ(clients().front().lastCommand, QStringLiteral("40 30"));
     EXPECT_THAT(ask("?"), HasSubstr("30.0"));
-    EXPECT_THAT(ask("open the door"), HasSubstr("error: \"open the door\" is no command."));
+    EXPECT_THAT(ask("open the door"), HasSubstr("error: \"open the door\" is not a command."));
 }
 
 // REQ-MQTTCOMMANDS-06
@@ -121,7 +121,7 @@ TEST_F(MessageCommandsTest, AFloodOfStopIsNoFloodOfTicks)
         clock.advance(Seconds(1.0));
         send("boresight/command", "the last one");
         return std::ranges::any_of(logger.messages,
-                                   [](const mqtt::Message& one) { return one.payload.contains("is no command"); });
+                                   [](const mqtt::Message& one) { return one.payload.contains("is not a command"); });
     }));
     EXPECT_EQ(ticks, 1);
     EXPECT_TRUE(station->status().stopLatched);

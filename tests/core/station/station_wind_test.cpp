@@ -78,7 +78,7 @@ TEST_F(StationWindTest, RubbishIsCounted)
         send("storm");
         return station().status().wind.refused > 0;
     }));
-    EXPECT_EQ(station().status().wind.refusal, QStringLiteral("the wind speed is no number"));
+    EXPECT_EQ(station().status().wind.refusal, QStringLiteral("the wind speed is not a number"));
     EXPECT_EQ(station().status().wind.speed, 4.5);
 }
 

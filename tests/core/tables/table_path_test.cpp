@@ -276,7 +276,7 @@ TEST(TablePath, UnevenRowsHaveNoWayRatherThanAWrongOne)
     TablePath path(std::make_shared<const Table>(std::move(table)), kLisbon);
     const auto place = path.at(UtcTime(std::chrono::nanoseconds(1'000'000'000'000'000'000)));
     ASSERT_FALSE(place);
-    EXPECT_THAT(textOf(place.error()), HasSubstr("are too uneven for a way between them."));
+    EXPECT_THAT(textOf(place.error()), HasSubstr("are too uneven to interpolate between them."));
 }
 
 }  // namespace

@@ -70,7 +70,7 @@ TEST(WindText, AllElseIsRefused)
     EXPECT_EQ(speedOf(std::string(4097, ' ') + "5"), -1.0);
     EXPECT_EQ(speedOf(std::string(4000, ' ') + "5"), 5.0);
     EXPECT_EQ(speedOf(std::string("5\0", 2)), -1.0);
-    EXPECT_EQ(readWind("strong", {}).error().text, QStringLiteral("the wind speed is no number"));
+    EXPECT_EQ(readWind("strong", {}).error().text, QStringLiteral("the wind speed is not a number"));
 }
 
 }  // namespace

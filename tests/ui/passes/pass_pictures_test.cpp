@@ -170,7 +170,7 @@ TEST_F(PassPicturesTest, TheMapHasThePlaceOfTheSelectedSatelliteNow)
 {
     StationStatus status = withSatellites();
     giveFound(status);
-    QTest::mouseClick(named<QToolButton>("The way of the selected satellite over the Earth"), Qt::LeftButton);
+    QTest::mouseClick(named<QToolButton>("The path of the selected satellite over the Earth"), Qt::LeftButton);
     settle();
     const auto* const map = named<GroundMap>("Ground track of the satellite");
     ASSERT_TRUE(map->isVisible());

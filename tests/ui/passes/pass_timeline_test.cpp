@@ -175,7 +175,7 @@ TEST_F(TimelineViewTest, TheSkyKeepsItsSizeInEachView)
 {
     const QSize sky = window.findChild<PolarPlot*>()->size();
     for (const char* const view : {"The elevation of the selected pass over time",
-                                   "The way of the selected satellite over the Earth", "The passes as a list"}) {
+                                   "The path of the selected satellite over the Earth", "The passes as a list"}) {
         QTest::mouseClick(named<QToolButton>(view), Qt::LeftButton);
         settle();
         EXPECT_EQ(window.findChild<PolarPlot*>()->size(), sky) << view;

@@ -192,14 +192,14 @@ TEST_F(PassesPanelTest, JudgesTheAgeOfTheElements)
 TEST_F(PassesPanelTest, TheViewAndFavouritesOnlyAreRemembered)
 {
     giveFound(withSatellites());
-    QTest::mouseClick(named<QToolButton>("The way of the selected satellite over the Earth"), Qt::LeftButton);
+    QTest::mouseClick(named<QToolButton>("The path of the selected satellite over the Earth"), Qt::LeftButton);
     QTest::mouseClick(named<QToolButton>("Favourites only"), Qt::LeftButton);
     WindowSettings next = settings();
     next.layout = window.arrangement();
     EXPECT_EQ(next.layout.passes, (PassesLayout{.view = PassViews::Map, .onlyFavourites = true}));
     MainWindow again(clock, next);
     EXPECT_EQ(again.arrangement().passes, next.layout.passes);
-    EXPECT_TRUE(findNamed<QToolButton>(again, "The way of the selected satellite over the Earth")->isChecked());
+    EXPECT_TRUE(findNamed<QToolButton>(again, "The path of the selected satellite over the Earth")->isChecked());
     EXPECT_TRUE(findNamed<QToolButton>(again, "Favourites only")->isChecked());
     next.layout.passes.view = 77;  // from a file that was edited by hand
     const MainWindow wrong(clock, next);

@@ -137,9 +137,9 @@ TEST_F(StationAntenna, ToChooseItMovesNothing)
 
     ASSERT_TRUE(rig.point(200.0, 30.0, kOperator));
     rig.run(Seconds(1.0));
-    EXPECT_THAT(use("main"), HasSubstr("on its way to a target"));
+    EXPECT_THAT(use("main"), HasSubstr("moves to a target"));
     EXPECT_THAT(rig.control.status().permissions.reason(Action::UseAntenna).toStdString(),
-                HasSubstr("on its way to a target"));
+                HasSubstr("moves to a target"));
     rig.settle();
     EXPECT_EQ(use("main"), "");
     ASSERT_EQ(ask(request::GiveAuthority{}), "");
@@ -258,7 +258,7 @@ TEST_F(StationAntenna, FollowsTheProfile)
     profile::Profile without = wider;
     without.antennas.clear();
     without.satellites.clear();
-    EXPECT_THAT(ask(request::ApplyProfile{without}), HasSubstr("would move it"));
+    EXPECT_THAT(ask(request::ApplyProfile{without}), HasSubstr("would move the mount"));
     ASSERT_EQ(ask(request::Hold{}), "");
     rig.settle();
     EXPECT_EQ(ask(request::ApplyProfile{without}), "");
@@ -298,9 +298,9 @@ TEST_F(StationAntenna, AnotherChoiceForASatelliteMovesNoClientsBeam)
     ASSERT_EQ(inUse(), "70 cm");
     profile::Profile other = rig.profile;
     other.satellites[0].antenna = "13 cm";
-    EXPECT_THAT(ask(request::ApplyProfile{other}), HasSubstr("would move it"));
+    EXPECT_THAT(ask(request::ApplyProfile{other}), HasSubstr("would move the mount"));
     other.satellites.clear();
-    EXPECT_THAT(ask(request::ApplyProfile{other}), HasSubstr("would move it"));
+    EXPECT_THAT(ask(request::ApplyProfile{other}), HasSubstr("would move the mount"));
     EXPECT_EQ(inUse(), "70 cm");
 }
 
