@@ -48,8 +48,12 @@ void checkNumbers(std::vector<Problem>& problems, std::string_view list, const s
     }
 }
 
+// Whether the sensor, the positions or the wind come by this topic of the broker.
+[[nodiscard]] bool takesReadings(const Profile& profile, const std::string& topic);
+
 // Cross checks of the broker; of the region, the Sun, the park place and the presets; of the antennas; of the source of
-// positions; of the satellites; of the watch list; of the sensor; of the received power; of the wind.
+// positions; of the satellites; of the watch list; of the sensor; of the received power; of the transmit output; of the
+// wind.
 void checkBroker(std::vector<Problem>& problems, const Profile& profile);
 void checkRegion(std::vector<Problem>& problems, const Profile& profile);
 void checkAntennas(std::vector<Problem>& problems, const Profile& profile);
@@ -58,6 +62,7 @@ void checkSatellites(std::vector<Problem>& problems, const Profile& profile);
 void checkSchedule(std::vector<Problem>& problems, const Profile& profile);
 void checkSensor(std::vector<Problem>& problems, const Profile& profile);
 void checkPower(std::vector<Problem>& problems, const Profile& profile);
+void checkTransmit(std::vector<Problem>& problems, const Profile& profile);
 void checkWind(std::vector<Problem>& problems, const Profile& profile);
 
 }  // namespace boresight::profile
