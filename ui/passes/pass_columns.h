@@ -4,6 +4,7 @@
 #include <QObject>
 #include <QStringList>
 
+#include <map>
 #include <optional>
 
 class QHeaderView;
@@ -13,7 +14,8 @@ class QToolButton;
 
 // Which columns the list of the passes has, and how wide they are. Star and name are always there. By itself it has as
 // many as the panel has room for, the most wanted first. Columns that the operator chose stay, and the list is scrolled
-// sideways where they need more room: no number is cut. Gui thread.
+// sideways where they need more room: no number is cut. A column is as wide as what is seen of it, and gets no narrower
+// until the list is another one. The name has the rest. Gui thread.
 namespace boresight::ui {
 
 class PassTable;
@@ -38,9 +40,13 @@ private:
     void makeMenu();
     void keepOffHeader();
     void toggle(int column, bool on);
+    void beginAgain();
+    void look();
     void fit();
     void tick();
     [[nodiscard]] int widthOf(int column) const;
+    [[nodiscard]] int leastWidthOf(int column) const;
+    [[nodiscard]] int wholeName() const;
     [[nodiscard]] QList<int> roomyColumns() const;
     [[nodiscard]] QHeaderView& header() const;
 
@@ -48,6 +54,8 @@ private:
     QTableView& m_table;
     QMenu* m_menu;
     std::optional<QList<int>> m_chosen;
+    std::map<int, int> m_seen;  // column, the width of its widest cell that was seen
+    int m_longestName = 0;      // px
 };
 
 }  // namespace boresight::ui

@@ -48,7 +48,9 @@ public:
 
     explicit PassTable(QObject* parent = nullptr);
 
-    [[nodiscard]] static QString widest(Column column);  // of its cells
+    // What a cell has room for from the beginning, so that its column does not move while the numbers change.
+    [[nodiscard]] static QString usual(Column column);
+    [[nodiscard]] QString longestName() const;  // of those that are listed
 
     void show(const std::shared_ptr<const PassBook>& book, UtcTime now);
     void setChoice(const PassChoice& choice);

@@ -13,6 +13,13 @@ namespace {
 // The next rise of a satellite may be found later. The clock may also have been set.
 constexpr std::chrono::minutes kLookAgain{10};
 
+QVariant alignmentOf(int column)
+{
+    return column == TargetTable::Azimuth || column == TargetTable::Elevation
+               ? QVariant(Qt::AlignRight | Qt::AlignVCenter)
+               : QVariant();
+}
+
 QString refractionText(ephemeris::Refraction kind)
 {
     switch (kind) {
@@ -160,7 +167,7 @@ QVariant TargetTable::data(const QModelIndex& index, int role) const
         case Qt::DisplayRole:
             return text(index.row(), column);
         case Qt::TextAlignmentRole:
-            return column == Azimuth || column == Elevation ? QVariant(Qt::AlignRight | Qt::AlignVCenter) : QVariant();
+            return alignmentOf(column);
         case Qt::ToolTipRole:
             return (column == Refraction || column == Next) && !m_places.empty()
                        ? QVariant(help(m_places[std::size_t(index.row())]))
@@ -168,6 +175,13 @@ QVariant TargetTable::data(const QModelIndex& index, int role) const
         default:
             return {};
     }
+}
+
+QVariant TargetTable::headerData(int section, Qt::Orientation orientation, int role) const
+{
+    return orientation == Qt::Horizontal && role == Qt::TextAlignmentRole
+               ? alignmentOf(section)
+               : TableModel::headerData(section, orientation, role);
 }
 
 }  // namespace boresight::ui

@@ -36,6 +36,7 @@ public:
     [[nodiscard]] QString whyNotTracked(int row) const;
 
     [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
 protected:
     [[nodiscard]] std::size_t rows() const override { return m_targets.size(); }
