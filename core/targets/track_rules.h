@@ -14,6 +14,8 @@ namespace boresight::targets {
 // The mount waits no longer than this for a target to rise.
 inline constexpr std::chrono::minutes kLongestWait{30};
 
+// The mount knows its place, or the target needs none.
+[[nodiscard]] Result<> hasSite(const Target& target, bool isSiteKnown);
 // Of a satellite: its elements are not older than this. All else needs no elements.
 [[nodiscard]] Result<> isFresh(const Target& target, UtcTime now, double oldestDays);
 [[nodiscard]] Result<> isSoon(const QString& name, UtcTime rises, UtcTime now);
