@@ -16,8 +16,7 @@ constexpr std::chrono::milliseconds kMoonApart{20};
 constexpr std::chrono::minutes kWayStep{5};
 // With an interval of at most this long the mount gets a new target in each tick.
 constexpr Seconds kAllTheTime{1.0};
-// The Moon counts as set at this apparent elevation and as risen at 0°. So the steps of the file do not park the mount
-// twice.
+// The Moon counts as set at this elevation and as risen at 0°. So the steps of the file do not park the mount twice.
 constexpr Angle kMoonSets = Angle::fromDegrees(-0.3);
 
 const Source& azelSource()
@@ -79,7 +78,7 @@ Result<> AzelFollow::ask(const request::FollowAzel&, const Source& by)
 
 void AzelFollow::step(SteadyTime now)
 {
-    const bool hasOtherTimes = m_moon.look(helm().view(), m_feed);
+    m_moon.look(helm().view(), m_feed);
     if (!m_followed) {
         return;
     }
@@ -98,11 +97,7 @@ void AzelFollow::step(SteadyTime now)
         return;
     }
     tellDifference();
-    const UtcTime utc = m_utc.now(helm().view().clock);
-    if (hasOtherTimes) {
-        setUp(m_followed->isUp, utc);
-    }
-    if (const Result<> driven = drive(now, utc); !driven) {
+    if (const Result<> driven = drive(now, m_utc.now(helm().view().clock)); !driven) {
         end(Severity::Warning, Text::tr("ends the tracking: %1").arg(driven.error().text));
     }
 }
@@ -279,7 +274,7 @@ void AzelFollow::end(Severity severity, const QString& why)
 void AzelFollow::aimAtTheMoon(StationStatus& status) const
 {
     const ControlParts view = helm().view();
-    const SkyPointing moon = m_moon.step();
+    const SkyPointing moon = m_feed.text()->moon;
     const AxisPosition place = view.model.resolve(moon, m_followed->place.value_or(view.motion.place())).position;
     status.target = moon;
     status.azimuth.target = place.azimuth;

@@ -2,7 +2,6 @@
 #include "core/sources/azel_moon.h"
 
 #include "core/azel/moon_check.h"
-#include "core/ephemeris/refraction.h"
 #include "core/ephemeris/rise_set.h"
 #include "core/units/angle_between.h"
 
@@ -20,29 +19,14 @@ std::optional<Site> siteOf(const profile::SiteSettings& site)
 
 }  // namespace
 
-bool AzelMoon::look(const ControlParts& view, const azel::AzelFeed& feed)
+void AzelMoon::look(const ControlParts& view, const azel::AzelFeed& feed)
 {
     const std::optional<Site> site = siteOf(view.profile.site);
     const bool isMoved = site != m_site;
-    const bool isRuled = view.profile.orbit.refraction != m_rule;
-    m_rule = view.profile.orbit.refraction;
     if (isMoved) {
         m_site = site;
         m_almanac = site ? std::optional(ephemeris::Almanac(*site)) : std::optional<ephemeris::Almanac>();
-        m_path.reset();
-        if (site) {
-            m_path.emplace(targets::Target{.name = {}, .kind = ephemeris::SkyObject(Body::Moon)}, *site);
-        }
     }
-    if (m_path) {
-        m_path->setRule(m_rule);
-    }
-    compare(feed, isMoved);
-    return isMoved || isRuled;
-}
-
-void AzelMoon::compare(const azel::AzelFeed& feed, bool isMoved)
-{
     if (!feed.text()) {
         m_apart.reset();
         return;
@@ -69,14 +53,9 @@ bool AzelMoon::isElsewhere() const
     return m_apart && azel::moonCheck(*m_apart) == MoonCheck::Elsewhere;
 }
 
-SkyPointing AzelMoon::step() const
-{
-    return ephemeris::apparent(m_step, ephemeris::refractionBy(m_rule, ephemeris::Refraction::Light));
-}
-
 SkyPointing AzelMoon::at(UtcTime utc)
 {
-    return interpolates() ? m_path->at(utc).value_or(step()) : step();
+    return interpolates() ? m_almanac->place(Body::Moon, utc).direction : m_step;
 }
 
 std::optional<AngularRate> AzelMoon::skyRate(UtcTime utc)
@@ -86,29 +65,14 @@ std::optional<AngularRate> AzelMoon::skyRate(UtcTime utc)
                           : std::optional<AngularRate>();
 }
 
-// The present time above the horizon has begun already, by the computed Moon. The file may differ from it.
 std::optional<UtcTime> AzelMoon::nextRise(UtcTime from)
 {
-    std::optional<targets::UpTime> up = nextUp(from);
-    if (up && up->rises <= from) {
-        up = up->sets ? nextUp(*up->sets + ephemeris::kShortestUp) : std::nullopt;
-    }
-    return up ? std::optional(up->rises) : std::nullopt;
+    return m_almanac ? ephemeris::nextRise(*m_almanac, Body::Moon, from, {}) : std::optional<UtcTime>();
 }
 
 std::optional<UtcTime> AzelMoon::nextSet(UtcTime from)
 {
-    const std::optional<targets::UpTime> up = nextUp(from);
-    return up ? up->sets : std::nullopt;
-}
-
-std::optional<targets::UpTime> AzelMoon::nextUp(UtcTime from)
-{
-    if (!m_path) {
-        return std::nullopt;
-    }
-    const Result<targets::UpTime> up = m_path->nextUp(from);
-    return up ? std::optional(*up) : std::nullopt;
+    return m_almanac ? ephemeris::nextSet(*m_almanac, Body::Moon, from, {}) : std::optional<UtcTime>();
 }
 
 }  // namespace boresight::sources

@@ -62,13 +62,14 @@ QString phaseText(const AzelStatus& azel)
         case AzelPhase::Off:
             return {};
         case AzelPhase::Following:
-            return withNext(AzelBox::tr("Tracked."), AzelBox::tr("Sets at %1."));
+            return withNext(AzelBox::tr("Tracked."), AzelBox::tr("Sets at %1 without refraction."));
         case AzelPhase::Transmitting:
             return AzelBox::tr("The mount stands still while WSJT-X transmits.");
         case AzelPhase::Stale:
             return AzelBox::tr("The mount waits for the file.");
         case AzelPhase::BelowHorizon:
-            return withNext(AzelBox::tr("Moon below the horizon, parked."), AzelBox::tr("Rises at %1."));
+            return withNext(AzelBox::tr("Moon below the horizon, parked."),
+                            AzelBox::tr("Rises at %1 without refraction."));
     }
     return {};
 }
