@@ -233,6 +233,7 @@ std::vector<Problem> crossCheck(const Profile& profile)
     checkSchedule(problems, profile);
     checkSensor(problems, profile);
     checkPower(problems, profile);
+    checkTransmit(problems, profile);
     checkPosition(problems, profile);
     checkWind(problems, profile);
     return problems;

@@ -50,8 +50,11 @@ void checkNumbers(std::vector<Problem>& problems, std::string_view list, const s
     }
 }
 
+// Whether the sensor, the positions or the wind come from this topic of the broker.
+[[nodiscard]] bool takesReadings(const Profile& profile, const std::string& topic);
+
 // Check settings that depend on each other: broker; region, Sun, park position and presets; antennas; source of
-// positions; satellites; watch list; sensor; received power; wind.
+// positions; satellites; watch list; sensor; received power; transmit output; wind.
 void checkBroker(std::vector<Problem>& problems, const Profile& profile);
 void checkRegion(std::vector<Problem>& problems, const Profile& profile);
 void checkAntennas(std::vector<Problem>& problems, const Profile& profile);
@@ -60,6 +63,7 @@ void checkSatellites(std::vector<Problem>& problems, const Profile& profile);
 void checkSchedule(std::vector<Problem>& problems, const Profile& profile);
 void checkSensor(std::vector<Problem>& problems, const Profile& profile);
 void checkPower(std::vector<Problem>& problems, const Profile& profile);
+void checkTransmit(std::vector<Problem>& problems, const Profile& profile);
 void checkWind(std::vector<Problem>& problems, const Profile& profile);
 
 }  // namespace boresight::profile

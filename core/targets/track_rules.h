@@ -14,6 +14,8 @@ namespace boresight::targets {
 // The mount waits no longer than this for a target to rise.
 inline constexpr std::chrono::minutes kLongestWait{30};
 
+// A mount without a site tracks only targets that need none.
+[[nodiscard]] Result<> hasSite(const Target& target, bool isSiteKnown);
 // The elements of a satellite must not be older than `oldestDays`. Other targets need no elements.
 [[nodiscard]] Result<> isFresh(const Target& target, UtcTime now, double oldestDays);
 [[nodiscard]] Result<> isSoon(const QString& name, UtcTime rises, UtcTime now);

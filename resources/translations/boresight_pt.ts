@@ -10149,6 +10149,14 @@ até %1</translation>
         <source>the wind speed is not a number</source>
         <translation>a velocidade do vento não é um número</translation>
     </message>
+    <message>
+        <source>Boresight takes each message of the topic %1 for a command (mqtt.commands). Choose another topic</source>
+        <translation>O Boresight trata cada mensagem do tópico %1 como um comando (mqtt.commands). Escolha outro tópico</translation>
+    </message>
+    <message>
+        <source>Boresight already uses the topic %1. Choose another topic</source>
+        <translation>O Boresight já usa o tópico %1. Escolha outro tópico</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>
@@ -17731,10 +17739,6 @@ Em comparação com a montagem em uso:
         <translation>Locator, nome de um satélite, azel 120,30</translation>
     </message>
     <message>
-        <source>Type a target first.</source>
-        <translation>Escreva primeiro um alvo.</translation>
-    </message>
-    <message>
         <source>The site is not set. Enter it on the page Profile.</source>
         <translation>O local não está definido. Introduza-o na página Perfil.</translation>
     </message>
@@ -18051,6 +18055,13 @@ Para onde outro rotor aponta, segundo o seu rotctld: rotctld:10.0.0.7:4533</tran
     <message>
         <source>first select the position of the axis</source>
         <translation>selecione primeiro a posição do eixo</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::TypedTarget</name>
+    <message>
+        <source>Type a target first.</source>
+        <translation>Escreva primeiro um alvo.</translation>
     </message>
 </context>
 <context>

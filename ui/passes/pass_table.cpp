@@ -29,7 +29,7 @@ PassTable::PassTable(QObject* parent)
     connect(m_details, &PassDetails::workedOut, this, &PassTable::showDetails);
 }
 
-QString PassTable::widest(Column column)
+QString PassTable::usual(Column column)
 {
     switch (column) {
         case Rises:
@@ -42,15 +42,26 @@ QString PassTable::widest(Column column)
             return QStringLiteral("90°");
         case Lasts:
         case Hidden:
-        case Sunlit:
-            return QStringLiteral("23 h 59");
         case Unwraps:
-            return briefCableText({.turns = 1, .lost = Seconds(59.0 * 60.0 + 59.0), .fitsOverTheTop = true});
+        case Sunlit:
+            return QStringLiteral("00:00");
         case Elements:
-            return daysText({.days = QStringLiteral("9999.9"), .late = {}, .shift = {}, .beam = {}, .isTooOld = true});
+            return daysText({.days = QStringLiteral("99.9"), .late = {}, .shift = {}, .beam = {}});
         default:
             return {};
     }
+}
+
+QString PassTable::longestName() const
+{
+    const orbit::ElementSet* longest = nullptr;
+    for (const std::size_t row : m_rows) {
+        const orbit::ElementSet& one = m_book->elementsOf(m_book->passes[row]);
+        if (longest == nullptr || one.name.size() > longest->name.size()) {
+            longest = &one;
+        }
+    }
+    return longest == nullptr ? QString() : targets::satelliteName(*longest);
 }
 
 void PassTable::show(const std::shared_ptr<const PassBook>& book, UtcTime now)
@@ -245,6 +256,9 @@ QString PassTable::help(std::size_t pass, int column) const
 
 QVariant PassTable::headerData(int section, Qt::Orientation orientation, int role) const
 {
+    if (orientation == Qt::Horizontal && role == Qt::TextAlignmentRole && section > Satellite) {
+        return QVariant(Qt::AlignRight | Qt::AlignVCenter);  // as the numbers below it
+    }
     if (orientation != Qt::Horizontal || role != Qt::ToolTipRole) {
         return TableModel::headerData(section, orientation, role);
     }

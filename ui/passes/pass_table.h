@@ -48,7 +48,9 @@ public:
 
     explicit PassTable(QObject* parent = nullptr);
 
-    [[nodiscard]] static QString widest(Column column);  // the widest text of its cells
+    // The text for which a column has room from the beginning, so that it does not move while numbers change.
+    [[nodiscard]] static QString usual(Column column);
+    [[nodiscard]] QString longestName() const;  // of the listed passes
 
     void show(const std::shared_ptr<const PassBook>& book, UtcTime now);
     void setChoice(const PassChoice& choice);

@@ -27,6 +27,7 @@ public:
     [[nodiscard]] QString leftOutText() const;  // the number of satellites without a row; empty: none
     [[nodiscard]] std::size_t rowCount() const;
     [[nodiscard]] QString summary() const;  // the picture in words, for a screen reader
+    [[nodiscard]] QRectF nameBox(std::size_t row) const;
 
     [[nodiscard]] QSize minimumSizeHint() const override { return {200, 80}; }
 
@@ -57,12 +58,14 @@ private:
     [[nodiscard]] std::optional<Place> placeAt(const QPointF& at) const;
     [[nodiscard]] QString helpAt(const QPointF& at) const;
     void fitScrollBar();
+    void showSelectedRow();
     void paintRow(QPainter& painter, std::size_t row) const;
     void paintBar(QPainter& painter, std::size_t row, const TimelineBar& bar) const;
     void paintHours(QPainter& painter) const;
     void paintSelectedSpan(QPainter& painter) const;
 
     Timeline m_timeline;
+    double m_widestName = 0.0;  // px
     UtcTime m_now{};
     UtcTime m_begin{};  // at the left edge: the beginning of the present hour
     std::int64_t m_number = 0;

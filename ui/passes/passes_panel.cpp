@@ -109,17 +109,14 @@ void PassesPanel::build()
     column->setSpacing(4);
     m_note->setLines(2);
     m_note->setStretching(true);
-    auto* const filter = new QHBoxLayout;
-    filter->setSpacing(kGrid);
-    filter->addWidget(m_filter, 1);
-    filter->addWidget(m_columns->makeButton(this));
-    column->addLayout(filter);
     auto* const notes = new QHBoxLayout;
     notes->setSpacing(kGrid);
     notes->addWidget(m_choices);
     notes->addWidget(m_note, 1);
     notes->addWidget(m_elements);
+    m_filter->layout()->addWidget(m_columns->makeButton(m_filter));
     column->addLayout(notes);
+    column->addWidget(m_filter);
     m_problem->setLines(kProblemLines);
     m_problem->setStretching(true);
     m_problem->setCollapsing(true);
@@ -129,7 +126,7 @@ void PassesPanel::build()
     addActions();
 }
 
-// In a low panel the room is given to the table.
+// In a low panel the room is given to the table or the picture. A picture of one pass needs no filter.
 void PassesPanel::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
@@ -139,9 +136,10 @@ void PassesPanel::resizeEvent(QResizeEvent* event)
 void PassesPanel::fitHeight()
 {
     const bool isLow = height() < kRoomForAllFacts;
-    const bool isPicture = m_views->view() != PassViews::List;
-    m_selection->setBrief(isLow, isPicture);
-    m_selection->setNoteShown(!isLow || isPicture);
+    const PassViews::View view = m_views->view();
+    m_selection->setBrief(isLow, view != PassViews::List);
+    m_selection->setNoteShown(!isLow);
+    m_filter->setHidden(isLow && (view == PassViews::Elevation || view == PassViews::Map));
 }
 
 PassesLayout PassesPanel::arrangement() const

@@ -201,10 +201,15 @@ void SelectedPass::showFacts()
     const QString note = m_noteText.isEmpty() ? QString() : m_noteText + QLatin1Char('\n');
     QString all = factsOf(*m_pass, *m_book, m_now) + light + m_cable;
     all.insert(all.indexOf(QLatin1Char('\n')), now);  // near the top, because the last lines are cut off first
-    QString brief = (m_note->isHidden() ? note : QString()) + briefFactsOf(*m_pass, *m_book, m_now, m_isNamed);
-    const auto lines = brief.count(QLatin1Char('\n')) + 1;
+    QString brief = briefFactsOf(*m_pass, *m_book, m_now, m_isNamed);
     brief.insert(brief.lastIndexOf(QLatin1Char('\n')), now);  // before the line with the age of the elements
-    brief += now.isEmpty() || lines + 1 < kBriefLines ? light : QString();
+    const auto hasRoom = [&brief] { return brief.count(QLatin1Char('\n')) + 2 <= kBriefLines; };
+    if (m_note->isHidden() && (!m_isNamed || hasRoom())) {
+        brief.prepend(note);
+    }
+    if (hasRoom()) {
+        brief += light;
+    }
     m_facts->setValue(m_isBrief ? brief : all);
     m_facts->setToolTip(m_isBrief ? note + all : QString());
 }

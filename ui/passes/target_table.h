@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/targets/target_path.h"
+#include "core/targets/target_place.h"
 #include "ui/kit/table_model.h"
 
 #include <optional>
@@ -36,29 +36,20 @@ public:
     [[nodiscard]] QString whyNotTracked(int row) const;
 
     [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
 protected:
     [[nodiscard]] std::size_t rows() const override { return m_targets.size(); }
 
 private:
-    struct Place
-    {
-        targets::TargetPath path;
-        std::optional<SkyPointing> direction = {};
-        std::optional<targets::UpTime> up = {};  // empty: it does not rise within a day
-        QString whyNotUp = {};
-        UtcTime lookedForAt{};
-    };
-
-    static void look(Place& place, UtcTime now);
     [[nodiscard]] QString text(int row, int column) const;
-    [[nodiscard]] QString nextText(const Place& place) const;
-    [[nodiscard]] QString help(const Place& place) const;
+    [[nodiscard]] QString nextText(const targets::TargetPlace& place) const;
+    [[nodiscard]] QString help(const targets::TargetPlace& place) const;
 
     std::vector<targets::Target> m_targets;
     std::optional<Site> m_site;
     ephemeris::RefractionRule m_refraction = ephemeris::RefractionRule::ByKind;
-    std::vector<Place> m_places;  // one for each target, or empty
+    std::vector<targets::TargetPlace> m_places;  // one for each target, or empty
     UtcTime m_now{};
 };
 
