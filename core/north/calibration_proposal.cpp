@@ -209,6 +209,10 @@ Proposal proposalOf(const calibration::SensorOffset& offset, const profile::Prof
                 Text::tr("The sensor will agree at this heading only. A new swing corrects all headings."));
         }
     }
+    if (!offset.isReliableHere) {
+        proposal.warnings.push_back(
+            Text::tr("Steel disturbs the compass at this heading, as the swing found. Measure at another heading."));
+    }
     return proposal;
 }
 

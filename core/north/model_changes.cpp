@@ -10,6 +10,7 @@ namespace boresight {
 namespace {
 
 const QString kChangesSource = QStringLiteral("calibration");
+const QString kOperator = QStringLiteral("operator");
 
 }  // namespace
 
@@ -85,6 +86,9 @@ Result<> ModelChanges::apply(const Proposal& proposal)
         bringIntoForce(change, Text::tr("applies \"%1\": %2")
                                    .arg(proposal.title,
                                         changeText(m_profile->pointing, proposal.terms, proposal.sensor.has_value())));
+        for (const QString& warning : proposal.warnings) {
+            m_log.add(Severity::Warning, kOperator, Text::tr("applies it in spite of the warning: %1").arg(warning));
+        }
     });
 }
 
@@ -180,7 +184,7 @@ void ModelChanges::bringIntoForce(const CalibrationChange& change, const QString
 {
     m_follower.end();  // with the new model the same body would be tracked elsewhere
     m_change = change;
-    m_log.add(Severity::Advisory, QStringLiteral("operator"), what);
+    m_log.add(Severity::Advisory, kOperator, what);
 }
 
 }  // namespace boresight

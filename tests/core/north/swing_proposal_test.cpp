@@ -230,6 +230,20 @@ TEST(SensorProposal, ANorthThatPointsHaveToldBetterStays)
     EXPECT_FALSE(before.sensor);
 }
 
+// REQ-NORTH-961: A north that was measured where steel disturbs the compass is proposed with a warning.
+TEST(SensorProposal, ANorthFromBesideSteelWarns)
+{
+    calibration::SensorOffset offset;
+    offset.offset = {43_deg, 2_deg};
+    EXPECT_TRUE(proposalOf(offset, {}).warnings.empty());
+    offset.isReliableHere = false;
+    const Proposal proposal = proposalOf(offset, {});
+    ASSERT_EQ(proposal.warnings.size(), 1u);
+    EXPECT_EQ(proposal.warnings[0],
+              QStringLiteral("Steel disturbs the compass at this heading, as the swing found. Measure at another "
+                             "heading."));
+}
+
 // REQ-NORTH-39a: Points check the zero of elevation that was set with a level. The proposal says how far the level was
 // off, or how accurate it was. A zero that points have determined does not count as set with a level.
 TEST(PointsProposal, SunAndMoonCheckTheLevel)
