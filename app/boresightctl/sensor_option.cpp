@@ -19,7 +19,7 @@ Angle degrees(double number)
     return Angle::fromDegrees(number);
 }
 
-constexpr std::array<SensorOption, 8> kSensorOptionOptions{{
+constexpr std::array<SensorOption, 9> kSensorOptionOptions{{
     {.name = "sensor-north",
      .values = "DEGREES",
      .text = "true azimuth of the beam minus the angle of the azimuth axis. Default 37.4",
@@ -64,6 +64,18 @@ constexpr std::array<SensorOption, 8> kSensorOptionOptions{{
              truth.b1 = degrees(n[1]);
              truth.a2 = degrees(n[2]);
              truth.b2 = degrees(n[3]);
+         }},
+    {.name = "sensor-steel",
+     .values = "FROM,TO,DEGREES",
+     .text = "steel deflects the compass by DEGREES between these true azimuths, less than a full circle. Default: no "
+             "steel",
+     .min = -360.0,
+     .max = 360.0,
+     .set =
+         [](SensorTruth& truth, const double* n) {
+             truth.steelFrom = degrees(n[0]);
+             truth.steelTo = degrees(n[1]);
+             truth.steel = degrees(n[2]);
          }},
     {.name = "sensor-per-ampere",
      .values = "DEGREES",

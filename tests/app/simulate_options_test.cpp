@@ -72,6 +72,7 @@ TEST(SimulateOptions, WhatTheSensorHidesIsTheOperatorsChoice)
                                 "--sensor-noise",
                                 "0",
                                 "--sensor-per-ampere=0.2",
+                                "--sensor-steel=200,230,15",
                                 "--sensor-declination",
                                 "7",
                                 "--sensor-calibration",
@@ -90,6 +91,7 @@ TEST(SimulateOptions, WhatTheSensorHidesIsTheOperatorsChoice)
     EXPECT_EQ((std::array{truth.a1, truth.b1, truth.a2, truth.b2}), (std::array{1_deg, 2_deg, 3_deg, -4_deg}));
     EXPECT_EQ(truth.noise, Angle());
     EXPECT_EQ(truth.perAmpere, 0.2_deg);
+    EXPECT_EQ((std::array{truth.steelFrom, truth.steelTo, truth.steel}), (std::array{200_deg, 230_deg, 15_deg}));
     EXPECT_EQ(truth.declination, 7_deg);
     EXPECT_EQ(truth.calibration,
               (orientation::Calibration{.system = 0, .gyro = 1, .accelerometer = 2, .magnetometer = 3}));
