@@ -211,7 +211,7 @@ Proposal proposalOf(const calibration::SensorOffset& offset, const profile::Prof
     }
     if (!offset.isReliableHere) {
         proposal.warnings.push_back(
-            Text::tr("Steel disturbs the compass at this heading, as the swing found. Measure at another heading."));
+            Text::tr("Steel disturbs the compass at this heading (result of the swing). Measure at another heading."));
     }
     return proposal;
 }

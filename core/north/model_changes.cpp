@@ -87,7 +87,7 @@ Result<> ModelChanges::apply(const Proposal& proposal)
                                    .arg(proposal.title,
                                         changeText(m_profile->pointing, proposal.terms, proposal.sensor.has_value())));
         for (const QString& warning : proposal.warnings) {
-            m_log.add(Severity::Warning, kOperator, Text::tr("applies it in spite of the warning: %1").arg(warning));
+            m_log.add(Severity::Warning, kOperator, Text::tr("applied despite this warning: %1").arg(warning));
         }
     });
 }

@@ -10157,6 +10157,14 @@ até %1</translation>
         <source>Boresight already uses the topic %1. Choose another topic</source>
         <translation>O Boresight já usa o tópico %1. Escolha outro tópico</translation>
     </message>
+    <message>
+        <source>applied despite this warning: %1</source>
+        <translation>aplicado apesar deste aviso: %1</translation>
+    </message>
+    <message>
+        <source>Steel disturbs the compass at this heading (result of the swing). Measure at another heading.</source>
+        <translation>O aço perturba a bússola neste rumo (resultado do giro). Meça noutro rumo.</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>
@@ -11599,6 +11607,53 @@ velocidade %1</translation>
     <message>
         <source>Boresight does not ask again while this client stays connected</source>
         <translation>Não se pergunta de novo enquanto ele estiver conectado</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::DeclinationBox</name>
+    <message>
+        <source>Yes</source>
+        <translation>Sim</translation>
+    </message>
+    <message>
+        <source>The headings stay as the sensor sends them</source>
+        <translation>Os rumos ficam como o sensor os envia</translation>
+    </message>
+    <message>
+        <source>No</source>
+        <translation>Não</translation>
+    </message>
+    <message>
+        <source>Boresight applies the declination of the site in place of the sensor&apos;s</source>
+        <translation>O Boresight aplica a declinação do local em vez da do sensor</translation>
+    </message>
+    <message>
+        <source>Where the declination is applied</source>
+        <translation>Onde se aplica a declinação</translation>
+    </message>
+    <message>
+        <source>Yes, the sensor applies the declination</source>
+        <translation>Sim, o sensor aplica a declinação</translation>
+    </message>
+    <message>
+        <source>No, Boresight applies the declination</source>
+        <translation>Não, o Boresight aplica a declinação</translation>
+    </message>
+    <message>
+        <source>Does the sensor apply the declination of this site?</source>
+        <translation>O sensor aplica a declinação deste local?</translation>
+    </message>
+    <message>
+        <source>Change…</source>
+        <translation>Alterar…</translation>
+    </message>
+    <message>
+        <source>Change the declination</source>
+        <translation>Alterar a declinação</translation>
+    </message>
+    <message>
+        <source>Open the settings of the declination on the page Profile</source>
+        <translation>Abrir as definições da declinação na página Perfil</translation>
     </message>
 </context>
 <context>
@@ -16871,16 +16926,8 @@ A menos de 3 dB: %4 s
         <translation>Agora não: %1</translation>
     </message>
     <message>
-        <source>Change…</source>
-        <translation>Mudar…</translation>
-    </message>
-    <message>
         <source>True</source>
         <translation>Verdad.</translation>
-    </message>
-    <message>
-        <source>Change the declination</source>
-        <translation>Mudar a declinação</translation>
     </message>
     <message>
         <source>Use the sensor</source>
@@ -16893,14 +16940,6 @@ A menos de 3 dB: %4 s
     <message>
         <source>Sensor minus axis</source>
         <translation>Sensor menos eixo</translation>
-    </message>
-    <message>
-        <source>Where the declination is applied</source>
-        <translation>Quem soma a declinação</translation>
-    </message>
-    <message>
-        <source>Open the settings of the declination on the page Profile</source>
-        <translation>Quem soma a declinação, o valor ou o modelo dela: abre estes ajustes na página Perfil</translation>
     </message>
     <message>
         <source>No sensor is set. The simulated mount has one on its boom</source>

@@ -30,7 +30,7 @@ TEST(CalibrationSensor, ApplyingInSpiteOfAWarningIsLogged)
     ASSERT_FALSE(warnings.empty()) << "one heading gives a poor north";
     ASSERT_TRUE(rig.apply());
     for (const QString& warning : warnings) {
-        const QString line = QStringLiteral("applies it in spite of the warning: ") + warning;
+        const QString line = QStringLiteral("applied despite this warning: ") + warning;
         const auto lines = rig.log.since(0, EventLog::kCapacity);
         EXPECT_TRUE(std::ranges::any_of(lines, [&](const LogEntry& entry) {
             return entry.source == QStringLiteral("operator") && entry.text == line;

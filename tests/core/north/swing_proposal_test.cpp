@@ -240,7 +240,7 @@ TEST(SensorProposal, ANorthFromBesideSteelWarns)
     const Proposal proposal = proposalOf(offset, {});
     ASSERT_EQ(proposal.warnings.size(), 1u);
     EXPECT_EQ(proposal.warnings[0],
-              QStringLiteral("Steel disturbs the compass at this heading, as the swing found. Measure at another "
+              QStringLiteral("Steel disturbs the compass at this heading (result of the swing). Measure at another "
                              "heading."));
 }
 
