@@ -217,8 +217,9 @@ TEST(SimulateHelp, WarnsOfTheRealSensorsTopics)
     fakes::Program program(QStringLiteral(BORESIGHTCTL), {QStringLiteral("help"), QStringLiteral("simulate")});
     EXPECT_EQ(program.waitForEnd(), 0);
     const std::string help = program.output().simplified().toStdString();
-    EXPECT_THAT(help, HasSubstr("whoever reads them at this broker, Boresight or a logger, takes it for the real "
-                                "sensor; --sensor-topics simulated/ keeps them apart"));
+    EXPECT_THAT(help,
+                HasSubstr("every program that reads them at this broker uses the simulated sensor. To separate the "
+                          "two, add --sensor-topics simulated/"));
 }
 
 TEST_F(SimulateTest, FailsWhereNoLinkCanBeMade)
