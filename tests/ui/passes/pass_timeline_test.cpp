@@ -194,7 +194,7 @@ TEST_F(TimelineViewTest, APictureHasRoomInALowWindow)
     const QPoint place = list->mapTo(&window, QPoint());
     const std::pair<const char*, int> views[] = {{"The passes of the next 24 hours side by side", 100},
                                                  {"The elevation of the selected pass over time", 140},
-                                                 {"The way of the selected satellite over the Earth", 140}};
+                                                 {"The path of the selected satellite over the Earth", 140}};
     for (const auto& [view, height] : views) {
         QTest::mouseClick(named<QToolButton>(view), Qt::LeftButton);
         settle();
