@@ -31,14 +31,16 @@ std::optional<std::chrono::milliseconds> uptimeIn(const moteus::Reply& reply)
 
 }  // namespace
 
-// True if the counter advanced by the elapsed time, in the arithmetic of the counter.
+// True if the counter advanced by the elapsed time, in the arithmetic of the counter. After a long time (a suspended
+// computer, a lost bus) the drive must have been on for longer than its clock may be wrong by now.
 bool Heartbeat::wentOn(const Observation& before, const Observation& after)
 {
     const auto elapsed = std::chrono::duration_cast<std::chrono::milliseconds>(after.at - before.at);
     const auto counted =
         static_cast<std::uint32_t>(after.uptime.count()) - static_cast<std::uint32_t>(before.uptime.count());
     const auto excess = static_cast<std::int32_t>(counted - static_cast<std::uint32_t>(elapsed.count()));
-    return std::abs(std::int64_t{excess}) <= kToleranceMs + elapsed.count() / kDriftPart;
+    const std::int64_t drift = elapsed.count() / kDriftPart;
+    return before.uptime.count() > drift && std::abs(std::int64_t{excess}) <= kToleranceMs + drift;
 }
 
 void Heartbeat::begin(const moteus::Uuid& board)
@@ -66,7 +68,6 @@ std::optional<CanFrame> Heartbeat::frame(SteadyTime now)
     return *frame;
 }
 
-// A suspended computer counts as a power-up, too, because it can not know whether there was one.
 void Heartbeat::take(const moteus::Reply& reply)
 {
     const auto uptime = uptimeIn(reply);

@@ -26,10 +26,9 @@ void ClockGuard::tick()
 {
     const Seconds slept = m_clock.slept() - m_slept;
     static_cast<void>(m_utc.now(m_clock));
-    Seconds step = m_utc.jump();
+    const Seconds step = m_utc.jump();
     if (slept > kShortestSleep) {
         m_slept += slept;
-        step -= slept;
         noticeSleep(slept);
     }
     if (std::chrono::abs(step) > sources::SteeredUtc::kSet) {

@@ -79,6 +79,33 @@ TEST_F(HeartbeatTest, AnUptimeThatWentBackIsAPowerUp)
     EXPECT_EQ(heart.reboots(), 1);
 }
 
+// Story: after each suspend of the computer both wraps were unknown, although the drives had kept their power.
+TEST_F(HeartbeatTest, ASuspendIsNoPowerUp)
+{
+    beat(0ms, 3'600'000);
+    beat(20s, 3'620'150);  // the steady clock goes on while the computer sleeps
+    EXPECT_EQ(heart.reboots(), 0);
+    beat(8h, 3'620'150 + 28'900'000);
+    EXPECT_EQ(heart.reboots(), 0);
+}
+
+TEST_F(HeartbeatTest, APowerUpDuringASuspendIsNoticed)
+{
+    beat(0ms, 3'600'000);
+    beat(8h, 28'700'000);
+    beat(8h + 1s, 28'701'000);
+    EXPECT_EQ(heart.reboots(), 1);
+}
+
+// 8 h are counted with an error of up to 10 min, so this could be a drive that was power-cycled.
+TEST_F(HeartbeatTest, AfterALongSilenceADriveThatWasOnOnlyShortlyProvesNothing)
+{
+    beat(0ms, 300'000);
+    beat(8h, 300'000 + 28'800'000);
+    beat(8h + 1s, 300'000 + 28'801'000);
+    EXPECT_EQ(heart.reboots(), 1);
+}
+
 // Story: an old reply that arrived again was taken for a power-up, and the drive check after it cost a pass.
 TEST_F(HeartbeatTest, OneFalseUptimeIsNoPowerUp)
 {
