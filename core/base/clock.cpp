@@ -16,19 +16,19 @@ timex askKernel(int& state)
     return query;
 }
 
-Seconds timeOf(clockid_t clock)
+std::chrono::nanoseconds timeOf(clockid_t clock)
 {
     timespec time{};
     return ::clock_gettime(clock, &time) == 0
                ? std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec)
-               : Seconds(0.0);
+               : std::chrono::nanoseconds(0);
 }
 
 }  // namespace
 
 SteadyTime SystemClock::now() const
 {
-    return std::chrono::steady_clock::now();
+    return SteadyTime(timeOf(CLOCK_BOOTTIME));
 }
 
 UtcTime SystemClock::utc() const
@@ -52,7 +52,7 @@ std::optional<Seconds> SystemClock::error() const
                : std::nullopt;
 }
 
-// Only CLOCK_BOOTTIME continues while the computer sleeps.
+// CLOCK_MONOTONIC stops while the computer sleeps.
 Seconds SystemClock::slept() const
 {
     return timeOf(CLOCK_BOOTTIME) - timeOf(CLOCK_MONOTONIC);

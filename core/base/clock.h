@@ -5,7 +5,7 @@
 #include <optional>
 
 // The clock is injected, so that tests can set the time by hand. Ages and control use steady time, orbits and logs use
-// UTC. Any thread may read a SystemClock.
+// UTC. Steady time goes on while the computer sleeps. Any thread may read a SystemClock.
 namespace boresight {
 
 using Seconds = std::chrono::duration<double>;
@@ -22,7 +22,7 @@ public:
     [[nodiscard]] virtual bool synchronised() const = 0;
     // The error of the UTC, as the time source reports it. Empty: it is not reported.
     [[nodiscard]] virtual std::optional<Seconds> error() const = 0;
-    // How long this computer has slept since its start. Steady time does not advance during sleep.
+    // How long this computer has slept since its start.
     [[nodiscard]] virtual Seconds slept() const = 0;
 
 protected:

@@ -34,18 +34,13 @@ QString minutesText(double minutes)
 }  // namespace
 
 WindGuard::WindGuard(const profile::InForce& profile, const Clock& clock, AlarmBoard& alarms)
-    : m_profile(profile), m_clock(clock), m_alarms(alarms), m_watch(now())
+    : m_profile(profile), m_clock(clock), m_alarms(alarms), m_watch(m_clock.now())
 {}
-
-SteadyTime WindGuard::now() const
-{
-    return m_clock.now() + std::chrono::duration_cast<SteadyTime::duration>(m_clock.slept());
-}
 
 void WindGuard::take(double speed)
 {
     ++m_accepted;
-    m_watch.take(speed, now());
+    m_watch.take(speed, m_clock.now());
 }
 
 void WindGuard::step()
@@ -53,13 +48,13 @@ void WindGuard::step()
     if (!m_profile->wind.isRead()) {
         return;
     }
-    m_watch.step(limitsOf(m_profile->wind), now());
+    m_watch.step(limitsOf(m_profile->wind), m_clock.now());
     if (m_watch.isSilent() && !m_isSilent) {
-        const auto age = std::chrono::duration_cast<UtcTime::duration>(m_watch.age(now()));
+        const auto age = std::chrono::duration_cast<UtcTime::duration>(m_watch.age(m_clock.now()));
         m_lastHeard = timeOfDayText(m_clock.utc() - age);
     }
     m_isSilent = m_watch.isSilent();
-    if (m_override && now() >= m_override->until) {
+    if (m_override && m_clock.now() >= m_override->until) {
         m_override.reset();
     }
     const bool forbids = isStrong() && !m_override;
@@ -82,7 +77,7 @@ void WindGuard::profileChanged(const profile::Profile& before, const profile::Pr
     if (before.wind == after.wind) {
         return;
     }
-    m_watch = wind::WindWatch(now());
+    m_watch = wind::WindWatch(m_clock.now());
     m_override.reset();
     m_forbids = false;
     m_isSilent = false;
@@ -145,7 +140,7 @@ Result<> WindGuard::mayOverride() const
 void WindGuard::override()
 {
     const Minutes time(m_profile->wind.overrideFor);
-    m_override = {.until = now() + std::chrono::duration_cast<SteadyTime::duration>(time),
+    m_override = {.until = m_clock.now() + std::chrono::duration_cast<SteadyTime::duration>(time),
                   .utc = m_clock.utc() + std::chrono::duration_cast<UtcTime::duration>(time)};
     m_forbids = false;
 }
@@ -157,7 +152,7 @@ WindStatus WindGuard::status() const
     }
     return {.source = toQString(m_profile->wind.source),
             .speed = m_watch.last(),
-            .age = m_watch.age(now()),
+            .age = m_watch.age(m_clock.now()),
             .isSilent = m_watch.isSilent(),
             .obstacle = obstacle(),
             .overriddenUntil = m_override && isStrong() ? std::optional(m_override->utc) : std::nullopt,

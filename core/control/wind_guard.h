@@ -45,8 +45,6 @@ public:
     [[nodiscard]] WindStatus status() const;
 
 private:
-    // Includes the time that this computer slept, so that a reading from before the sleep is old.
-    [[nodiscard]] SteadyTime now() const;
     [[nodiscard]] bool isStrong() const { return m_watch.cause() != wind::WindWatch::Cause::None; }
     [[nodiscard]] QString causeText() const;
     void tellStow(bool parks);

@@ -31,14 +31,24 @@ std::optional<std::chrono::milliseconds> uptimeIn(const moteus::Reply& reply)
 
 }  // namespace
 
-// True if the counter advanced by the elapsed time, in the arithmetic of the counter.
+// True if the drive has been on for longer than the elapsed time, whatever the error of its clock. A drive whose
+// counter overflowed a short time ago seems to have been on only since then.
+bool Heartbeat::wasOn(std::int64_t elapsed, const Observation& after)
+{
+    return after.uptime.count() > elapsed + elapsed / kDriftPart + kToleranceMs;
+}
+
+// True if the counter advanced by the elapsed time, in the arithmetic of the counter. After a long time (a suspended
+// computer, a lost bus) a drive that was power-cycled may have counted that much by chance.
 bool Heartbeat::wentOn(const Observation& before, const Observation& after)
 {
-    const auto elapsed = std::chrono::duration_cast<std::chrono::milliseconds>(after.at - before.at);
+    const std::int64_t elapsed = std::chrono::duration_cast<std::chrono::milliseconds>(after.at - before.at).count();
     const auto counted =
         static_cast<std::uint32_t>(after.uptime.count()) - static_cast<std::uint32_t>(before.uptime.count());
-    const auto excess = static_cast<std::int32_t>(counted - static_cast<std::uint32_t>(elapsed.count()));
-    return std::abs(std::int64_t{excess}) <= kToleranceMs + elapsed.count() / kDriftPart;
+    const auto excess = static_cast<std::int32_t>(counted - static_cast<std::uint32_t>(elapsed));
+    const std::int64_t drift = elapsed / kDriftPart;
+    const bool isLong = drift > kToleranceMs;
+    return std::abs(std::int64_t{excess}) <= kToleranceMs + drift && (!isLong || wasOn(elapsed, after));
 }
 
 void Heartbeat::begin(const moteus::Uuid& board)
@@ -66,7 +76,6 @@ std::optional<CanFrame> Heartbeat::frame(SteadyTime now)
     return *frame;
 }
 
-// A suspended computer counts as a power-up, too, because it can not know whether there was one.
 void Heartbeat::take(const moteus::Reply& reply)
 {
     const auto uptime = uptimeIn(reply);

@@ -37,6 +37,7 @@ private:
         SteadyTime at;
     };
 
+    [[nodiscard]] static bool wasOn(std::int64_t elapsed, const Observation& after);
     [[nodiscard]] static bool wentOn(const Observation& before, const Observation& after);
 
     int m_drive;

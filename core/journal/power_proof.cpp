@@ -26,22 +26,37 @@ Seconds margin(Seconds elapsed)
     return elapsed * kDriveClockError + kAllowance;
 }
 
+bool isSameBoot(const Evidence& evidence, const TurnRecord& record)
+{
+    return !record.host.boot.isEmpty() && record.host.boot == evidence.host.boot;
+}
+
+bool isUtcExact(const Evidence& evidence, const TurnRecord& record)
+{
+    return record.host.utcIsExact && evidence.host.utcIsExact;
+}
+
 // The time since the record, by a clock that cannot have been set meanwhile. Empty: there is no such clock.
 std::optional<Seconds> vouchedElapsed(const Evidence& evidence, const TurnRecord& record)
 {
-    if (!record.host.boot.isEmpty() && record.host.boot == evidence.host.boot) {
+    if (isSameBoot(evidence, record)) {
         return evidence.host.sinceBoot - record.host.sinceBoot;
     }
-    if (record.host.utcIsExact && evidence.host.utcIsExact) {
-        return evidence.now - record.when;
-    }
-    return std::nullopt;
+    return isUtcExact(evidence, record) ? std::optional<Seconds>(evidence.now - record.when) : std::nullopt;
+}
+
+// A virtual machine does not count the time for which it was paused, and a computer without a battery clock may not
+// count its sleep. A UTC that a time server kept at both ends shows such a time, so the longer of the two counts.
+Seconds longest(Seconds elapsed, const Evidence& evidence, const TurnRecord& record)
+{
+    return isUtcExact(evidence, record) ? std::max(elapsed, Seconds(evidence.now - record.when)) : elapsed;
 }
 
 std::optional<Obstacle> obstacleInTime(const DriveFrame& frame, const Evidence& evidence, const TurnRecord& record)
 {
+    // While the computer runs, the UTC may be set to any time.
     const Seconds byUtc = evidence.now - record.when;
-    if (byUtc < Seconds(0.0)) {
+    if (!isSameBoot(evidence, record) && byUtc < Seconds(0.0)) {
         return Obstacle{.why =
                             Text::tr("The journal is dated %1 in the future. The clock of this computer was set back")
                                 .arg(inWords(-byUtc))};
@@ -60,10 +75,8 @@ std::optional<Obstacle> obstacleInTime(const DriveFrame& frame, const Evidence& 
             .why = Text::tr(
                 "The clock of the drive restarts every 49.7 days. It is unknown whether the drive kept its power")};
     }
-    // The steady clock of a computer may stand still while it sleeps, UTC does not. So the longer of the two times
-    // counts.
-    const Seconds longest = std::max(*elapsed, byUtc);
-    if (frame.uptime <= longest + margin(longest)) {
+    const Seconds atMost = longest(*elapsed, evidence, record);
+    if (frame.uptime <= atMost + margin(atMost)) {
         return Obstacle{.why = Text::tr("The drive was restarted %1 ago").arg(inWords(frame.uptime)),
                         .restarted = true};
     }

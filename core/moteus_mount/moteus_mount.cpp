@@ -44,7 +44,7 @@ MoteusMount::MoteusMount(const profile::InForce& profile, const Clock& clock, Ev
                 DriveWatch(Axis::Elevation, profile, alarms, m_silences)},
       m_turns(profile, clock, log, std::move(start)),
       m_turnWatch(m_turns, m_drives, m_watches, alarms),
-      m_stall(m_drives, m_watches, m_turns, alarms, log),
+      m_stall(m_drives, m_watches, m_turns, alarms, log, clock),
       m_proof(m_drives, m_turns, m_turnWatch, log),
       m_interlock(failure(ErrorCode::Refused, Text::tr("the drives have not been checked yet"))),
       m_started(clock.now()),

@@ -8,7 +8,7 @@ namespace {
 
 // After a longer stall nobody expects the mount to start moving.
 constexpr Seconds kLongest{2.0};
-// A shorter stall comes from load, not from sleep, and is not mentioned.
+// A shorter stall is not mentioned.
 constexpr Seconds kNamed{1.0};
 // The drives have this time from the end of the stall to the end of the resumption.
 constexpr std::chrono::seconds kOwnStallPatience{1};
@@ -25,10 +25,12 @@ bool OwnStall::note(Seconds gap, Seconds watchdog, const AxisPosition& setpoints
     if (gap < watchdog * kWatchdogShare) {
         return false;
     }
+    const bool slept = m_woke && now - *m_woke < gap;
+    const bool alreadyEnded = !m_possible && now - m_end <= kOwnStallPatience;
     m_gap = gap;
     m_end = now;
     m_setpoints = m_resuming ? m_setpoints : setpoints;
-    m_possible = gap <= kLongest;
+    m_possible = gap <= kLongest && !slept && !alreadyEnded;
     return true;
 }
 

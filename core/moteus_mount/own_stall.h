@@ -9,7 +9,8 @@
 
 // The last stall of this computer: how long it sent no commands, and where the axes were commanded to be. Decides
 // whether the motion may continue after the watchdogs of the drives stopped it. With several stalls in a row, the
-// set-points of the one that stopped the drives count. Pure, one thread. Mechanical angles.
+// set-points of the one that stopped the drives count, and none continues a motion that an earlier one has ended. Pure,
+// one thread. Mechanical angles.
 namespace boresight {
 
 class OwnStall
@@ -18,6 +19,9 @@ public:
     // The time `gap` passed between two ticks or two sendings. A drive stops by itself when it gets no command for the
     // time `watchdog`. True if the drive may have stopped.
     bool note(Seconds gap, Seconds watchdog, const AxisPosition& setpoints, SteadyTime now);
+
+    // The computer slept before `now`, and this was not seen before. Nobody expects a motion after a sleep.
+    void woke(SteadyTime now) { m_woke = now; }
 
     // The link has accepted the frames of a tick. A tick that is held up after its beginning sends them late, too. True
     // as above.
@@ -43,7 +47,8 @@ private:
     SteadyTime m_end{};
     std::optional<SteadyTime> m_sent;
     AxisPosition m_setpoints{};
-    bool m_possible = false;  // a watchdog may have acted, and the motion may continue
+    std::optional<SteadyTime> m_woke;
+    bool m_possible = true;  // after this stall the motion may continue
     bool m_resuming = false;
     SteadyTime m_resumingSince{};
 };

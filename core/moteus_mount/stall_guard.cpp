@@ -27,6 +27,7 @@ bool isHealthy(const Drive& drive)
 
 void StallGuard::tickBegins(Seconds gap, Seconds watchdog, const AxisPosition& held, SteadyTime now)
 {
+    noticeSleep(now);
     if (m_stall.note(gap, watchdog, held, now)) {
         excuseDrives(now);
     }
@@ -34,8 +35,16 @@ void StallGuard::tickBegins(Seconds gap, Seconds watchdog, const AxisPosition& h
 
 void StallGuard::framesSent(Seconds watchdog, const AxisPosition& held, SteadyTime now)
 {
+    noticeSleep(now);
     if (m_stall.sent(watchdog, held, now)) {
         excuseDrives(now);
+    }
+}
+
+void StallGuard::noticeSleep(SteadyTime now)
+{
+    if (m_sleep.sleptSince(m_clock) > Seconds(0.0)) {
+        m_stall.woke(now);
     }
 }
 

@@ -3,6 +3,7 @@
 
 #include "core/alarms/alarm_board.h"
 #include "core/alarms/event_log.h"
+#include "core/base/sleep_watch.h"
 #include "core/moteus_mount/drive_pair.h"
 #include "core/moteus_mount/drive_watch.h"
 #include "core/moteus_mount/own_stall.h"
@@ -20,9 +21,10 @@ namespace boresight {
 class StallGuard
 {
 public:
+    // All arguments outlive this.
     StallGuard(DrivePair& drives, std::array<DriveWatch, 2>& watches, TurnKeeper& turns, AlarmBoard& alarms,
-               EventLog& log)
-        : m_drives(drives), m_watches(watches), m_turns(turns), m_alarms(alarms), m_log(log)
+               EventLog& log, const Clock& clock)
+        : m_drives(drives), m_watches(watches), m_turns(turns), m_alarms(alarms), m_log(log), m_clock(clock)
     {}
 
     // A tick begins `gap` after the previous tick. The drives were last commanded to `held`.
@@ -40,6 +42,7 @@ public:
     [[nodiscard]] std::optional<std::pair<Axis, DriveWatch::Trouble>> finish(bool faultLatched, SteadyTime now);
 
 private:
+    void noticeSleep(SteadyTime now);
     void excuseDrives(SteadyTime now);
 
     DrivePair& m_drives;
@@ -47,6 +50,8 @@ private:
     TurnKeeper& m_turns;
     AlarmBoard& m_alarms;
     EventLog& m_log;
+    const Clock& m_clock;
+    SleepWatch m_sleep{m_clock};
     OwnStall m_stall;
 };
 

@@ -61,7 +61,7 @@ CommandTalk::CommandTalk(rotctld::Client client, rotctld::Rotator& rotator, cons
       m_talk(m_client, rotator, std::move(site)),
       m_habits(clock.now()),
       m_begin(clock.now()),
-      m_slept(clock.slept()),
+      m_sleep(clock),
       m_second(clock.now())
 {}
 
@@ -125,8 +125,7 @@ LineOutcome CommandTalk::run(std::string_view line, Retain retain)
 
 void CommandTalk::tick()
 {
-    if (m_clock.slept() - m_slept >= kSettling) {
-        m_slept = m_clock.slept();
+    if (m_sleep.sleptSince(m_clock) > Seconds(0.0)) {
         m_begin = m_clock.now();
     }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/clock.h"
+#include "core/base/sleep_watch.h"
 #include "core/mqtt/broker.h"
 #include "core/pairs_server/pairs_talk.h"
 #include "core/rotctld/client_habits.h"
@@ -60,8 +60,8 @@ private:
     LatchStop m_latchStop;
     pairs::PairsTalk m_talk;
     rotctld::ClientHabits m_habits;
-    SteadyTime m_begin;   // start of the time kSettling
-    Seconds m_slept;      // how long the computer had slept by then
+    SteadyTime m_begin;  // start of the time kSettling
+    SleepWatch m_sleep;
     SteadyTime m_second;  // start of the current second
     int m_inSecond = 0;   // commands in this second
 };

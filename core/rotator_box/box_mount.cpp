@@ -140,11 +140,13 @@ void BoxMount::lineOpened()
 
 void BoxMount::observe(SteadyTime now)
 {
+    // This computer slept or stalled, and nobody watched the rotator on its way. A reply may be from before the stall.
+    m_broke = m_broke || (m_state.follows && now - m_now > m_each.silence);
     m_now = now;
     if (m_lineOpen && !m_opened) {
         m_opened = now;
     }
-    if (const auto places = talk().takePlaces()) {
+    if (const auto places = talk().takePlaces(); places && !m_broke) {
         takePlaces(*places);
     }
 }

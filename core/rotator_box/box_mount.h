@@ -125,7 +125,7 @@ private:
     std::optional<SteadyTime> m_heard;   // when the last answer came
     std::optional<SteadyTime> m_opened;  // when the line was opened or a position was last known
     bool m_lineOpen = false;
-    bool m_broke = false;  // the line was lost since the last tick; it may be open again
+    bool m_broke = false;  // since the last tick the line was lost, perhaps only for a moment, or nobody read it
     SteadyTime m_now{};    // of the current or last tick
 };
 

@@ -10,8 +10,6 @@ namespace boresight {
 namespace {
 
 constexpr std::chrono::seconds kBetweenQuestions{1};
-// A shorter difference is no sleep: the two clocks of the kernel are read one after the other.
-constexpr Seconds kShortestSleep{0.1};
 const QString kSource = QStringLiteral("station");
 
 // "+90.0"
@@ -24,12 +22,9 @@ QString signedText(Seconds time)
 
 void ClockGuard::tick()
 {
-    const Seconds slept = m_clock.slept() - m_slept;
     static_cast<void>(m_utc.now(m_clock));
-    Seconds step = m_utc.jump();
-    if (slept > kShortestSleep) {
-        m_slept += slept;
-        step -= slept;
+    const Seconds step = m_utc.jump();
+    if (const Seconds slept = m_sleep.sleptSince(m_clock); slept > Seconds(0.0)) {
         noticeSleep(slept);
     }
     if (std::chrono::abs(step) > sources::SteeredUtc::kSet) {

@@ -3,7 +3,7 @@
 
 #include "core/alarms/alarm_board.h"
 #include "core/alarms/event_log.h"
-#include "core/base/clock.h"
+#include "core/base/sleep_watch.h"
 #include "core/messages/station_status.h"
 #include "core/sources/steered_utc.h"
 
@@ -16,7 +16,7 @@ class ClockGuard
 public:
     // All arguments outlive this.
     ClockGuard(const Clock& clock, EventLog& log, AlarmBoard& alarms)
-        : m_clock(clock), m_log(log), m_alarms(alarms), m_slept(clock.slept())
+        : m_clock(clock), m_log(log), m_alarms(alarms), m_sleep(clock)
     {}
 
     // Call once per tick.
@@ -31,7 +31,7 @@ private:
     EventLog& m_log;
     AlarmBoard& m_alarms;
     sources::SteeredUtc m_utc;
-    Seconds m_slept;
+    SleepWatch m_sleep;
     ClockStatus m_status;
     std::optional<SteadyTime> m_asked;
 };

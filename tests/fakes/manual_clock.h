@@ -38,7 +38,7 @@ public:
     void sleep(Seconds time)
     {
         m_slept = m_slept.load() + time;
-        stepUtc(time);
+        advance(time);
     }
 
 private:

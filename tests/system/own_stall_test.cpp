@@ -80,5 +80,90 @@ TEST(OwnStalls, ARowOfThemDoesNotEndTheMotion)
     }
 }
 
+// A mount on its way when this computer is suspended.
+class Suspended
+{
+public:
+    Suspended()
+    {
+        EXPECT_EQ(rig.ask(request::PointSky{{Angle::fromDegrees(60.0), Angle::fromDegrees(40.0)}}), "");
+        rig.run(Seconds(3.0));
+        EXPECT_EQ(rig.status().state, StationState::Slew);
+    }
+    void expectFaultAndNoMotion()
+    {
+        rig.run(Seconds(0.5));
+        EXPECT_EQ(rig.status().state, StationState::Fault);
+        const AxisPosition stood = rig.truth();
+        for (int i = 0; i < 30; ++i) {
+            rig.run(Seconds(1.0));
+            EXPECT_LT(rig.farthestFrom(stood), 0.05_deg) << i << " s";
+        }
+        EXPECT_EQ(rig.status().state, StationState::Fault);
+    }
+    void expectOneRearmIsEnough()
+    {
+        EXPECT_EQ(rig.ask(request::Rearm{}), "");
+        const AxisPosition stood = rig.truth();
+        rig.run(Seconds(3.0));
+        EXPECT_NE(rig.status().state, StationState::Fault);
+        EXPECT_LT(rig.farthestFrom(stood), 0.05_deg) << "a re-arm moves nothing";
+        EXPECT_EQ(rig.ask(request::PointSky{{Angle::fromDegrees(60.0), Angle::fromDegrees(40.0)}}), "");
+        EXPECT_TRUE(rig.settle());
+        EXPECT_NEAR(rig.truth(Axis::Azimuth), 60.0, 0.1);
+    }
+
+    SimulatedStation rig;
+};
+
+// Story: after each suspend of the computer both wraps were unknown, although the drives had kept their power.
+TEST(OwnStalls, AfterASuspendTheWrapsAreKnownAndOneRearmIsEnough)
+{
+    Suspended mount;
+    mount.rig.clock.sleep(Seconds(20.0));
+    mount.expectFaultAndNoMotion();
+    EXPECT_TRUE(mount.rig.alarmSays(QStringLiteral("was suspended for 20.0 s")));
+    EXPECT_TRUE(mount.rig.alarmSays(QStringLiteral("timed out because this computer stalled for 20 s")));
+    EXPECT_FALSE(mount.rig.alarmSays(QStringLiteral("clock of this computer was set")));
+    EXPECT_TRUE(mount.rig.status().azimuth.turnKnown);
+    EXPECT_TRUE(mount.rig.status().elevation.turnKnown);
+    mount.expectOneRearmIsEnough();
+}
+
+TEST(OwnStalls, ADriveThatWasPowerCycledInASuspendHasNoWrap)
+{
+    Suspended mount;
+    mount.rig.link->inject({.kind = sim::FaultKind::BoardPowerLoss, .axis = Axis::Azimuth, .duration = Seconds(5.0)});
+    mount.rig.clock.sleep(Seconds(20.0));
+    mount.expectFaultAndNoMotion();
+    EXPECT_FALSE(mount.rig.status().azimuth.turnKnown);
+    EXPECT_TRUE(mount.rig.status().elevation.turnKnown);
+}
+
+// Story: a suspend of a second counted as a stall by load, and the motion continued when the lid was opened.
+TEST(OwnStalls, AShortSuspendWaitsForARearm)
+{
+    for (const double seconds : {0.3, 1.5}) {
+        SCOPED_TRACE(seconds);
+        Suspended mount;
+        mount.rig.clock.sleep(Seconds(seconds));
+        mount.expectFaultAndNoMotion();
+        mount.expectOneRearmIsEnough();
+    }
+}
+
+// The first ticks after a suspend are late. This short stall does not resume the motion that the suspend has ended.
+TEST(OwnStalls, AStallAfterASuspendResumesNothing)
+{
+    for (const double seconds : {1.5, 20.0}) {
+        SCOPED_TRACE(seconds);
+        Suspended mount;
+        mount.rig.clock.sleep(Seconds(seconds));
+        mount.rig.tick();
+        mount.rig.clock.advance(Seconds(0.15));
+        mount.expectFaultAndNoMotion();
+    }
+}
+
 }  // namespace
 }  // namespace boresight::system_test

@@ -4,8 +4,27 @@
 #include <gtest/gtest.h>
 #include <sys/timex.h>
 
+#include <ctime>
+
 namespace boresight {
 namespace {
+
+std::chrono::nanoseconds bootTime()
+{
+    timespec time{};
+    EXPECT_EQ(::clock_gettime(CLOCK_BOOTTIME, &time), 0);
+    return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
+}
+
+// REQ-BASE-11: The steady time goes on while the computer sleeps.
+TEST(Clock, GoesOnWhileTheComputerSleeps)
+{
+    const std::chrono::nanoseconds before = bootTime();
+    const std::chrono::nanoseconds now = SystemClock().now().time_since_epoch();
+    const std::chrono::nanoseconds after = bootTime();
+    EXPECT_LE(before, now);
+    EXPECT_LE(now, after);
+}
 
 // REQ-CONTROL-39a (Clock.*)
 // REQ-BASE-09 (Clock.*): Whether the kernel's clock is synchronised is read from the kernel.

@@ -28,7 +28,8 @@ bool logHas(const StationRig& rig, const QString& text)
 // watchdogs of the drives stop the mount. The motion is then resumed within 1 s, unless the profile says "wait". Any
 // doubt waits for a re-arm: a drive in fault or power-cycled, a wrap that is not proven, an axis that moved by 2°, a
 // latched STOP, a drive that does not come back. Requests made meanwhile count. This also holds for several stalls in a
-// row, and for a stall while drives are taken over.
+// row, and for a stall while drives are taken over. After a suspend of the computer, however short, the mount waits for
+// a re-arm.
 TEST(StationStall, TheMotionGoesOnByItself)
 {
     for (const double seconds : {0.08, 0.15, 1.0, 1.97}) {

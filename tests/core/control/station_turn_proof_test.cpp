@@ -10,10 +10,15 @@
 namespace boresight {
 namespace {
 
-// A mount whose journal is dated an hour ahead, so Boresight asks the operator. The axes stand at 0°.
+constexpr std::chrono::hours kAhead{1};
+
+// A mount whose journal has all its clocks an hour ahead. Until then it proves nothing, so Boresight asks the operator.
+// The axes stand at 0°.
 journal::MountJournal journalOfTheFuture(const StationRig& rig)
 {
     journal::MountJournal journal;
+    journal::HostTime host = journal::hostTime(rig.clock);
+    host.sinceBoot += kAhead;
     for (const Axis axis : kAxes) {
         const bool azimuth = axis == Axis::Azimuth;
         const auto& geometry = azimuth ? rig.profile.azimuth.geometry : rig.profile.elevation.geometry;
@@ -23,15 +28,14 @@ journal::MountJournal journalOfTheFuture(const StationRig& rig)
             journal::recordOf({.drive = rig.factsOf(axis).uuid,
                                .reported = reported,
                                .homeState = drive.home,
-                               .uptime = Seconds(std::chrono::hours(1)),
+                               .uptime = std::chrono::hours(1) + kAhead,
                                .origin = moteus::CountOrigin{.beginning = 1, .offset = drive.origin()}},
-                              geometry.toAxis(reported), geometry, false, rig.clock.utc() + std::chrono::hours(1),
-                              journal::hostTime(rig.clock));
+                              geometry.toAxis(reported), geometry, false, rig.clock.utc() + kAhead, host);
     }
     return journal;
 }
 
-// The program restarts with the saved data. The drives stay powered, and the clock is right again.
+// The program restarts with the saved data. The drives stay powered.
 void restartInto(StationRig& next, const StationRig& before)
 {
     next.clock.advance(Seconds(before.clock.now() - next.clock.now()) + Seconds(1.0));
@@ -42,11 +46,13 @@ void restartInto(StationRig& next, const StationRig& before)
     }
 }
 
-journal::MountJournal withTheClockRight(journal::MountJournal journal)
+journal::MountJournal withTheClocksRight(journal::MountJournal journal)
 {
     for (auto& turn : journal.turns) {
         if (turn) {
-            turn->when -= std::chrono::hours(1);
+            turn->when -= kAhead;
+            turn->host.sinceBoot -= kAhead;
+            turn->uptime -= kAhead;
         }
     }
     return journal;
@@ -63,7 +69,7 @@ TEST(StationTurns, CountingFromTheMiddleIsNeverTakenForAMotion)
     asked.run(Seconds(0.5));
     ASSERT_TRUE(asked.control.status().drives->azimuth.turnQuestion);
     ASSERT_NEAR(asked.azimuthDegrees(), 180.0, 3.6) << "it counts from the middle";
-    StationRig again(profile::Profile{}, {.journal = withTheClockRight(asked.mount.journal())});
+    StationRig again(profile::Profile{}, {.journal = withTheClocksRight(asked.mount.journal())});
     restartInto(again, asked);
     again.run(Seconds(0.5));
     EXPECT_FALSE(again.control.status().azimuth.turnKnown);
@@ -83,7 +89,7 @@ TEST(StationTurns, CountingFromTheMiddleProvesNothingAfterASilenceEither)
     rig.run(Seconds(0.5));
     ASSERT_TRUE(rig.control.status().drives->azimuth.turnQuestion);
     rig.azimuth.silent = true;
-    rig.clock.stepUtc(Seconds(std::chrono::hours(1)) + Seconds(1.0));
+    rig.clock.advance(Seconds(kAhead) + Seconds(1.0));
     rig.run(Seconds(0.5));
     rig.azimuth.silent = false;
     rig.run(Seconds(0.5));
@@ -103,7 +109,7 @@ TEST(StationTurns, AnAnswerHalfWrittenIsNeverTakenForAMotion)
         saved = told.mount.journal();
     }
     ASSERT_NEAR(told.azimuth.position, 0.28, 1e-6);
-    StationRig again(profile::Profile{}, {.journal = withTheClockRight(saved)});
+    StationRig again(profile::Profile{}, {.journal = withTheClocksRight(saved)});
     restartInto(again, told);
     again.run(Seconds(0.5));
     EXPECT_FALSE(again.control.status().azimuth.turnKnown);

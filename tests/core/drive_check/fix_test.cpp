@@ -165,8 +165,8 @@ TEST(Fix, AnInterruptedOneIsSaidAndCanBeRepeated)
 }
 
 // REQ-SURVEY-10 (PowerUp.*): A power-up is detected within a second, also after a lost bus. The overflow of the counter
-// (49 days) and a drifting clock are no power-ups. A suspend of this computer counts as a power-up, because the state
-// cannot be known.
+// (49 days), a drifting clock and a suspend of this computer are no power-ups. A drive that was on only shortly before
+// a long silence counts as power-cycled, because its clock proves nothing then.
 TEST(PowerUp, IsNoticedByTheUptimeAndEverythingIsReadAgain)
 {
     DriveCheckRig rig;

@@ -151,6 +151,29 @@ TEST(Gs232Stop, ALineThatWasAwayForAMomentEndsTheMotion)
     EXPECT_LT(bench.truth().azimuth, 100_deg);
 }
 
+// Story: this computer slept for 20 s. When a reply from before the sleep waited in the port, the motion continued.
+// REQ-GS232-29: A suspend of this computer for longer than the silence limit ends the motion, also when a reply waited
+// meanwhile. One re-arm is enough.
+TEST(Gs232Stop, ASleepOfTheComputerEndsTheMotion)
+{
+    for (int phase = 0; phase < 25; ++phase) {
+        Gs232Bench bench;
+        bench.run(Seconds(2.0));
+        ASSERT_TRUE(bench.goTo(200.0, 20.0));
+        bench.run(Seconds(4.0) + kOneTick * phase);
+        bench.clock().sleep(Seconds(20.0));
+        bench.run(Seconds(3.0));
+        EXPECT_TRUE(bench.control().faultLatched()) << phase;
+        EXPECT_TRUE(bench.standsOnBoard("rotator.silent")) << phase;
+        EXPECT_FALSE(bench.standsOnBoard("rotator.jumped")) << phase;
+        EXPECT_TRUE(bench.stands(Seconds(5.0))) << phase;
+        EXPECT_LT(bench.truth().azimuth, 100_deg) << phase;
+        ASSERT_TRUE(bench.ask(request::Rearm{})) << phase;
+        bench.run(Seconds(0.5));
+        EXPECT_TRUE(bench.goTo(200.0, 20.0)) << phase;
+    }
+}
+
 // REQ-GS232-24: A converter that alternates between two counts does not count as a motion.
 TEST(Gs232Stop, AFlickerOfOneCountIsNoMotion)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A position that is called certain must be true. After a record was made, a mount, its drive and a computer go through
-// random events: motion by hand, power cuts, restarts, suspends, clock steps, a position set by other tools, other
+// random events: motion by hand, power cuts, restarts, clock steps, a position set by other tools, other
 // encoder settings, another drive, another profile. Then the reports of the drive and the clocks are judged, and
 // compared with the true position of the axis.
 #include "core/journal/reconcile.h"
@@ -62,7 +62,7 @@ public:
 
     void misfortune()
     {
-        switch (static_cast<int>(uniform(0.0, 12.0))) {
+        switch (static_cast<int>(uniform(0.0, 11.0))) {
             case 0:
             case 1:
                 moveByHand();
@@ -81,15 +81,12 @@ public:
                 syncToTimeServer();
                 break;
             case 6:
-                sleep(anyTime());
-                break;
-            case 7:
                 setNearest();
                 break;
-            case 8:
+            case 7:
                 chance(0.5) ? setExact() : chance(0.5) ? changeEncoderSettings() : moveAndSetBack();
                 break;
-            case 9:
+            case 8:
                 chance(0.3) ? swapDrive() : moveByHand();
                 break;
             default:
@@ -120,9 +117,8 @@ public:
     }
     [[nodiscard]] HostTime host() const
     {
-        return {.boot = QString::number(m_hostBoots),
-                .sinceBoot = Seconds(m_now - m_hostBooted - m_slept),
-                .utcIsExact = m_exact};
+        return {
+            .boot = QString::number(m_hostBoots), .sinceBoot = Seconds(m_now - m_hostBooted), .utcIsExact = m_exact};
     }
 
     [[nodiscard]] bool chance(double probability) { return uniform(0.0, 1.0) < probability; }
@@ -136,12 +132,6 @@ private:
     [[nodiscard]] double anyTime() { return 0.01 * std::pow(60.0 * kDay / 0.01, uniform(0.0, 1.0)); }
 
     void pass(double seconds) { m_now += seconds; }
-
-    void sleep(double seconds)
-    {
-        m_now += seconds;
-        m_slept += seconds;
-    }
 
     // The mechanical stops keep the axis near its travel. Some moves are multiples of what the drive can distinguish.
     void moveByHand()
@@ -174,7 +164,6 @@ private:
     {
         ++m_hostBoots;
         m_hostBooted = m_now;
-        m_slept = 0.0;
         m_exact = false;
         if (!m_batteryClock) {
             m_utcOffset = -m_now;
@@ -280,7 +269,6 @@ private:
     double m_now = 0.0;  // s, true time
     double m_driveBooted = 0.0;
     double m_hostBooted = 0.0;
-    double m_slept = 0.0;
     double m_utcOffset = 0.0;
 };
 

@@ -280,27 +280,35 @@ TEST(ReconcileClock, AfterARestartOfTheComputerUtcCountsIfATimeServerKeptItBothT
 TEST(ReconcileClock, ARecordOfTheFutureIsNotCountedOn)
 {
     Scene scene;
-    scene.clockStepped(minutes(-30));
+    scene.hostRestarted(true, true).clockStepped(minutes(-30));
     EXPECT_THAT(scene.sentences(),
                 Contains("The journal is dated 18 min in the future. The clock of this computer was set back"));
     EXPECT_THAT(scene.sentences(), Contains("The journal has 405.0°, written at standstill"));
 }
 
-// A step forward that is shorter than the drive has been on does no harm: the steady clock shows the elapsed time.
-TEST(ReconcileClock, ASmallStepDoesNoHarmWhileTheComputerRuns)
+// Story: a computer without a battery clock got its time after the start of the program, a step of years. After the
+// next stall both wraps were unknown.
+// The steady clock shows the elapsed time. A time server is in charge only after the step.
+TEST(ReconcileClock, AStepOfUtcDoesNoHarmWhileTheComputerRuns)
 {
-    EXPECT_THAT(Scene().clockStepped(minutes(40)).certain(), isAt(405.0));
-    EXPECT_THAT(Scene().clockStepped(minutes(-11)).certain(), isAt(405.0));
-    EXPECT_EQ(Scene().clockStepped(hours(2)).certain(), std::nullopt);
+    for (const bool nowExact : {false, true}) {
+        for (const Seconds step : {Seconds(minutes(40)), Seconds(minutes(-11)), Seconds(minutes(-30)),
+                                   Seconds(hours(2)), Seconds(hours(20000)), Seconds(hours(-20000))}) {
+            Scene scene;
+            scene.clockStepped(step).evidence.host.utcIsExact = nowExact;
+            EXPECT_THAT(scene.certain(), isAt(405.0)) << step.count() << " s";
+        }
+    }
 }
 
-// The steady clock may stop while the computer is suspended, here for 3 h. The drive restarted an hour ago. By the
-// steady clock it could have been on all the time.
-TEST(ReconcileClock, ASleepOfTheComputerIsSeenByUtc)
+// A paused virtual machine does not count its sleep, here of 3 h. The drive restarted an hour ago. By the steady clock
+// the drive could have been on all the time.
+TEST(ReconcileClock, ASleepThatTheComputerDidNotCountIsSeenByATimeServer)
 {
     Scene scene(Kind::HundredToOne);
     scene.powerCycledAt(45.0).clockStepped(hours(3));
     scene.frame.uptime = hours(1);
+    scene.evidence.host.utcIsExact = scene.evidence.record->host.utcIsExact = true;
     EXPECT_EQ(scene.certain(), std::nullopt);
 }
 

@@ -144,6 +144,20 @@ TEST_F(CommandTalkTest, MovesNothingRightAfterTheComputerSlept)
     EXPECT_EQ(say("10 20"), "OK");
 }
 
+// Story: the steady clock goes on during a sleep. So after a sleep of 1.9 s a command was obeyed almost at once.
+// REQ-MQTTCOMMANDS-04
+TEST_F(CommandTalkTest, MovesNothingRightAfterAShortSleep)
+{
+    for (const auto sleep : {200ms, 1900ms}) {
+        clock.sleep(sleep);
+        talk->tick();
+        clock.advance(1900ms);
+        EXPECT_THAT(say("10 20"), HasSubstr("this command may be old. Send it again.")) << sleep.count();
+        clock.advance(100ms);
+        EXPECT_EQ(say("10 20"), "OK") << sleep.count();
+    }
+}
+
 // REQ-MQTTCOMMANDS-05: With `mqtt.commands = "stop"` a sender may read and stop. Every motion is refused.
 TEST_F(CommandTalkTest, MayBeForStoppingOnly)
 {

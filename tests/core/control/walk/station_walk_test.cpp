@@ -326,16 +326,17 @@ private:
         }
     }
 
-    // This computer stalls. The watchdogs of the drives end their motion.
+    // This computer stalls or sleeps. The watchdogs of the drives end their motion.
     void stall()
     {
-        const Seconds time(number(0.02, 1.0));
+        const bool sleeps = m_random() % 2 == 0;
+        const Seconds time(sleeps ? number(0.15, 30.0) : number(0.02, 1.0));
         for (const Axis axis : kAxes) {
             if (time > m_rig.profile.control.watchdog && drive(axis).mode == moteus::Mode::Position) {
                 drive(axis).mode = moteus::Mode::PositionTimeout;
             }
         }
-        m_rig.clock.advance(time);
+        sleeps ? m_rig.clock.sleep(time) : m_rig.clock.advance(time);
         tick(StationRig::kTick + time);
     }
 
