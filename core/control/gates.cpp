@@ -443,8 +443,7 @@ Result<> Gates::mayGiveControl() const
     }
     for (const Axis axis : kAxes) {
         if (m_of.mount.report(axis).wrapAsked) {
-            // The operator must answer which wrap the axis is on. Before that, clients could not move the mount.
-            return isPlaced(axis);
+            return isPlaced(axis);  // clients cannot move the mount before the operator answers
         }
     }
     return {};

@@ -22,8 +22,7 @@ public:
 
     // This source may command the mount now: neither the operator nor another client has control instead.
     [[nodiscard]] Result<> mayCommand(const Source& source) const;
-    // A shell of this computer may move the mount when a client of this computer could. No client loses control by
-    // this.
+    // A shell of this computer may move the mount when a client of it could. No client loses control by this.
     [[nodiscard]] Result<> mayShellCommand() const;
     // The mount is armed, no crash-stop test is running, and the wind permits the motion.
     [[nodiscard]] Result<> mayMove(const Source& source) const;
@@ -33,16 +32,14 @@ public:
     [[nodiscard]] Result<> mayPark(const Source& source) const;   // to the park position, also in a strong wind
     [[nodiscard]] Result<> mayJog(const AxisRates& rates, const Source& source) const;  // where necessary only slowly
     [[nodiscard]] Result<> axesPlaced() const;  // on known wraps and not far outside the travel
-    // While the clock is not trusted, the Sun may be anywhere in its band. If the mount stands in the band, only the
-    // operator may jog it, and slowly.
+    // While the clock is not trusted, only the operator may jog a mount in the Sun's band, and slowly.
     [[nodiscard]] Result<> mayLeaveSunBand(const AxisRates& rates, const Source& source) const;
     [[nodiscard]] bool isInSunBand(const AxisPosition& place) const;
     // The profile permits pointing the beam at the Sun.
     [[nodiscard]] Result<> mayFaceSun() const;
     // The fastest jog by hand that is permitted now, in any direction.
     [[nodiscard]] AngularRate fastestJog() const;
-    // The measured axis is not at the end of its travel in this direction. While the wrap is unknown, the angles do not
-    // show the end, so the gate is open.
+    // The measured axis is not at this end of its travel. While the wrap is unknown, the gate is open.
     [[nodiscard]] Result<> isWayOn(Axis axis, bool upwards) const;
     [[nodiscard]] Result<> mayBeAt(const AxisPosition& place) const;  // inside travel, limits, horizon and keep-outs
     [[nodiscard]] AxisPosition home() const;
@@ -79,15 +76,13 @@ public:
     [[nodiscard]] Result<> mayGiveControlTo(std::uint64_t clientId) const;
     // A change of the pointing model would not change the running motion.
     [[nodiscard]] Result<> mayChangePointing() const;
-    // The antenna may be changed. A target that Boresight tracks by itself is then tracked with the beam of the new
-    // antenna.
+    // The antenna may be changed. A target that Boresight tracks is then tracked with the new beam.
     [[nodiscard]] Result<> mayUseAntenna() const;
     // The profile `after` may be applied, although it gives the beam other terms or selects another antenna.
     [[nodiscard]] Result<> mayTurnBeam(const profile::Profile& after) const;
     [[nodiscard]] Result<> usesMainAntenna() const;
 
-    // 1 or -1 if the axis is above or below its travel by more than the own bounds of the drives permit. 0 if it is
-    // not, or if its position is unknown.
+    // 1 or -1: the axis is above or below its travel by more than the bounds of the drives. 0: not, or unknown.
     [[nodiscard]] int farOutside(Axis axis) const;
 
 private:
