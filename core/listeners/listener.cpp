@@ -2,6 +2,7 @@
 #include "core/listeners/listener.h"
 
 #include "core/base/numbers.h"
+#include "core/base/peer_address.h"
 #include "core/base/text.h"
 
 #include <QHostAddress>
@@ -30,11 +31,6 @@ constexpr std::array kProtocols{ProtocolWord{"gs232a", "GS-232A", Protocol::Gs23
 constexpr std::string_view kTcp = "tcp:";
 constexpr std::string_view kPty = "pty:";
 constexpr std::string_view kUnix = "unix:";
-
-QHostAddress addressOf(const std::string& host)
-{
-    return host == "localhost" ? QHostAddress(QHostAddress::LocalHost) : QHostAddress(QString::fromStdString(host));
-}
 
 QString knownProtocols()
 {
@@ -76,7 +72,8 @@ Result<> readTcp(std::string_view place, Listener& listener)
         host = host.substr(1, host.size() - 2);
     }
     listener.host = std::string(host);
-    if (!port || *port < 0 || *port > std::numeric_limits<std::uint16_t>::max() || addressOf(listener.host).isNull()) {
+    if (!port || *port < 0 || *port > std::numeric_limits<std::uint16_t>::max() ||
+        listenAddress(listener.host).isNull()) {
         return failure(
             ErrorCode::InvalidInput,
             Text::tr("\"tcp:%1\" names no IP address and port. An example: tcp:127.0.0.1:4534").arg(toQString(place)));
@@ -171,7 +168,7 @@ std::string placeOf(const Listener& listener)
 bool isOpenToAll(const Listener& listener)
 {
     return isTcp(listener) && listener.allow.empty() && listener.rights == Rights::Drive &&
-           !addressOf(listener.host).isLoopback();
+           !isThisComputer(listener.host);
 }
 
 bool collide(const Listener& one, const Listener& other)
