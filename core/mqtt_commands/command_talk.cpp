@@ -2,6 +2,7 @@
 #include "core/mqtt_commands/command_talk.h"
 
 #include "core/base/text.h"
+#include "core/base/trimmed.h"
 
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -19,14 +20,6 @@ using rotctld::shownText;
 std::string_view textOf(const QByteArray& message)
 {
     return {message.constData(), static_cast<std::size_t>(message.size())};
-}
-
-// A shell script ends a message with a line end, and a person with a blank.
-std::string_view trimmed(std::string_view text)
-{
-    constexpr std::string_view kBlanks = " \t\r\n";
-    const std::size_t begin = std::min(text.find_first_not_of(kBlanks), text.size());
-    return text.substr(begin, text.find_last_not_of(kBlanks) + 1 - begin);
 }
 
 // Of several lines, too: the last word counts.
@@ -67,7 +60,7 @@ CommandTalk::CommandTalk(rotctld::Client client, rotctld::Rotator& rotator, cons
 
 std::optional<QByteArray> CommandTalk::obey(const QByteArray& message, Retain retain)
 {
-    const std::string_view line = trimmed(textOf(message));
+    const std::string_view line = trimmed(textOf(message));  // a script ends a message with a line end
     if (asksForStop(line)) {
         return latch(line, retain);
     }
