@@ -53,10 +53,11 @@ CommandTalk::CommandTalk(rotctld::Client client, rotctld::Rotator& rotator, cons
       m_latchStop(std::move(latchStop)),
       m_talk(m_client, rotator, std::move(site)),
       m_habits(clock.now()),
-      m_begin(clock.now()),
-      m_slept(clock.slept()),
+      m_settling(clock),
       m_second(clock.now())
-{}
+{
+    m_settling.begin();
+}
 
 std::optional<QByteArray> CommandTalk::obey(const QByteArray& message, Retain retain)
 {
@@ -116,14 +117,6 @@ LineOutcome CommandTalk::run(std::string_view line, Retain retain)
     return m_talk.obey(line);
 }
 
-void CommandTalk::tick()
-{
-    if (m_clock.slept() - m_slept >= kSettling) {
-        m_slept = m_clock.slept();
-        m_begin = m_clock.now();
-    }
-}
-
 // Into the log, too. What the rotator refuses, it logs itself.
 LineOutcome CommandTalk::refuse(std::string_view line, ErrorCode code, const QString& reason)
 {
@@ -145,10 +138,10 @@ Result<> CommandTalk::admits(const pairs::Command& command) const
         return failure(ErrorCode::Refused, Text::tr("By MQTT a motion needs an azimuth and an elevation, such as "
                                                     "\"120.5 30\", because a message may arrive twice."));
     }
-    if (m_clock.now() - m_begin < kSettling) {
+    if (!m_settling.isOver()) {
         return failure(ErrorCode::Refused, Text::tr("The connection to the broker began or was interrupted less than "
                                                     "%1 s ago, so this command may be old. Send it again.")
-                                               .arg(kSettling.count()));
+                                               .arg(rotctld::Settling::kTime.count()));
     }
     return {};
 }

@@ -6,6 +6,7 @@
 #include "core/pairs_server/pairs_talk.h"
 #include "core/rotctld/client_habits.h"
 #include "core/rotctld/rotator.h"
+#include "core/rotctld/settling.h"
 
 #include <QByteArray>
 
@@ -23,8 +24,6 @@ using LatchStop = std::function<Result<>(const rotctld::Client& client)>;
 class CommandTalk
 {
 public:
-    // A motion that arrives this soon after the connection, or after the computer slept, may have waited somewhere.
-    static constexpr std::chrono::seconds kSettling{2};
     static constexpr std::size_t kLongest = 200;  // bytes of a command
     static constexpr int kPerSecond = 20;         // commands
 
@@ -38,7 +37,7 @@ public:
     [[nodiscard]] std::optional<QByteArray> stop(const QByteArray& message, Retain retain);
 
     // Each tick: the settling begins again when the computer wakes up.
-    void tick();
+    void tick() { m_settling.tick(); }
 
     [[nodiscard]] const rotctld::Client& client() const { return m_client; }
     [[nodiscard]] const rotctld::ClientHabits& habits() const { return m_habits; }
@@ -57,8 +56,7 @@ private:
     LatchStop m_latchStop;
     pairs::PairsTalk m_talk;
     rotctld::ClientHabits m_habits;
-    SteadyTime m_begin;   // of the settling
-    Seconds m_slept;      // by the computer, as it was then
+    rotctld::Settling m_settling;
     SteadyTime m_second;  // the beginning of the second that is counted
     int m_inSecond = 0;   // commands
 };
