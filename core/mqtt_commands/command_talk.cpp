@@ -2,6 +2,7 @@
 #include "core/mqtt_commands/command_talk.h"
 
 #include "core/base/text.h"
+#include "core/base/trimmed.h"
 
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -19,14 +20,6 @@ using rotctld::shownText;
 std::string_view textOf(const QByteArray& message)
 {
     return {message.constData(), static_cast<std::size_t>(message.size())};
-}
-
-// Messages of a shell script often end with a line end, and messages of a person with a blank.
-std::string_view trimmed(std::string_view text)
-{
-    constexpr std::string_view kBlanks = " \t\r\n";
-    const std::size_t begin = std::min(text.find_first_not_of(kBlanks), text.size());
-    return text.substr(begin, text.find_last_not_of(kBlanks) + 1 - begin);
 }
 
 // In a text of several lines the last word decides.
@@ -60,14 +53,15 @@ CommandTalk::CommandTalk(rotctld::Client client, rotctld::Rotator& rotator, cons
       m_latchStop(std::move(latchStop)),
       m_talk(m_client, rotator, std::move(site)),
       m_habits(clock.now()),
-      m_begin(clock.now()),
-      m_slept(clock.slept()),
+      m_settling(clock),
       m_second(clock.now())
-{}
+{
+    m_settling.begin();
+}
 
 std::optional<QByteArray> CommandTalk::obey(const QByteArray& message, Retain retain)
 {
-    const std::string_view line = trimmed(textOf(message));
+    const std::string_view line = trimmed(textOf(message));  // a script ends a message with a line end
     if (asksForStop(line)) {
         return latch(line, retain);
     }
@@ -123,14 +117,6 @@ LineOutcome CommandTalk::run(std::string_view line, Retain retain)
     return m_talk.obey(line);
 }
 
-void CommandTalk::tick()
-{
-    if (m_clock.slept() - m_slept >= kSettling) {
-        m_slept = m_clock.slept();
-        m_begin = m_clock.now();
-    }
-}
-
 // Also logs the refusal. The rotator logs its own refusals.
 LineOutcome CommandTalk::refuse(std::string_view line, ErrorCode code, const QString& reason)
 {
@@ -152,10 +138,10 @@ Result<> CommandTalk::admits(const pairs::Command& command) const
         return failure(ErrorCode::Refused, Text::tr("By MQTT a motion needs an azimuth and an elevation, such as "
                                                     "\"120.5 30\", because a message may arrive twice."));
     }
-    if (m_clock.now() - m_begin < kSettling) {
+    if (!m_settling.isOver()) {
         return failure(ErrorCode::Refused, Text::tr("The connection to the broker began or was interrupted less than "
                                                     "%1 s ago, so this command may be old. Send it again.")
-                                               .arg(kSettling.count()));
+                                               .arg(rotctld::Settling::kTime.count()));
     }
     return {};
 }

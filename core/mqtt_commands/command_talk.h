@@ -6,6 +6,7 @@
 #include "core/pairs_server/pairs_talk.h"
 #include "core/rotctld/client_habits.h"
 #include "core/rotctld/rotator.h"
+#include "core/rotctld/settling.h"
 
 #include <QByteArray>
 
@@ -24,9 +25,6 @@ using LatchStop = std::function<Result<>(const rotctld::Client& client)>;
 class CommandTalk
 {
 public:
-    // A motion command may have waited somewhere if it arrives within this time after the connection or after the
-    // computer has slept. It is refused.
-    static constexpr std::chrono::seconds kSettling{2};
     static constexpr std::size_t kLongest = 200;  // bytes of a command
     static constexpr int kPerSecond = 20;         // commands
 
@@ -40,8 +38,8 @@ public:
     // Carries out a message of the STOP topic. Any text means STOP.
     [[nodiscard]] std::optional<QByteArray> stop(const QByteArray& message, Retain retain);
 
-    // Call once per tick. When the computer has slept, the time kSettling begins again.
-    void tick();
+    // Call once per tick. The settling begins again when the computer wakes up.
+    void tick() { m_settling.tick(); }
 
     [[nodiscard]] const rotctld::Client& client() const { return m_client; }
     [[nodiscard]] const rotctld::ClientHabits& habits() const { return m_habits; }
@@ -60,8 +58,7 @@ private:
     LatchStop m_latchStop;
     pairs::PairsTalk m_talk;
     rotctld::ClientHabits m_habits;
-    SteadyTime m_begin;   // start of the time kSettling
-    Seconds m_slept;      // how long the computer had slept by then
+    rotctld::Settling m_settling;
     SteadyTime m_second;  // start of the current second
     int m_inSecond = 0;   // commands in this second
 };

@@ -84,7 +84,7 @@ void checkListeners(std::vector<Problem>& problems, const Profile& profile)
         if (!listener) {
             continue;  // the check of the setting reports it
         }
-        const bool port = listener->pty.empty() && listener->port != 0 &&
+        const bool port = !listener->udp && listener->pty.empty() && listener->port != 0 &&
                           listener->host == profile.rotctld.listen.host &&
                           listener->port == profile.rotctld.listen.port;
         if (port || std::ranges::any_of(seen, [&](const auto& one) { return listeners::collide(one, *listener); })) {

@@ -5,8 +5,11 @@
 #include "core/base/text.h"
 #include "core/easycomm_server/easycomm_controller.h"
 #include "core/gs232_server/emulated_box.h"
-#include "core/listeners/listener.h"
 #include "core/pairs_server/pairs_talk.h"
+#include "core/rotctld/server.h"
+#include "core/udp_server/datagram_server.h"
+#include "core/udp_server/n1mm_words.h"
+#include "core/udp_server/pst_words.h"
 
 #include <algorithm>
 #include <iterator>
@@ -52,9 +55,19 @@ rotctld::StartConversation talkOf(Protocol protocol, rotctld::Rotator& rotator, 
                 return profile->site.known ? std::optional(profile->site.place()) : std::nullopt;
             });
         case Protocol::Gs232B:
+        case Protocol::Pst:  // parserOf()
+        case Protocol::N1mm:
             break;
     }
     return gs232::talkGs232(rotator, clock, gs232::Dialect::B);
+}
+
+udp::Parse parserOf(const Listener& listener)
+{
+    if (listener.protocol == Protocol::N1mm) {
+        return [rotor = listener.rotor](std::string_view datagram) { return udp::parseN1mm(datagram, rotor); };
+    }
+    return udp::parsePst;
 }
 
 }  // namespace
@@ -75,14 +88,13 @@ void StationListeners::open()
 {
     QStringList failed;
     QStringList exposed;
+    QStringList forgeable;
     for (const std::string& line : m_profile->listeners) {
         const auto listener = listeners::parseListener(line);
         if (!listener) {
             continue;  // cannot happen: a profile with such a line is refused
         }
-        auto server = std::make_unique<rotctld::Server>(
-            serverSettings(*listener, m_newestClient, static_cast<std::size_t>(m_profile->rotctld.maxClients)),
-            talkOf(listener->protocol, m_rotator, m_clock, m_profile), m_rotator, m_clock, m_parent);
+        auto server = serverOf(*listener);
         if (const Result<> listening = server->listen(); !listening) {
             failed << listening.error().text;
             continue;
@@ -93,6 +105,9 @@ void StationListeners::open()
         if (listeners::isOpenToAll(*listener)) {
             exposed << address;
         }
+        if (listeners::isOpenToForgery(*listener)) {
+            forgeable << address;
+        }
         m_servers.push_back(std::move(server));
     }
     if (!failed.isEmpty()) {
@@ -100,6 +115,28 @@ void StationListeners::open()
     }
     if (!exposed.isEmpty()) {
         m_alarms.raise(alarmEntry("listener.open"), {exposed.join(QStringLiteral(", "))});
+    }
+    if (!forgeable.isEmpty()) {
+        m_alarms.raise(alarmEntry("listener.datagrams"), {forgeable.join(QStringLiteral(", "))});
+    }
+}
+
+std::unique_ptr<rotctld::ClientServer> StationListeners::serverOf(const Listener& listener) const
+{
+    rotctld::ServerSettings settings =
+        serverSettings(listener, m_newestClient, static_cast<std::size_t>(m_profile->rotctld.maxClients));
+    if (listener.udp) {
+        return std::make_unique<udp::DatagramServer>(std::move(settings), parserOf(listener), m_rotator, m_clock,
+                                                     m_parent);
+    }
+    return std::make_unique<rotctld::Server>(
+        std::move(settings), talkOf(listener.protocol, m_rotator, m_clock, m_profile), m_rotator, m_clock, m_parent);
+}
+
+void StationListeners::tick()
+{
+    for (const auto& server : m_servers) {
+        server->tick();
     }
 }
 

@@ -4,8 +4,11 @@
 #include "core/alarms/alarm_board.h"
 #include "core/alarms/event_log.h"
 #include "core/base/clock.h"
+#include "core/listeners/listener.h"
 #include "core/profile/in_force.h"
-#include "core/rotctld/server.h"
+#include "core/rotctld/client_server.h"
+
+#include <QObject>
 
 #include <memory>
 #include <vector>
@@ -24,6 +27,7 @@ public:
     // One alarm names all listeners that cannot be opened.
     void open();
     void close() { m_servers.clear(); }
+    void tick();
     // False: the client is not one of these listeners' clients.
     bool disconnect(std::uint64_t client, const QString& reason);
 
@@ -31,6 +35,8 @@ public:
     [[nodiscard]] std::vector<std::string> addresses() const;
 
 private:
+    [[nodiscard]] std::unique_ptr<rotctld::ClientServer> serverOf(const listeners::Listener& listener) const;
+
     AlarmBoard& m_alarms;
     const profile::InForce& m_profile;
     EventLog& m_log;
@@ -38,7 +44,7 @@ private:
     const Clock& m_clock;
     std::shared_ptr<std::uint64_t> m_newestClient;
     QObject* m_parent;
-    std::vector<std::unique_ptr<rotctld::Server>> m_servers;
+    std::vector<std::unique_ptr<rotctld::ClientServer>> m_servers;
 };
 
 }  // namespace boresight

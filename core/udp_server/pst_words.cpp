@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/udp_server/pst_words.h"
+
+#include "core/base/numbers.h"
+#include "core/base/text.h"
+#include "core/base/trimmed.h"
+#include "core/rotctld/client_angles.h"
+#include "core/udp_server/tagged_text.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+namespace boresight::udp {
+namespace {
+
+struct Question
+{
+    std::string_view text;
+    std::string_view answer;
+    Ask ask;
+};
+constexpr std::array kQuestions{Question{"AZ?", "AZ:", Ask::Azimuth}, Question{"EL?", "EL:", Ask::Elevation},
+                                Question{"TGA?", "TGA:", Ask::TargetAzimuth}};
+
+// The command of all fields of a datagram together.
+struct Wanted
+{
+    Target target;
+    bool parks = false;
+    bool stops = false;
+};
+
+std::string upper(std::string_view datagram)
+{
+    std::string text(datagram);
+    std::ranges::transform(text, text.begin(),
+                           [](char one) { return static_cast<char>(std::toupper(static_cast<unsigned char>(one))); });
+    return text;
+}
+
+tl::unexpected<Error> unknownToPst()
+{
+    return failure(ErrorCode::InvalidInput, Text::tr("Boresight knows no such command for PstRotator."));
+}
+
+// Hamlib 4.6 sends "85.000000.2" for 85°.
+std::string_view withoutHamlibsEnd(std::string_view number)
+{
+    constexpr std::string_view kEnd = ".2";
+    constexpr std::size_t kDecimals = 6;
+    const std::size_t point = number.find('.');
+    const bool isHamlibs = point != std::string_view::npos && number.ends_with(kEnd) &&
+                           number.size() == point + 1 + kDecimals + kEnd.size();
+    return isHamlibs ? number.substr(0, number.size() - kEnd.size()) : number;
+}
+
+// False: the angle is already set, or the text is no number.
+bool set(std::optional<Angle>& angle, std::string_view number)
+{
+    if (angle) {
+        return false;
+    }
+    angle = rotctld::degreesIn(withoutHamlibsEnd(number));
+    return angle.has_value();
+}
+
+bool take(const Field& field, Wanted& wanted)
+{
+    if (field.name == "AZIMUTH") {
+        return set(wanted.target.azimuth, field.value);
+    }
+    if (field.name == "ELEVATION") {
+        return set(wanted.target.elevation, field.value);
+    }
+    wanted.parks = wanted.parks || field.name == "PARK";
+    wanted.stops = wanted.stops || field.name == "STOP";
+    const bool isOrder = field.name == "PARK" || field.name == "STOP";
+    return (isOrder && field.value == "1") || (field.name == "TRACK" && field.value == "0");
+}
+
+Result<Command> commandOf(const Wanted& wanted)
+{
+    const Target& target = wanted.target;
+    const bool points = target.azimuth || target.elevation;
+    if (wanted.stops) {
+        return Command(StopTurning{});
+    }
+    if (wanted.parks && points) {
+        return failure(ErrorCode::InvalidInput, Text::tr("The datagram asks for two motions."));
+    }
+    if (!points) {
+        return wanted.parks ? Command(Park{}) : Command(Nothing{});
+    }
+    return rotctld::inReach(target.azimuth.value_or(Angle{}), target.elevation.value_or(Angle{})).map([&] {
+        return Command(target);
+    });
+}
+
+}  // namespace
+
+Result<Command> parsePst(std::string_view datagram)
+{
+    const std::string text = upper(datagram);
+    if (text.find("<STOP>1</STOP>") != std::string::npos) {
+        return Command(StopTurning{});
+    }
+    const auto body = bodyOf(text, "PST");
+    if (!body) {
+        return unknownToPst();
+    }
+    const auto* const question = std::ranges::find(kQuestions, trimmed(*body), &Question::text);
+    if (question != kQuestions.end()) {
+        return Command(question->ask);
+    }
+    const auto fields = fieldsIn(*body);
+    Wanted wanted;
+    if (!fields || fields->empty() ||
+        !std::ranges::all_of(*fields, [&](const Field& field) { return take(field, wanted); })) {
+        return unknownToPst();
+    }
+    return commandOf(wanted);
+}
+
+std::string pstAnswer(Ask question, const SkyPointing& place)
+{
+    const Angle angle = question == Ask::Elevation ? place.elevation : place.azimuth.wrapped360();
+    return std::string(std::ranges::find(kQuestions, question, &Question::ask)->answer) +
+           formatFixed(angle.degrees(), 1) + "\r";
+}
+
+}  // namespace boresight::udp
