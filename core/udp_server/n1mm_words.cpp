@@ -25,11 +25,17 @@ bool hasTag(std::string_view datagram, std::string_view tag)
     return datagram.find("<" + std::string(tag) + ">") != std::string_view::npos;
 }
 
-// A stop has the field "rotor" inside, or is itself the name.
+// A stop without the field "rotor" may itself be the name. "0" and "1" are values of a stop, and other fields in it are
+// no name.
 std::string_view rotorIn(std::string_view datagram, bool stops)
 {
     const auto named = valueOf(datagram, "rotor");
-    return trimmed(named || !stops ? named.value_or("") : valueOf(datagram, "stop").value_or(""));
+    if (named || !stops) {
+        return trimmed(named.value_or(""));
+    }
+    const std::string_view stop = trimmed(valueOf(datagram, "stop").value_or(""));
+    const bool isName = stop != "0" && stop != "1" && stop.find('<') == std::string_view::npos;
+    return isName ? stop : std::string_view();
 }
 
 // Some programs write "&amp;" for "&".

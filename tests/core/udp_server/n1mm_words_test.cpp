@@ -52,8 +52,10 @@ TEST(N1mmWords, StopsByAnyOfItsForms)
     for (const char* const datagram :
          {"<N1MMRotor><stop><rotor>Yagi 20</rotor><freqband>21.0</freqband></stop></N1MMRotor>",
           "<N1MMRotor><stop>Yagi 20</stop></N1MMRotor>", "<N1MMRotor><rotor>Yagi 20</rotor><stop>1</stop></N1MMRotor>",
-          "<N1MMRotor><stop></stop></N1MMRotor>", "<N1MMRotor><rotor>Yagi 20</rotor><goazi>5</goazi><stop>1</stop>",
-          "<N1MMRotor><stop>"}) {
+          "<N1MMRotor><stop></stop></N1MMRotor>", "<N1MMRotor><stop>1</stop></N1MMRotor>",
+          "<N1MMRotor><stop> 0 </stop></N1MMRotor>", "<N1MMRotor><stop><freqband>21.0</freqband></stop></N1MMRotor>",
+          "<N1MMRotor><stop><rotor></rotor><freqband>21.0</freqband></stop></N1MMRotor>",
+          "<N1MMRotor><rotor>Yagi 20</rotor><goazi>5</goazi><stop>1</stop>", "<N1MMRotor><stop>"}) {
         EXPECT_TRUE(isN1mm<StopTurning>(datagram)) << datagram;
         EXPECT_TRUE(isN1mm<StopTurning>(datagram, "Yagi 20")) << datagram;
     }

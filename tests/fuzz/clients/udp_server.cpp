@@ -61,11 +61,25 @@ bool isAnswer(std::string_view reply)
     return std::ranges::find(kAnswers, reply) != kAnswers.end();
 }
 
+// A stop of N1MM without the name of a rotor: it is empty, a value or has other fields.
+bool isNamelessStop(std::string_view datagram)
+{
+    constexpr std::string_view kStop = "<stop>";
+    const std::size_t stop = datagram.find(kStop);
+    if (stop == std::string_view::npos || datagram.find("<rotor>") != std::string_view::npos) {
+        return false;
+    }
+    const std::string_view content = datagram.substr(stop + kStop.size());
+    return content.starts_with('<') || content.starts_with("0<") || content.starts_with("1<");
+}
+
 bool mustStop(std::string_view datagram, const Chance& chance)
 {
-    return chance.isN1mm ? !chance.isNamed && datagram.find("<N1MMRotor>") != std::string_view::npos &&
-                               datagram.find("<stop>") != std::string_view::npos
-                         : datagram.find("<STOP>1</STOP>") != std::string_view::npos;
+    if (!chance.isN1mm) {
+        return datagram.find("<STOP>1</STOP>") != std::string_view::npos;
+    }
+    return datagram.find("<N1MMRotor>") != std::string_view::npos &&
+           (chance.isNamed ? isNamelessStop(datagram) : datagram.find("<stop>") != std::string_view::npos);
 }
 
 }  // namespace
@@ -86,7 +100,9 @@ Grammar grammar()
              {"<N1MMRotor><rotor>Yagi 20</rotor><goazi>55.5</goazi><offset>0.0</offset>"
               "<bidirectional>0</bidirectional><freqband>14</freqband></N1MMRotor>",
               "<?xml version=\"1.0\"?>\r\n<N1MMRotor>\r\n<goazi>222,5</goazi>\r\n</N1MMRotor>\r\n",
-              "<N1MMRotor><stop><rotor>Yagi 20</rotor><freqband>21.0</freqband></stop></N1MMRotor>"}) {
+              "<N1MMRotor><stop><rotor>Yagi 20</rotor><freqband>21.0</freqband></stop></N1MMRotor>",
+              "<N1MMRotor><stop><freqband>21.0</freqband></stop></N1MMRotor>",
+              "<N1MMRotor><stop>1</stop></N1MMRotor>"}) {
             grammar.corpus.push_back(choice + std::string(text));
         }
     }
