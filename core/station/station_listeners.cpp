@@ -72,10 +72,10 @@ udp::Parse parserOf(const Listener& listener)
 
 }  // namespace
 
-StationListeners::StationListeners(AlarmBoard& alarms, const profile::InForce& profile, EventLog& log,
+StationListeners::StationListeners(StationControl& control, const profile::InForce& profile, EventLog& log,
                                    rotctld::Rotator& rotator, const Clock& clock,
                                    std::shared_ptr<std::uint64_t> newestClient, QObject* parent)
-    : m_alarms(alarms),
+    : m_control(control),
       m_profile(profile),
       m_log(log),
       m_rotator(rotator),
@@ -111,13 +111,13 @@ void StationListeners::open()
         m_servers.push_back(std::move(server));
     }
     if (!failed.isEmpty()) {
-        m_alarms.raise(alarmEntry("listener.not-open"), {failed.join(QStringLiteral("; "))});
+        m_control.alarms().raise(alarmEntry("listener.not-open"), {failed.join(QStringLiteral("; "))});
     }
     if (!exposed.isEmpty()) {
-        m_alarms.raise(alarmEntry("listener.open"), {exposed.join(QStringLiteral(", "))});
+        m_control.alarms().raise(alarmEntry("listener.open"), {exposed.join(QStringLiteral(", "))});
     }
     if (!forgeable.isEmpty()) {
-        m_alarms.raise(alarmEntry("listener.datagrams"), {forgeable.join(QStringLiteral(", "))});
+        m_control.alarms().raise(alarmEntry("listener.datagrams"), {forgeable.join(QStringLiteral(", "))});
     }
 }
 
@@ -126,11 +126,19 @@ std::unique_ptr<rotctld::ClientServer> StationListeners::serverOf(const Listener
     rotctld::ServerSettings settings =
         serverSettings(listener, m_newestClient, static_cast<std::size_t>(m_profile->rotctld.maxClients));
     if (listener.udp) {
-        return std::make_unique<udp::DatagramServer>(std::move(settings), parserOf(listener), m_rotator, m_clock,
-                                                     m_parent);
+        return std::make_unique<udp::DatagramServer>(
+            std::move(settings), parserOf(listener), m_rotator, m_clock,
+            [this](std::uint64_t client) { return isReadOnly(client); }, m_parent);
     }
     return std::make_unique<rotctld::Server>(
         std::move(settings), talkOf(listener.protocol, m_rotator, m_clock, m_profile), m_rotator, m_clock, m_parent);
+}
+
+bool StationListeners::isReadOnly(std::uint64_t client) const
+{
+    ClientStatus status{.id = client};
+    m_control.describe(status, {});
+    return status.readOnly;
 }
 
 void StationListeners::tick()

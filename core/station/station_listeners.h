@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/alarms/alarm_board.h"
 #include "core/alarms/event_log.h"
 #include "core/base/clock.h"
+#include "core/control/station_control.h"
 #include "core/listeners/listener.h"
 #include "core/profile/in_force.h"
 #include "core/rotctld/client_server.h"
@@ -21,7 +21,7 @@ class StationListeners
 {
 public:
     // All arguments but the parent outlive this.
-    StationListeners(AlarmBoard& alarms, const profile::InForce& profile, EventLog& log, rotctld::Rotator& rotator,
+    StationListeners(StationControl& control, const profile::InForce& profile, EventLog& log, rotctld::Rotator& rotator,
                      const Clock& clock, std::shared_ptr<std::uint64_t> newestClient, QObject* parent);
 
     // One alarm names all listeners that cannot be opened.
@@ -36,8 +36,9 @@ public:
 
 private:
     [[nodiscard]] std::unique_ptr<rotctld::ClientServer> serverOf(const listeners::Listener& listener) const;
+    [[nodiscard]] bool isReadOnly(std::uint64_t client) const;
 
-    AlarmBoard& m_alarms;
+    StationControl& m_control;
     const profile::InForce& m_profile;
     EventLog& m_log;
     rotctld::Rotator& m_rotator;

@@ -15,12 +15,13 @@ using rotctld::Settling;
 using rotctld::shownText;
 
 DatagramServer::DatagramServer(rotctld::ServerSettings settings, Parse parse, rotctld::Rotator& rotator,
-                               const Clock& clock, QObject* parent)
+                               const Clock& clock, IsReadOnly isReadOnly, QObject* parent)
     : QObject(parent),
       m_settings(std::move(settings)),
       m_parse(std::move(parse)),
       m_rotator(rotator),
       m_clock(clock),
+      m_isReadOnly(std::move(isReadOnly)),
       m_admission(m_settings.allow),
       m_held(rotator),
       m_settling(clock),
@@ -70,8 +71,9 @@ void DatagramServer::tick()
     watchTime();
     for (auto sender = m_senders.begin(); sender != m_senders.end();) {
         const bool isSilent = m_clock.now() - sender->second.lastDatagram > kSilence;
-        sender = isSilent ? forget(sender, Text::tr("was silent for %1 s").arg(QString::number(kSilence.count())))
-                          : std::next(sender);
+        sender = isSilent && !isMarked(sender->second)
+                     ? forget(sender, Text::tr("was silent for %1 s").arg(QString::number(kSilence.count())))
+                     : std::next(sender);
     }
 }
 
@@ -144,6 +146,12 @@ void DatagramServer::logOdd(Sender& sender, std::string_view datagram, const Res
     }
 }
 
+// By the operator. The right "read" of the profile needs no mark: it holds for the next client too.
+bool DatagramServer::isMarked(const Sender& sender) const
+{
+    return !m_settings.readsOnly && m_isReadOnly(sender.client.id);
+}
+
 DatagramServer::Senders::iterator DatagramServer::forget(Senders::iterator sender, const QString& reason)
 {
     const rotctld::Client client = sender->second.client;
@@ -160,7 +168,13 @@ bool DatagramServer::disconnect(std::uint64_t id, const QString& reason)
     if (found == m_senders.end()) {
         return false;
     }
-    forget(found, reason);
+    if (isMarked(found->second)) {
+        m_rotator.clientRemark(found->second.client,
+                               Text::tr("is not disconnected, because it is read-only. Its next datagram would make it "
+                                        "a client that may move the mount."));
+    } else {
+        forget(found, reason);
+    }
     return true;
 }
 

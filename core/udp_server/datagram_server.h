@@ -9,13 +9,19 @@
 #include <QObject>
 
 #include <chrono>
+#include <cstdint>
+#include <functional>
 #include <map>
 #include <string>
 
 // A server of one protocol without connections: each datagram is one command. A host is one client, from its first
-// datagram until it was silent for kSilence. Answers go to the port of the host that follows the port of the server. A
-// flood costs at most kAtOnce commands in each DatagramInlet::kPause. Station thread.
+// datagram until it was silent for kSilence. A client that the operator made read-only stays, because a new client of
+// its host could move the mount. Answers go to the port of the host that follows the port of the server. A flood costs
+// at most kAtOnce commands in each DatagramInlet::kPause. Station thread.
 namespace boresight::udp {
+
+// The operator or the profile permits this client only to read and to stop.
+using IsReadOnly = std::function<bool(std::uint64_t client)>;
 
 class DatagramServer final : public QObject, public rotctld::ClientServer
 {
@@ -27,13 +33,14 @@ public:
 
     // The rotator and the clock outlive the server. Nothing is opened before listen().
     DatagramServer(rotctld::ServerSettings settings, Parse parse, rotctld::Rotator& rotator, const Clock& clock,
-                   QObject* parent = nullptr);
+                   IsReadOnly isReadOnly, QObject* parent = nullptr);
     ~DatagramServer() override;
 
     Result<> listen() override;
     [[nodiscard]] std::string address() const override;  // "UDP 127.0.0.1:12000"
     [[nodiscard]] std::uint16_t port() const { return m_inlet.port(); }
     [[nodiscard]] std::vector<rotctld::ClientInfo> clients() const override;
+    // A client that the operator made read-only stays. The log has that.
     bool disconnect(std::uint64_t id, const QString& reason) override;
     void tick() override;
 
@@ -53,12 +60,14 @@ private:
     [[nodiscard]] Sender& welcome(const rotctld::Client& client, const std::string& host);
     void obey(Sender& sender, std::string_view datagram, const QHostAddress& host);
     void logOdd(Sender& sender, std::string_view datagram, const Result<>& result);
+    [[nodiscard]] bool isMarked(const Sender& sender) const;
     Senders::iterator forget(Senders::iterator sender, const QString& reason);
 
     rotctld::ServerSettings m_settings;
     Parse m_parse;
     rotctld::Rotator& m_rotator;
     const Clock& m_clock;
+    IsReadOnly m_isReadOnly;
     rotctld::Admission m_admission;
     rotctld::HeldTarget m_held;
     rotctld::Settling m_settling;

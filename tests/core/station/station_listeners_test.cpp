@@ -59,8 +59,7 @@ struct ListenersRig : StationRig
     }
 
     StationRotator rotator{control, inForce, log, clock};
-    StationListeners further{control.alarms(), inForce, log, rotator, clock, std::make_shared<std::uint64_t>(70),
-                             nullptr};
+    StationListeners further{control, inForce, log, rotator, clock, std::make_shared<std::uint64_t>(70), nullptr};
 };
 
 // REQ-LISTENERS-04 (StationListeners.*): Several listeners serve at the same time. Each client has its own number and
@@ -231,6 +230,39 @@ TEST(StationListeners, ADatagramForReadersMovesNothing)
     EXPECT_TRUE(rig.control.followsClient());
     QUdpSocket().writeDatagram("<PST><STOP>1</STOP></PST>", QHostAddress::LocalHost, port);
     EXPECT_TRUE(fakes::waitUntil([&] { return !rig.control.followsClient(); })) << "every client may stop";
+}
+
+// REQ-LISTENERS-12: A client of datagrams that the operator made read-only stays so, however long it is silent, and
+// after Disconnect. The operator can let it move the mount again.
+TEST(StationListeners, ASilenceEndsNoMarkOfTheOperator)
+{
+    ListenersRig rig({"pst drive udp:127.0.0.1:0"});
+    const std::string address = rig.further.addresses().front();
+    const auto port = static_cast<quint16>(std::stoi(address.substr(address.rfind(':') + 1)));
+    const auto point = [&](int azimuth) {
+        const QByteArray datagram = "<PST><AZIMUTH>" + QByteArray::number(azimuth) + "</AZIMUTH></PST>";
+        QUdpSocket().writeDatagram(datagram, QHostAddress::LocalHost, port);
+        EXPECT_TRUE(fakes::waitUntil([&] {
+            const auto clients = rig.further.clients();
+            return !clients.empty() && clients.front().lastCommand.startsWith(QString::fromLatin1(datagram));
+        }));
+    };
+    point(40);
+    ASSERT_TRUE(rig.control.followsClient());
+    const std::uint64_t id = rig.further.clients().front().id;
+    ASSERT_TRUE(rig.ask(request::SetReadOnly{.clientId = id, .readOnly = true}));
+    rig.pass(120);
+    point(50);
+    EXPECT_FALSE(rig.control.followsClient()) << "after two minutes of silence";
+    EXPECT_TRUE(rig.further.disconnect(id, QStringLiteral("by the operator")));
+    point(60);
+    EXPECT_FALSE(rig.control.followsClient()) << "after Disconnect";
+    EXPECT_EQ(rig.further.clients().front().id, id);
+    ASSERT_TRUE(rig.ask(request::SetReadOnly{.clientId = id, .readOnly = false}));
+    point(70);
+    EXPECT_TRUE(rig.control.followsClient());
+    rig.pass(120);
+    EXPECT_TRUE(rig.further.clients().empty()) << "a client without the mark leaves";
 }
 
 // REQ-LISTENERS-06: A listener that cannot be opened raises an alarm with the place and the reason. The other listeners

@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
 #include <string>
 
 namespace boresight::udp {
@@ -31,7 +32,7 @@ struct DatagramServerTest : ::testing::Test
         settings.port = 0;
         settings.protocol = "PstRotator";
         settings.allowKey = "listeners.list";
-        server = std::make_unique<DatagramServer>(settings, parsePst, rotator, clock);
+        server = std::make_unique<DatagramServer>(settings, parsePst, rotator, clock, isReadOnly);
         ASSERT_TRUE(server->listen());
     }
     void send(QUdpSocket& from, const QByteArray& bytes) const
@@ -54,6 +55,8 @@ struct DatagramServerTest : ::testing::Test
 
     fakes::ManualClock clock;
     fakes::DummyRotator rotator{clock};
+    std::set<std::uint64_t> marked;  // as read-only
+    IsReadOnly isReadOnly = [this](std::uint64_t client) { return marked.contains(client); };
     std::unique_ptr<DatagramServer> server;
     QUdpSocket program;
 };
@@ -156,6 +159,31 @@ TEST_F(DatagramServerTest, TheOperatorSendsAClientAway)
     EXPECT_TRUE(server->clients().empty());
 }
 
+// REQ-UDPSERVER-14: A client that the operator made read-only stays a client while it is silent, and after Disconnect,
+// because a new client of its host could move the mount. The right "read" of a listener keeps no client.
+TEST_F(DatagramServerTest, AReadOnlyClientStays)
+{
+    serve();
+    EXPECT_TRUE(isMovedBy(program, 10));
+    const std::uint64_t id = server->clients().front().id;
+    marked.insert(id);
+    run(DatagramServer::kSilence * 2);
+    EXPECT_TRUE(server->disconnect(id, QStringLiteral("by the operator")));
+    EXPECT_TRUE(rotator.gone.empty());
+    ASSERT_EQ(rotator.remarks.size(), 1U);
+    EXPECT_TRUE(rotator.remarks[0].starts_with("is not disconnected, because it is read-only."));
+    EXPECT_EQ(server->clients().front().id, id);
+    marked.clear();
+    run(1s);
+    EXPECT_TRUE(server->clients().empty());
+
+    isReadOnly = [](std::uint64_t) { return true; };
+    serve({.readsOnly = true});
+    EXPECT_TRUE(isMovedBy(program, 20));
+    run(DatagramServer::kSilence + 1s);
+    EXPECT_TRUE(server->clients().empty());
+}
+
 // REQ-UDPSERVER-10: A datagram that is no command, or is longer than 512 bytes, moves nothing. The log has the first
 // one of each client, and the list of clients the last one.
 TEST_F(DatagramServerTest, AnUnknownDatagramIsLoggedOnce)
@@ -230,7 +258,7 @@ TEST_F(DatagramServerTest, MovesNothingAfterTheComputerSlept)
 TEST_F(DatagramServerTest, APortThatIsTakenIsAnError)
 {
     serve();
-    DatagramServer second({.port = server->port(), .protocol = "PstRotator"}, parsePst, rotator, clock);
+    DatagramServer second({.port = server->port(), .protocol = "PstRotator"}, parsePst, rotator, clock, isReadOnly);
     const Result<> refused = second.listen();
     ASSERT_FALSE(refused);
     EXPECT_TRUE(refused.error().text.contains(QString::number(server->port())));
