@@ -19,6 +19,7 @@ class DatagramInlet final : public QObject
 
 public:
     static constexpr std::chrono::milliseconds kPause{10};
+    static constexpr qint64 kWhole = 65'535;  // bytes; no datagram is longer
 
     // `atOnce`: datagrams in a batch. Of each datagram at most `longest` bytes are read.
     DatagramInlet(int atOnce, qint64 longest, QObject* parent = nullptr);

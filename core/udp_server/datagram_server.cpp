@@ -26,7 +26,7 @@ DatagramServer::DatagramServer(rotctld::ServerSettings settings, Parse parse, ro
       m_held(rotator),
       m_settling(clock),
       m_lastTurn(clock.now()),
-      m_inlet(kAtOnce, static_cast<qint64>(UdpController::kLongest) + 1, this)
+      m_inlet(kAtOnce, datagrams::DatagramInlet::kWhole, this)
 {
     connect(&m_inlet, &datagrams::DatagramInlet::received, this, &DatagramServer::take);
 }

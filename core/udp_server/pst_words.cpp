@@ -28,7 +28,6 @@ struct Wanted
 {
     Target target;
     bool parks = false;
-    bool stops = false;
 };
 
 std::string upper(std::string_view datagram)
@@ -42,6 +41,21 @@ std::string upper(std::string_view datagram)
 tl::unexpected<Error> unknownToPst()
 {
     return failure(ErrorCode::InvalidInput, Text::tr("Boresight knows no such command for PstRotator."));
+}
+
+// "<STOP>1</STOP>" anywhere. Each byte is looked at once, however long the datagram is.
+bool hasStop(std::string_view text)
+{
+    constexpr std::string_view kBegin = "<STOP>";
+    constexpr std::string_view kEnd = "</STOP>";
+    for (std::size_t at = text.find(kBegin); at != std::string_view::npos; at = text.find(kBegin)) {
+        text.remove_prefix(at + kBegin.size());
+        const std::string_view value = text.substr(0, text.find('<'));
+        if (trimmed(value) == "1" && text.substr(value.size()).starts_with(kEnd)) {
+            return true;
+        }
+    }
+    return false;
 }
 
 // Hamlib 4.6 sends "85.000000.2" for 85°.
@@ -73,19 +87,17 @@ bool take(const Field& field, Wanted& wanted)
     if (field.name == "ELEVATION") {
         return set(wanted.target.elevation, field.value);
     }
-    wanted.parks = wanted.parks || field.name == "PARK";
-    wanted.stops = wanted.stops || field.name == "STOP";
-    const bool isOrder = field.name == "PARK" || field.name == "STOP";
-    return (isOrder && field.value == "1") || (field.name == "TRACK" && field.value == "0");
+    if (field.name == "PARK") {
+        wanted.parks = true;
+        return field.value == "1";
+    }
+    return field.name == "TRACK" && field.value == "0";
 }
 
 Result<Command> commandOf(const Wanted& wanted)
 {
     const Target& target = wanted.target;
     const bool points = target.azimuth || target.elevation;
-    if (wanted.stops) {
-        return Command(StopTurning{});
-    }
     if (wanted.parks && points) {
         return failure(ErrorCode::InvalidInput, Text::tr("The datagram asks for two motions."));
     }
@@ -102,7 +114,7 @@ Result<Command> commandOf(const Wanted& wanted)
 Result<Command> parsePst(std::string_view datagram)
 {
     const std::string text = upper(datagram);
-    if (text.find("<STOP>1</STOP>") != std::string::npos) {
+    if (hasStop(text)) {
         return Command(StopTurning{});
     }
     const auto body = bodyOf(text, "PST");

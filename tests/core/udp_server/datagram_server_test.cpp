@@ -204,6 +204,16 @@ TEST_F(DatagramServerTest, AnUnknownDatagramIsLoggedOnce)
     EXPECT_TRUE(isMovedBy(program, 20)) << "it is served on";
 }
 
+// However long it is.
+// REQ-UDPSERVER-02
+TEST_F(DatagramServerTest, AStopCountsInTheLongestDatagram)
+{
+    serve();
+    send(program, QByteArray(65'507 - 14, 'x') + "<STOP>1</STOP>");
+    ASSERT_TRUE(fakes::waitUntil([this] { return rotator.actions == 1; }));
+    EXPECT_FALSE(rotator.lastRequest) << "a stop";
+}
+
 // REQ-UDPSERVER-11: A flood is read 32 datagrams at a time. The event loop goes on meanwhile, and a stop of another
 // host comes through.
 TEST_F(DatagramServerTest, AFloodIsReadABatchAtATime)

@@ -64,7 +64,8 @@ TEST(PstWords, AStopCountsInAnyDatagram)
     for (const char* const datagram :
          {"<PST><STOP>1</STOP></PST>", "<PST><STOP> 1 </STOP></PST>", "<PST><STOP>1</STOP><AZIMUTH>85</AZIMUTH></PST>",
           "<PST><AZIMUTH>85</AZIMUTH><STOP>1</STOP></PST>", "<PST><PARK>1</PARK><STOP>1</STOP></PST>",
-          "<PST><FOO>2</FOO><STOP>1</STOP>", "<STOP>1</STOP>"}) {
+          "<PST><FOO>2</FOO><STOP>1</STOP>", "<STOP>1</STOP>", "x<STOP>\t1\r\n</STOP>",
+          "<STOP>0</STOP><STOP><STOP>1<STOP> 1 </STOP>"}) {
         EXPECT_TRUE(pst<StopTurning>(datagram)) << datagram;
     }
 }
@@ -98,6 +99,10 @@ TEST(PstWords, NothingElseIsACommand)
                                        "<PST><TRACK>85.0 30.0</TRACK></PST>",
                                        "<PST><PARK>0</PARK></PST>",
                                        "<PST><STOP>0</STOP></PST>",
+                                       "<PST><STOP>1<x></STOP></PST>",
+                                       "<PST><STOP>11</STOP></PST>",
+                                       "<STOP>1",
+                                       "<STOP>1</STOP",
                                        "<PST><QRA>KN34BJ</QRA></PST>",
                                        "<PST>AZ?EL?</PST>",
                                        "<N1MMRotor><goazi>20.0</goazi></N1MMRotor>",

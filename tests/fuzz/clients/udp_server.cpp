@@ -76,7 +76,8 @@ bool isNamelessStop(std::string_view datagram)
 bool mustStop(std::string_view datagram, const Chance& chance)
 {
     if (!chance.isN1mm) {
-        return datagram.find("<STOP>1</STOP>") != std::string_view::npos;
+        return datagram.find("<STOP>1</STOP>") != std::string_view::npos ||
+               datagram.find("<STOP> 1\n</STOP>") != std::string_view::npos;
     }
     return datagram.find("<N1MMRotor>") != std::string_view::npos &&
            (chance.isNamed ? isNamelessStop(datagram) : datagram.find("<stop>") != std::string_view::npos);
@@ -91,7 +92,7 @@ Grammar grammar()
         for (const char* const text :
              {"<PST><AZIMUTH>85</AZIMUTH></PST>", "<PST><ELEVATION>15.250000.2</ELEVATION></PST>", "<PST>AZ?</PST>\n",
               "<PST><TRACK>0</TRACK><AZIMUTH>123,4</AZIMUTH><ELEVATION>5.6</ELEVATION></PST>", "<PST>TGA?</PST>",
-              "<PST><STOP>1</STOP></PST>", "<PST><PARK>1</PARK></PST>", "<pst>el?</pst>"}) {
+              "<PST><STOP>1</STOP></PST>", "x<STOP> 1\n</STOP>", "<PST><PARK>1</PARK></PST>", "<pst>el?</pst>"}) {
             grammar.corpus.push_back(choice + std::string(text));
         }
     }
