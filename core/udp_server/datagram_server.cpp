@@ -12,7 +12,6 @@
 namespace boresight::udp {
 
 using rotctld::Settling;
-using rotctld::shownText;
 
 DatagramServer::DatagramServer(rotctld::ServerSettings settings, Parse parse, rotctld::Rotator& rotator,
                                const Clock& clock, IsReadOnly isReadOnly, QObject* parent)
@@ -127,22 +126,11 @@ void DatagramServer::obey(Sender& sender, std::string_view datagram, const QHost
     const rotctld::LineOutcome outcome = sender.controller.obey(datagram);
     sender.habits.take(trimmed(datagram).substr(0, rotctld::kShownBytes), outcome.motion, outcome.point, now);
     sender.habits.answered(outcome.result, outcome.became);
-    logOdd(sender, datagram, outcome.result);
+    if (!outcome.result && outcome.result.error().code == ErrorCode::InvalidInput) {
+        sender.habits.countOdd();
+    }
     if (!outcome.reply.empty()) {
         m_inlet.send(QByteArray::fromStdString(outcome.reply), host, static_cast<std::uint16_t>(port() + 1));
-    }
-}
-
-// Commands are not answered, so the operator finds the reason only in the log.
-void DatagramServer::logOdd(Sender& sender, std::string_view datagram, const Result<>& result)
-{
-    if (result || (result.error().code != ErrorCode::InvalidInput && result.error().code != ErrorCode::NotAvailable)) {
-        return;
-    }
-    sender.habits.countOdd();
-    if (!std::exchange(sender.isLogged, true)) {
-        m_rotator.clientRemark(sender.client,
-                               Text::tr("ignored \"%1\": %2").arg(shownText(trimmed(datagram)), result.error().text));
     }
 }
 

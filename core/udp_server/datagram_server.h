@@ -51,7 +51,6 @@ private:
         UdpController controller;
         rotctld::ClientHabits habits;
         SteadyTime lastDatagram{};
-        bool isLogged = false;  // one of its datagrams that are no command
     };
     using Senders = std::map<std::string, Sender>;  // by host
 
@@ -59,7 +58,6 @@ private:
     void take(const QByteArray& bytes, const QHostAddress& host, std::uint16_t port);
     [[nodiscard]] Sender& welcome(const rotctld::Client& client, const std::string& host);
     void obey(Sender& sender, std::string_view datagram, const QHostAddress& host);
-    void logOdd(Sender& sender, std::string_view datagram, const Result<>& result);
     [[nodiscard]] bool isMarked(const Sender& sender) const;
     Senders::iterator forget(Senders::iterator sender, const QString& reason);
 

@@ -4,6 +4,7 @@
 #include "core/base/text.h"
 #include "core/base/trimmed.h"
 #include "core/rotctld/client_angles.h"
+#include "core/rotctld/client_habits.h"
 #include "core/udp_server/tagged_text.h"
 
 #include <algorithm>
@@ -83,7 +84,8 @@ Result<Command> parseN1mm(std::string_view datagram, const std::string& rotor)
     const std::string_view name = rotorIn(datagram, stops);
     const bool isNameless = stops && name.empty();  // then it is for every rotor
     if (!rotor.empty() && !isNameless && !isName(name, rotor)) {
-        return Command(Nothing{});
+        return Command(Nothing{.why = name.empty() ? Text::tr("names no rotor")
+                                                   : Text::tr("for the rotor \"%1\"").arg(rotctld::shownText(name))});
     }
     if (stops) {
         return Command(StopTurning{});

@@ -102,7 +102,7 @@ Result<Command> commandOf(const Wanted& wanted)
         return failure(ErrorCode::InvalidInput, Text::tr("The datagram asks for two motions."));
     }
     if (!points) {
-        return wanted.parks ? Command(Park{}) : Command(Nothing{});
+        return wanted.parks ? Command(Park{}) : Command(Nothing{.why = Text::tr("nothing to do")});
     }
     return rotctld::inReach(target.azimuth.value_or(Angle{}), target.elevation.value_or(Angle{})).map([&] {
         return Command(target);

@@ -4,6 +4,8 @@
 #include "core/base/result.h"
 #include "core/units/sky.h"
 
+#include <QString>
+
 #include <functional>
 #include <optional>
 #include <string_view>
@@ -31,8 +33,10 @@ struct StopTurning  // both axes
 struct Park
 {};
 
-struct Nothing  // for another rotor, or it asks for what is already so
-{};
+struct Nothing
+{
+    QString why;  // for the list of clients: for another rotor, or it asks for what is already so
+};
 
 using Command = std::variant<Ask, Target, StopTurning, Park, Nothing>;
 

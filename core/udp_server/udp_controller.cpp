@@ -20,23 +20,36 @@ UdpController::UdpController(rotctld::Client client, const Shared& shared)
 LineOutcome UdpController::obey(std::string_view datagram)
 {
     LineOutcome outcome{.reply = {}, .result = {}};
-    const Result<Command> command = m_shared.parse(datagram);
-    if (datagram.size() > kLongest && !stops(command)) {
-        outcome.result = failure(ErrorCode::InvalidInput,
-                                 Text::tr("A datagram has at most %1 bytes.").arg(QString::number(kLongest)));
-    } else if (!command) {
-        outcome.result = tl::unexpected(command.error());
-    } else if (outcome.result = admits(*command); outcome.result) {
+    const Result<Command> command = read(datagram);
+    if (command) {
         std::visit([&](const auto& wanted) { carryOut(wanted, outcome); }, *command);
     } else {
-        m_shared.rotator.clientRemark(
-            m_client,
-            Text::tr("\"%1\" refused: %2").arg(rotctld::shownText(trimmed(datagram)), outcome.result.error().text));
+        outcome.result = tl::unexpected(command.error());
+    }
+    const bool isPlaceUnknown = command && std::holds_alternative<Target>(*command) && !outcome.point;
+    if (!outcome.result && (!command || isPlaceUnknown)) {
+        logRefusal(datagram, outcome.result.error());
     }
     return outcome;
 }
 
-// What the rotator refuses, it logs itself.
+// The program gets no answer, so the operator finds the reason only here. The rotator logs what it refuses itself.
+void UdpController::logRefusal(std::string_view datagram, const Error& error) const
+{
+    m_shared.rotator.clientRemark(
+        m_client, Text::tr("\"%1\" refused: %2").arg(rotctld::shownText(trimmed(datagram)), error.text));
+}
+
+Result<Command> UdpController::read(std::string_view datagram) const
+{
+    Result<Command> command = m_shared.parse(datagram);
+    if (datagram.size() > kLongest && !stops(command)) {
+        return failure(ErrorCode::InvalidInput,
+                       Text::tr("A datagram has at most %1 bytes.").arg(QString::number(kLongest)));
+    }
+    return command.and_then([&](const Command& wanted) { return admits(wanted).map([&] { return wanted; }); });
+}
+
 Result<> UdpController::admits(const Command& command) const
 {
     if (moves(command) && !m_shared.settling.isOver()) {
@@ -73,9 +86,9 @@ void UdpController::carryOut(const Park& /*park*/, LineOutcome& outcome)
     outcome.result = m_shared.rotator.park(m_client);
 }
 
-void UdpController::carryOut(const Nothing& /*nothing*/, LineOutcome& outcome)
+void UdpController::carryOut(const Nothing& nothing, LineOutcome& outcome)
 {
-    outcome.became = Text::tr("nothing to do");
+    outcome.became = nothing.why;
 }
 
 }  // namespace boresight::udp

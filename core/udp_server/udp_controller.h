@@ -30,6 +30,9 @@ public:
     [[nodiscard]] rotctld::LineOutcome obey(std::string_view datagram) override;
 
 private:
+    void logRefusal(std::string_view datagram, const Error& error) const;
+    // The command, if it may be carried out.
+    [[nodiscard]] Result<Command> read(std::string_view datagram) const;
     [[nodiscard]] Result<> admits(const Command& command) const;
     void carryOut(Ask question, rotctld::LineOutcome& outcome);
     void carryOut(const Target& target, rotctld::LineOutcome& outcome);

@@ -102,6 +102,8 @@ TEST_F(UdpControllerTest, N1mmTurnsOnlyTheAzimuth)
     const int before = rotator.actions;
     const rotctld::LineOutcome other = n1mm.obey("<N1MMRotor><rotor>Beam</rotor><goazi>50.0</goazi></N1MMRotor>");
     EXPECT_TRUE(other.result && !other.motion);
+    EXPECT_EQ(other.became, QStringLiteral("for the rotor \"Beam\""));
+    EXPECT_EQ(n1mm.obey("<N1MMRotor><goazi>50.0</goazi></N1MMRotor>").became, QStringLiteral("names no rotor"));
     EXPECT_EQ(rotator.actions, before);
 }
 
@@ -136,10 +138,30 @@ TEST_F(UdpControllerTest, AStopIsObeyedHoweverLongItsDatagram)
     EXPECT_EQ(rotator.actions, 1);
 }
 
-TEST_F(UdpControllerTest, WhatIsRefusedIsNotAnswered)
+// REQ-UDPSERVER-15: The log has the reason of each refused command. The rotator logs what it refuses itself.
+TEST_F(UdpControllerTest, WhatIsRefusedIsLogged)
 {
     EXPECT_FALSE(first.obey("<PST><AZIMUTH>999</AZIMUTH></PST>").result) << "outside the limits";
-    EXPECT_FALSE(first.obey("nonsense").result);
+    EXPECT_TRUE(rotator.remarks.empty()) << "the rotator has refused it";
+    for (const char* const datagram : {"nonsense", "<PST><AZIMUTH>3601</AZIMUTH></PST>", "<PST><AZIMUTH>1</AZIMUTH>",
+                                       "<PST><QRA>KN34BJ</QRA></PST>"}) {
+        EXPECT_FALSE(first.obey(datagram).result) << datagram;
+        EXPECT_TRUE(rotator.remarks.back().starts_with("\"" + std::string(datagram).substr(0, 12))) << datagram;
+    }
+    EXPECT_FALSE(first.obey(std::string(UdpController::kLongest, 'x') + "y").result);
+    EXPECT_TRUE(rotator.remarks.back().ends_with("A datagram has at most 512 bytes.")) << rotator.remarks.back();
+    EXPECT_EQ(rotator.remarks.size(), 5U);
+    rotator.fault = Error{.code = ErrorCode::NoAnswer, .text = QStringLiteral("the drives are silent")};
+    EXPECT_EQ(pst("<PST>AZ?</PST>"), "") << "a program asks often";
+    EXPECT_EQ(rotator.remarks.size(), 5U);
+    EXPECT_FALSE(first.obey(azimuthDatagram("50")).result);
+    EXPECT_EQ(rotator.remarks.back(), "\"<PST><AZIMUTH>50</AZIMUTH></PST>\" refused: the drives are silent");
+    EXPECT_FALSE(first.obey("<PST><PARK>1</PARK></PST>").result);
+    EXPECT_EQ(rotator.remarks.size(), 6U) << "the rotator has refused it";
+}
+
+TEST_F(UdpControllerTest, WhatIsRefusedIsNotAnswered)
+{
     rotator.fault = Error{.code = ErrorCode::NoAnswer, .text = QStringLiteral("the drives are silent")};
     const int before = rotator.actions;
     for (const char* const datagram : {"<PST>AZ?</PST>", "<PST>EL?</PST>", "<PST>TGA?</PST>"}) {
