@@ -54,7 +54,7 @@ CommandTalk::CommandTalk(rotctld::Client client, rotctld::Rotator& rotator, cons
       m_talk(m_client, rotator, std::move(site)),
       m_habits(clock.now()),
       m_settling(clock),
-      m_second(clock.now())
+      m_budget(clock.now())
 {
     m_settling.begin();
 }
@@ -101,10 +101,8 @@ LineOutcome CommandTalk::run(std::string_view line, Retain retain)
         return refuse(line, ErrorCode::InvalidInput,
                       Text::tr("A command has at most %1 bytes.").arg(QString::number(kLongest)));
     }
-    if (m_inSecond > kPerSecond) {
-        return refuse(
-            line, ErrorCode::Busy,
-            Text::tr("More than %1 commands arrived in one second. Boresight ignores the rest.").arg(kPerSecond));
+    if (const Result<> may = m_budget.admits(); !may) {
+        return refuse(line, may.error().code, may.error().text);
     }
     tick();
     const Result<pairs::Command> command = pairs::parseLine(line);
@@ -146,16 +144,10 @@ Result<> CommandTalk::admits(const pairs::Command& command) const
     return {};
 }
 
-// The first command above the limit is not yet a flood, so that it gets an answer with the reason.
 bool CommandTalk::isFlood()
 {
-    const SteadyTime now = m_clock.now();
-    if (now - m_second >= std::chrono::seconds(1)) {
-        m_second = now;
-        m_inSecond = 0;
-    }
-    m_inSecond = std::min(m_inSecond + 1, kPerSecond + 2);
-    return m_inSecond > kPerSecond + 1;
+    m_budget.count(m_clock.now());
+    return m_budget.isFlood();
 }
 
 QByteArray CommandTalk::answer(std::string_view line, const LineOutcome& outcome)

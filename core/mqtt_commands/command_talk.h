@@ -5,6 +5,7 @@
 #include "core/mqtt/broker.h"
 #include "core/pairs_server/pairs_talk.h"
 #include "core/rotctld/client_habits.h"
+#include "core/rotctld/command_budget.h"
 #include "core/rotctld/rotator.h"
 #include "core/rotctld/settling.h"
 
@@ -26,7 +27,6 @@ class CommandTalk
 {
 public:
     static constexpr std::size_t kLongest = 200;  // bytes of a command
-    static constexpr int kPerSecond = 20;         // commands
 
     // Create it when the connection begins. The rotator and the clock outlive this.
     CommandTalk(rotctld::Client client, rotctld::Rotator& rotator, const Clock& clock, pairs::SiteNow site,
@@ -59,8 +59,7 @@ private:
     pairs::PairsTalk m_talk;
     rotctld::ClientHabits m_habits;
     rotctld::Settling m_settling;
-    SteadyTime m_second;  // start of the current second
-    int m_inSecond = 0;   // commands in this second
+    rotctld::CommandBudget m_budget;
 };
 
 }  // namespace boresight::mqtt

@@ -113,7 +113,8 @@ DatagramServer::Sender& DatagramServer::welcome(const rotctld::Client& client, c
 {
     m_admission.enter(host);
     m_rotator.clientConnected(client);
-    const UdpController::Shared shared{.rotator = m_rotator, .parse = m_parse, .held = m_held, .settling = m_settling};
+    const UdpController::Shared shared{
+        .rotator = m_rotator, .parse = m_parse, .held = m_held, .settling = m_settling, .clock = m_clock};
     Sender sender{
         .client = client, .controller = UdpController(client, shared), .habits = rotctld::ClientHabits(m_clock.now())};
     return m_senders.emplace(host, std::move(sender)).first->second;

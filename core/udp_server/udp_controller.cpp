@@ -14,7 +14,7 @@ using rotctld::LineOutcome;
 using rotctld::Settling;
 
 UdpController::UdpController(rotctld::Client client, const Shared& shared)
-    : m_client(std::move(client)), m_shared(shared)
+    : m_client(std::move(client)), m_shared(shared), m_budget(shared.clock.now())
 {}
 
 LineOutcome UdpController::obey(std::string_view datagram)
@@ -36,11 +36,14 @@ LineOutcome UdpController::obey(std::string_view datagram)
 // The program gets no answer, so the operator finds the reason only here. The rotator logs what it refuses itself.
 void UdpController::logRefusal(std::string_view datagram, const Error& error) const
 {
+    if (error.code == ErrorCode::Busy && m_budget.isFlood()) {
+        return;
+    }
     m_shared.rotator.clientRemark(
         m_client, Text::tr("\"%1\" refused: %2").arg(rotctld::shownText(trimmed(datagram)), error.text));
 }
 
-Result<Command> UdpController::read(std::string_view datagram) const
+Result<Command> UdpController::read(std::string_view datagram)
 {
     Result<Command> command = m_shared.parse(datagram);
     if (datagram.size() > kLongest && !stops(command)) {
@@ -50,14 +53,18 @@ Result<Command> UdpController::read(std::string_view datagram) const
     return command.and_then([&](const Command& wanted) { return admits(wanted).map([&] { return wanted; }); });
 }
 
-Result<> UdpController::admits(const Command& command) const
+Result<> UdpController::admits(const Command& command)
 {
-    if (moves(command) && !m_shared.settling.isOver()) {
+    if (!moves(command)) {
+        return {};
+    }
+    if (!m_shared.settling.isOver()) {
         return failure(ErrorCode::Refused, Text::tr("Boresight read no datagrams until less than %1 s ago, so this "
                                                     "command may be old. Send it again.")
                                                .arg(Settling::kTime.count()));
     }
-    return {};
+    m_budget.count(m_shared.clock.now());
+    return m_budget.admits();
 }
 
 void UdpController::carryOut(Ask question, LineOutcome& outcome)

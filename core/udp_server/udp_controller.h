@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/clock.h"
+#include "core/rotctld/command_budget.h"
 #include "core/rotctld/held_target.h"
 #include "core/rotctld/settling.h"
 #include "core/udp_server/rotor_command.h"
@@ -21,19 +23,20 @@ public:
         const Parse& parse;
         rotctld::HeldTarget& held;
         const rotctld::Settling& settling;
+        const Clock& clock;
     };
 
     UdpController(rotctld::Client client, const Shared& shared);
 
     // A STOP is always obeyed. Any other datagram is refused if it is too long. A motion is refused while it may be
-    // old.
+    // old, and in a flood of motions.
     [[nodiscard]] rotctld::LineOutcome obey(std::string_view datagram) override;
 
 private:
     void logRefusal(std::string_view datagram, const Error& error) const;
     // The command, if it may be carried out.
-    [[nodiscard]] Result<Command> read(std::string_view datagram) const;
-    [[nodiscard]] Result<> admits(const Command& command) const;
+    [[nodiscard]] Result<Command> read(std::string_view datagram);
+    [[nodiscard]] Result<> admits(const Command& command);
     void carryOut(Ask question, rotctld::LineOutcome& outcome);
     void carryOut(const Target& target, rotctld::LineOutcome& outcome);
     void carryOut(const StopTurning& stop, rotctld::LineOutcome& outcome);
@@ -42,6 +45,7 @@ private:
 
     rotctld::Client m_client;
     Shared m_shared;
+    rotctld::CommandBudget m_budget;  // for motions
 };
 
 }  // namespace boresight::udp

@@ -26,7 +26,7 @@ struct UdpControllerTest : ::testing::Test
     [[nodiscard]] UdpController meet(std::uint64_t id)
     {
         return {{.id = id, .address = "127.0.0.1:5", .protocol = "PstRotator"},
-                {.rotator = rotator, .parse = parse, .held = held, .settling = settling}};
+                {.rotator = rotator, .parse = parse, .held = held, .settling = settling, .clock = clock}};
     }
     std::string pst(const std::string& datagram) { return first.obey(datagram).reply; }
 
@@ -126,6 +126,29 @@ TEST_F(UdpControllerTest, MovesNothingWhileACommandMayBeOld)
     EXPECT_EQ(rotator.actions, 1);
     clock.advance(2s);
     EXPECT_TRUE(first.obey(azimuthDatagram("10")).result);
+}
+
+// REQ-UDPSERVER-16: Of the motions of a host in one second 20 are obeyed. The others are refused, and the first of them
+// is logged. Questions and stops are not counted.
+TEST_F(UdpControllerTest, BearsAFloodOfMotions)
+{
+    for (int i = 0; i < 1000; ++i) {
+        static_cast<void>(first.obey(azimuthDatagram("10")));
+        static_cast<void>(first.obey("<PST><TRACK>0</TRACK></PST>"));
+    }
+    EXPECT_EQ(rotator.actions, 20);
+    ASSERT_EQ(rotator.remarks.size(), 1U);
+    EXPECT_TRUE(
+        rotator.remarks[0].ends_with("More than 20 commands arrived in one second. Boresight ignores the rest."));
+    EXPECT_EQ(first.obey("<PST><PARK>1</PARK></PST>").result.error().code, ErrorCode::Busy);
+    EXPECT_TRUE(second.obey(azimuthDatagram("20")).result) << "another host";
+    for (int i = 0; i < 100; ++i) {
+        EXPECT_TRUE(first.obey("<PST><STOP>1</STOP></PST>").result);
+        EXPECT_EQ(pst("<PST>AZ?</PST>"), "AZ:0.0\r");
+    }
+    EXPECT_EQ(rotator.actions, 121);
+    clock.advance(1s);
+    EXPECT_TRUE(first.obey(azimuthDatagram("30")).result);
 }
 
 // REQ-UDPSERVER-02
