@@ -195,8 +195,16 @@ TEST(StationListeners, ADatagramMovesTheMountWithinItsLimits)
     EXPECT_NEAR(rig.control.measured()->elevation.degrees(), 30.0, 0.1);
 
     send(0, "<PST><ELEVATION>170</ELEVATION></PST>");
+    rig.pass(120);
+    EXPECT_NEAR(rig.control.measured()->azimuth.degrees(), 220.0, 0.1) << "the same direction, over the zenith";
+    EXPECT_NEAR(rig.control.measured()->elevation.degrees(), 10.0, 0.1);
+    send(0, "<PST><ELEVATION>-20</ELEVATION></PST>");
+    const QString became = rig.further.clients().front().lastCommand;
+    EXPECT_TRUE(became.endsWith(QStringLiteral("elevation -20.0° below limit 0.0°"))) << became.toStdString();
     rig.pass(60);
-    EXPECT_LE(rig.control.measured()->elevation, rig.inForce->elevation.geometry.travel.max + 0.1_deg);
+    EXPECT_NEAR(rig.control.measured()->azimuth.degrees(), 220.0, 0.1);
+    EXPECT_NEAR(rig.control.measured()->elevation.degrees(), rig.inForce->elevation.geometry.travel.min.degrees(),
+                0.05);
 
     send(0, "<PST><AZIMUTH>100</AZIMUTH></PST>");
     send(1, "<N1MMRotor><rotor>Yagi 20</rotor><goazi>90.0</goazi><offset>0.0</offset></N1MMRotor>");
@@ -214,7 +222,12 @@ TEST(StationListeners, ADatagramMovesTheMountWithinItsLimits)
     EXPECT_NEAR(rig.control.measured()->azimuth.degrees(), stopped.degrees(), 0.01);
     ASSERT_TRUE(rig.ask(request::ResetStop{}));
     rig.pass(20);
+    ASSERT_TRUE(rig.ask(request::GiveAuthority{}));
+    rig.pass(20);
     EXPECT_NEAR(rig.control.measured()->azimuth.degrees(), stopped.degrees(), 0.01) << "nothing moves by itself";
+    send(0, "<PST><AZIMUTH>60</AZIMUTH></PST>");
+    rig.pass(60);
+    EXPECT_NEAR(rig.control.measured()->azimuth.degrees(), 60.0, 0.1);
 }
 
 TEST(StationListeners, ADatagramForReadersMovesNothing)
