@@ -3,6 +3,7 @@
 
 #include "core/base/numbers.h"
 #include "core/base/text.h"
+#include "core/base/upper.h"
 #include "core/rotctld/client_angles.h"
 #include "core/rotctld/client_habits.h"
 
@@ -54,14 +55,6 @@ constexpr std::array kVelocities{Velocity{"VL", MoveDirection::Left}, Velocity{"
 constexpr std::array<std::string_view, 10> kNotForARotator{"UP", "DN", "UM", "DM", "UR", "DR", "AO", "LO", "ST", "OP"};
 // Registers and inputs of a real controller.
 constexpr std::array<std::string_view, 4> kNotOffered{"CR", "CW", "IP", "AN"};
-
-std::string upper(std::string_view line)
-{
-    std::string text(line);
-    std::ranges::transform(text, text.begin(),
-                           [](char one) { return static_cast<char>(std::toupper(static_cast<unsigned char>(one))); });
-    return text;
-}
 
 // Hamlib leaves a semicolon after the line end of some questions, so a semicolon counts as a blank.
 std::vector<std::string_view> wordsOf(std::string_view line)

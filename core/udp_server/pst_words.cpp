@@ -4,12 +4,12 @@
 #include "core/base/numbers.h"
 #include "core/base/text.h"
 #include "core/base/trimmed.h"
+#include "core/base/upper.h"
 #include "core/rotctld/client_angles.h"
 #include "core/udp_server/tagged_text.h"
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 
 namespace boresight::udp {
 namespace {
@@ -29,14 +29,6 @@ struct Wanted
     Target target;
     bool parks = false;
 };
-
-std::string upper(std::string_view datagram)
-{
-    std::string text(datagram);
-    std::ranges::transform(text, text.begin(),
-                           [](char one) { return static_cast<char>(std::toupper(static_cast<unsigned char>(one))); });
-    return text;
-}
 
 tl::unexpected<Error> unknownToPst()
 {
@@ -58,12 +50,12 @@ bool hasStop(std::string_view text)
     return false;
 }
 
-// Hamlib 4.6 sends "85.000000.2" for 85°.
+// Hamlib 4.6 sends "85.000000.2" for 85°, with a decimal comma in some locales.
 std::string_view withoutHamlibsEnd(std::string_view number)
 {
     constexpr std::string_view kEnd = ".2";
     constexpr std::size_t kDecimals = 6;
-    const std::size_t point = number.find('.');
+    const std::size_t point = number.find_first_of(".,");
     const bool isHamlibs = point != std::string_view::npos && number.ends_with(kEnd) &&
                            number.size() == point + 1 + kDecimals + kEnd.size();
     return isHamlibs ? number.substr(0, number.size() - kEnd.size()) : number;

@@ -2,6 +2,7 @@
 #include "core/udp_server/tagged_text.h"
 
 #include "core/base/trimmed.h"
+#include "core/base/upper.h"
 
 #include <string>
 
@@ -22,7 +23,9 @@ std::string closing(std::string_view tag)
 std::string_view withoutDeclaration(std::string_view text)
 {
     constexpr std::string_view kEnd = "?>";
-    const std::size_t end = text.starts_with("<?xml") ? text.find(kEnd) : std::string_view::npos;
+    constexpr std::string_view kBegin = "<?XML";
+    const bool isDeclared = upper(text.substr(0, kBegin.size())) == kBegin;
+    const std::size_t end = isDeclared ? text.find(kEnd) : std::string_view::npos;
     return end == std::string_view::npos ? text : trimmed(text.substr(end + kEnd.size()));
 }
 

@@ -42,6 +42,7 @@ TEST(PstWords, PointsOneAxisOrBoth)
     EXPECT_EQ(anglesOf("<PST><AZIMUTH>123,4</AZIMUTH></PST>\r\n"), "123.4 -");
     EXPECT_EQ(anglesOf("<PST><AZIMUTH>360.0</AZIMUTH></PST>"), "360 -");
     EXPECT_EQ(anglesOf("<pst><azimuth> -5 </azimuth></pst>"), "-5 -");
+    EXPECT_EQ(anglesOf("<?xml version=\"1.0\"?><PST><AZIMUTH>85</AZIMUTH></PST>"), "85 -");
 }
 
 // What programs send, as it is on the wire.
@@ -49,6 +50,7 @@ TEST(PstWords, ReadsWhatProgramsSend)
 {
     EXPECT_EQ(anglesOf("<PST><AZIMUTH>20.000000.2</AZIMUTH></PST>"), "20 -") << "Hamlib 4.6";
     EXPECT_EQ(anglesOf("<PST><ELEVATION>15.250000.2</ELEVATION></PST>"), "- 15.25") << "Hamlib 4.6";
+    EXPECT_EQ(anglesOf("<PST><AZIMUTH>85,000000.2</AZIMUTH></PST>"), "85 -") << "Hamlib 4.6 in a German locale";
     EXPECT_EQ(anglesOf("<PST><TRACK>0</TRACK><AZIMUTH>123.4</AZIMUTH><ELEVATION>5.6</ELEVATION></PST>"), "123.4 5.6")
         << "Project Horus";
     EXPECT_EQ(pst<Ask>("<PST>AZ?</PST>"), Ask::Azimuth);

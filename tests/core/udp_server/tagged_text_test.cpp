@@ -13,6 +13,7 @@ TEST(TaggedText, HasABodyBetweenItsEnds)
     EXPECT_EQ(bodyOf("<PST>AZ?</PST>", "PST"), "AZ?");
     EXPECT_EQ(bodyOf(" <PST></PST>\r\n", "PST"), "");
     EXPECT_EQ(bodyOf("<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<A> <b>1</b></A>", "A"), " <b>1</b>");
+    EXPECT_EQ(bodyOf("<?XML VERSION=\"1.0\"?><A>1</A>", "A"), "1");
     for (const char* const text : {"", "PST", "<PST>", "<PST></PS>", "<PST>1</PST>2", "0<PST>1</PST>", "<PST/>",
                                    "<PST>1</pst>", "<?xml <PST>1</PST>"}) {
         EXPECT_FALSE(bodyOf(text, "PST")) << text;
