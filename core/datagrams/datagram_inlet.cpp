@@ -21,9 +21,11 @@ DatagramInlet::~DatagramInlet()
     m_socket.disconnect(this);
 }
 
+// "::" serves IPv4 as well.
 bool DatagramInlet::open(const QHostAddress& host, std::uint16_t port, bool shared)
 {
-    return m_socket.bind(host, port,
+    const bool isAny = host == QHostAddress(QHostAddress::AnyIPv6);
+    return m_socket.bind(isAny ? QHostAddress(QHostAddress::Any) : host, port,
                          shared ? QAbstractSocket::ShareAddress | QAbstractSocket::ReuseAddressHint
                                 : QAbstractSocket::BindMode(QAbstractSocket::DontShareAddress));
 }

@@ -109,6 +109,20 @@ Result<> readPlace(std::string_view word, Listener& listener)
     return {};
 }
 
+// "::" serves IPv4 as well.
+bool covers(const QHostAddress& one, const QHostAddress& other)
+{
+    return one == other || one == QHostAddress(QHostAddress::AnyIPv6) ||
+           (one == QHostAddress(QHostAddress::AnyIPv4) && other.protocol() == QAbstractSocket::IPv4Protocol);
+}
+
+bool shareAddress(const Listener& one, const Listener& other)
+{
+    const QHostAddress first = listenAddress(one.host);
+    const QHostAddress second = listenAddress(other.host);
+    return covers(first, second) || covers(second, first);
+}
+
 // Programs on other computers may move the mount.
 bool movesFromElsewhere(const Listener& listener)
 {
@@ -169,6 +183,17 @@ Result<> readAllowed(std::span<const std::string_view> words, Listener& listener
     return {};
 }
 
+// A question is answered to the port after that of the listener.
+Result<> checkAnswers(const Listener& listener)
+{
+    constexpr std::uint16_t kLast = std::numeric_limits<std::uint16_t>::max();
+    if (listener.protocol == Protocol::Pst && listener.port == kLast) {
+        return failure(ErrorCode::InvalidInput,
+                       Text::tr("\"pst\" answers to the port after its own. Choose a port below %1").arg(kLast));
+    }
+    return {};
+}
+
 // A datagram has no connection that proves its sender, so a list of senders is the least that is asked for.
 Result<> checkSenders(const Listener& listener)
 {
@@ -209,6 +234,7 @@ Result<Listener> parseListener(std::string_view line)
                               .and_then([&] { return fits(listener, words[0], words[2]); })
                               .and_then([&] { return readAllowed(std::span(words).subspan(3), listener); })
                               .and_then([&] { return checkSenders(listener); })
+                              .and_then([&] { return checkAnswers(listener); })
                               .and_then([&] {
                                   return rotor == std::string_view::npos
                                              ? Result<>()
@@ -244,7 +270,10 @@ bool isOpenToForgery(const Listener& listener)
 
 bool collide(const Listener& one, const Listener& other)
 {
-    return placeOf(one) == placeOf(other) && (!hasPort(one) || one.port != 0);
+    if (!hasPort(one) || !hasPort(other)) {
+        return placeOf(one) == placeOf(other);
+    }
+    return one.udp == other.udp && one.port == other.port && one.port != 0 && shareAddress(one, other);
 }
 
 }  // namespace boresight::listeners

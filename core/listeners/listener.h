@@ -56,7 +56,8 @@ struct Listener
 [[nodiscard]] bool isOpenToAll(const Listener& listener);
 // True if other computers reach the listener with datagrams that may move the mount. A datagram can name any sender.
 [[nodiscard]] bool isOpenToForgery(const Listener& listener);
-// True if the two cannot both be opened, because they have the same port or the same path. Port 0 is never the same.
+// True if the two cannot both be opened, because they have the same path, or the same port of the same address or of
+// all addresses. Port 0 is never the same.
 [[nodiscard]] bool collide(const Listener& one, const Listener& other);
 
 }  // namespace boresight::listeners

@@ -69,6 +69,8 @@ TEST(Listener, MayBeForDatagrams)
         EXPECT_TRUE(refusalOf(line).contains(QStringLiteral("Add the addresses that may"))) << line;
     }
     EXPECT_TRUE(parseListener("pst read udp:0.0.0.0:12000"));
+    EXPECT_TRUE(refusalOf("pst drive udp:127.0.0.1:65535").contains(QStringLiteral("the port after its own")));
+    EXPECT_TRUE(parseListener("n1mm drive udp:127.0.0.1:65535"));
     EXPECT_TRUE(refusalOf("pst drive udp:shack:12000").contains(QStringLiteral("\"udp:shack:12000\"")));
 }
 
@@ -119,6 +121,12 @@ TEST(Listener, TwoNeedTwoPlaces)
     const auto datagrams = *parseListener("pst drive udp:127.0.0.1:4534");
     EXPECT_TRUE(collide(datagrams, *parseListener("n1mm drive udp:127.0.0.1:4534")));
     EXPECT_FALSE(collide(one, datagrams)) << "TCP and UDP have ports of their own";
+    for (const char* const place : {"0.0.0.0", "[::]", "localhost"}) {
+        const auto other = *parseListener("gs232b read tcp:" + std::string(place) + ":4534");
+        EXPECT_TRUE(collide(one, other) && collide(other, one)) << place;
+    }
+    EXPECT_FALSE(collide(one, *parseListener("gs232b read tcp:127.0.0.2:4534")));
+    EXPECT_FALSE(collide(*parseListener("gs232b read tcp:0.0.0.0:4534"), *parseListener("gs232b read tcp:[::1]:4534")));
     const auto terminal = *parseListener("gs232a drive pty:/tmp/r");
     EXPECT_TRUE(collide(terminal, terminal));
     EXPECT_TRUE(collide(terminal, *parseListener("pairs drive unix:/tmp/r")));

@@ -267,6 +267,18 @@ TEST_F(DatagramServerTest, MovesNothingAfterTheComputerSlept)
     EXPECT_TRUE(isMovedBy(program, 20));
 }
 
+TEST_F(DatagramServerTest, AllAddressesAreThoseOfBothVersions)
+{
+    serve({.host = "::", .allow = {"127.0.0.1", "::1"}});
+    EXPECT_TRUE(isMovedBy(program, 10)) << "IPv4";
+    EXPECT_TRUE(server->clients().front().address.starts_with("127.0.0.1:"));
+    if (QUdpSocket sixth; sixth.bind(QHostAddress(QHostAddress::LocalHostIPv6))) {
+        sixth.writeDatagram("<PST><AZIMUTH>20</AZIMUTH></PST>", QHostAddress(QHostAddress::LocalHostIPv6),
+                            server->port());
+        EXPECT_TRUE(fakes::waitUntil([&] { return rotator.lastRequest->azimuth == 20_deg; }));
+    }
+}
+
 TEST_F(DatagramServerTest, APortThatIsTakenIsAnError)
 {
     serve();
