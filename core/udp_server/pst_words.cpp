@@ -6,10 +6,12 @@
 #include "core/base/trimmed.h"
 #include "core/base/upper.h"
 #include "core/rotctld/client_angles.h"
+#include "core/rotctld/client_habits.h"
 #include "core/udp_server/tagged_text.h"
 
 #include <algorithm>
 #include <array>
+#include <set>
 
 namespace boresight::udp {
 namespace {
@@ -30,9 +32,9 @@ struct Wanted
     bool parks = false;
 };
 
-tl::unexpected<Error> unknownToPst()
+tl::unexpected<Error> noPst()
 {
-    return failure(ErrorCode::InvalidInput, Text::tr("Boresight knows no such command for PstRotator."));
+    return failure(ErrorCode::InvalidInput, Text::tr("This is no datagram for PstRotator."));
 }
 
 // "<STOP>1</STOP>" anywhere. Each byte is looked at once, however long the datagram is.
@@ -61,17 +63,15 @@ std::string_view withoutHamlibsEnd(std::string_view number)
     return isHamlibs ? number.substr(0, number.size() - kEnd.size()) : number;
 }
 
-// False: the angle is already set, or the text is no number.
+// False: the text is no number.
 bool set(std::optional<Angle>& angle, std::string_view number)
 {
-    if (angle) {
-        return false;
-    }
     angle = rotctld::degreesIn(withoutHamlibsEnd(number));
     return angle.has_value();
 }
 
-bool take(const Field& field, Wanted& wanted)
+// False: the field is unknown, or its value.
+bool set(Wanted& wanted, const Field& field)
 {
     if (field.name == "AZIMUTH") {
         return set(wanted.target.azimuth, field.value);
@@ -84,6 +84,24 @@ bool take(const Field& field, Wanted& wanted)
         return field.value == "1";
     }
     return field.name == "TRACK" && field.value == "0";
+}
+
+Result<Wanted> wantedBy(const std::vector<Field>& fields)
+{
+    Wanted wanted;
+    std::set<std::string_view> seen;
+    for (const Field& field : fields) {
+        const QString name = rotctld::shownText(field.name);
+        if (!seen.insert(field.name).second) {
+            return failure(ErrorCode::InvalidInput, Text::tr("The datagram has the field \"%1\" twice.").arg(name));
+        }
+        if (!set(wanted, field)) {
+            return failure(ErrorCode::InvalidInput, Text::tr("Boresight does not obey the field \"%1\" with the value "
+                                                             "\"%2\".")
+                                                        .arg(name, rotctld::shownText(field.value)));
+        }
+    }
+    return wanted;
 }
 
 Result<Command> commandOf(const Wanted& wanted)
@@ -111,19 +129,17 @@ Result<Command> parsePst(std::string_view datagram)
     }
     const auto body = bodyOf(text, "PST");
     if (!body) {
-        return unknownToPst();
+        return noPst();
     }
     const auto* const question = std::ranges::find(kQuestions, trimmed(*body), &Question::text);
     if (question != kQuestions.end()) {
         return Command(question->ask);
     }
     const auto fields = fieldsIn(*body);
-    Wanted wanted;
-    if (!fields || fields->empty() ||
-        !std::ranges::all_of(*fields, [&](const Field& field) { return take(field, wanted); })) {
-        return unknownToPst();
+    if (!fields || fields->empty()) {
+        return noPst();
     }
-    return commandOf(wanted);
+    return wantedBy(*fields).and_then(commandOf);
 }
 
 std::string pstAnswer(Ask question, const SkyPointing& place)

@@ -59,7 +59,7 @@ Result<> UdpController::admits(const Command& command)
         return {};
     }
     if (!m_shared.settling.isOver()) {
-        return failure(ErrorCode::Refused, Text::tr("Boresight read no datagrams until less than %1 s ago, so this "
+        return failure(ErrorCode::Refused, Text::tr("This computer slept or was blocked less than %1 s ago. The "
                                                     "command may be old. Send it again.")
                                                .arg(Settling::kTime.count()));
     }

@@ -198,7 +198,7 @@ TEST_F(DatagramServerTest, AnUnknownDatagramIsLogged)
         fakes::waitUntil([this] { return !server->clients().empty() && server->clients().front().oddCommands == 5; }));
     EXPECT_EQ(rotator.actions, 0);
     ASSERT_EQ(rotator.remarks.size(), 5U);
-    EXPECT_EQ(rotator.remarks[0], "\"GET / HTTP/1.1\" refused: Boresight knows no such command for PstRotator.");
+    EXPECT_EQ(rotator.remarks[0], "\"GET / HTTP/1.1\" refused: This is no datagram for PstRotator.");
     EXPECT_THAT(server->clients().front().lastCommand.toStdString(),
                 ::testing::HasSubstr("refused. A datagram has at most 512 bytes."));
     EXPECT_TRUE(isMovedBy(program, 20)) << "it is served on";

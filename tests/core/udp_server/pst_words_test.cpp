@@ -117,6 +117,17 @@ TEST(PstWords, NothingElseIsACommand)
     EXPECT_EQ(refusedPst("<PST><ELEVATION>-91</ELEVATION></PST>"), ErrorCode::OutOfRange);
 }
 
+TEST(PstWords, ARefusalNamesTheField)
+{
+    const auto reasonOf = [](std::string_view datagram) { return parsePst(datagram).error().text.toStdString(); };
+    EXPECT_EQ(reasonOf("<PST><AZIMUTH>1</AZIMUTH><QRA>KN34BJ</QRA></PST>"),
+              "Boresight does not obey the field \"QRA\" with the value \"KN34BJ\".");
+    EXPECT_EQ(reasonOf("<PST><ELEVATION>up</ELEVATION></PST>"),
+              "Boresight does not obey the field \"ELEVATION\" with the value \"UP\".");
+    EXPECT_EQ(reasonOf("<PST><PARK>1</PARK><PARK>1</PARK></PST>"), "The datagram has the field \"PARK\" twice.");
+    EXPECT_EQ(reasonOf("<PST>AZ?EL?</PST>"), "This is no datagram for PstRotator.");
+}
+
 TEST(PstWords, AnswersAsPstRotatorDoes)
 {
     const SkyPointing place{.azimuth = -90.06_deg, .elevation = -0.04_deg};

@@ -120,7 +120,10 @@ TEST_F(UdpControllerTest, MovesNothingWhileACommandMayBeOld)
     }
     EXPECT_EQ(rotator.actions, 0);
     ASSERT_EQ(rotator.remarks.size(), 2U);
-    EXPECT_TRUE(rotator.remarks[0].ends_with("so this command may be old. Send it again.")) << rotator.remarks[0];
+    EXPECT_TRUE(
+        rotator.remarks[0].ends_with("This computer slept or was blocked less than 2 s ago. The command may be "
+                                     "old. Send it again."))
+        << rotator.remarks[0];
     EXPECT_EQ(pst("<PST>AZ?</PST>"), "AZ:0.0\r");
     EXPECT_TRUE(first.obey("<PST><STOP>1</STOP></PST>").result);
     EXPECT_EQ(rotator.actions, 1);
