@@ -4,6 +4,7 @@
 #include "core/base/numbers.h"
 #include "core/base/peer_address.h"
 #include "core/base/text.h"
+#include "core/base/trimmed.h"
 
 #include <QHostAddress>
 
@@ -208,12 +209,11 @@ Result<> checkSenders(const Listener& listener)
 // The rest of the line, because the name of a rotor may have blanks.
 Result<> readRotor(std::string_view name, Listener& listener)
 {
-    const std::size_t begin = name.find_first_not_of(' ');
-    if (listener.protocol != Protocol::N1mm || begin == std::string_view::npos) {
+    listener.rotor = std::string(trimmed(name));
+    if (listener.protocol != Protocol::N1mm || listener.rotor.empty()) {
         return failure(ErrorCode::InvalidInput,
                        Text::tr("\"rotor=\" is followed by the name of a rotor in N1MM, at the end of a line of n1mm"));
     }
-    listener.rotor = std::string(name.substr(begin, name.find_last_not_of(' ') + 1 - begin));
     return {};
 }
 

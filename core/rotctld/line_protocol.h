@@ -10,10 +10,10 @@
 #include <string>
 #include <string_view>
 
-// A protocol of one command at a time: a line of a connection, or a datagram. Station thread.
+// A protocol of one command in each line of a connection. Station thread.
 namespace boresight::rotctld {
 
-// The effect of one line. A result of InvalidInput: the line is no command.
+// The effect of one line, or of one datagram. A result of InvalidInput: it is no command.
 struct LineOutcome
 {
     std::string reply;

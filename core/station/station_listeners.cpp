@@ -2,6 +2,7 @@
 #include "core/station/station_listeners.h"
 
 #include "core/alarms/catalogue.h"
+#include "core/base/overloaded.h"
 #include "core/base/text.h"
 #include "core/easycomm_server/easycomm_controller.h"
 #include "core/gs232_server/emulated_box.h"
@@ -15,6 +16,7 @@
 #include <iterator>
 #include <optional>
 #include <utility>
+#include <variant>
 
 namespace boresight {
 namespace {
@@ -37,13 +39,18 @@ rotctld::ServerSettings serverSettings(const Listener& listener, const std::shar
             .newestClient = newestClient};
 }
 
+// With connections, or with datagrams.
+using Language = std::variant<rotctld::StartConversation, udp::Parse>;
+
 // A new protocol needs a line here.
-rotctld::StartConversation talkOf(Protocol protocol, rotctld::Rotator& rotator, const Clock& clock,
-                                  const profile::InForce& profile)
+Language languageOf(const Listener& listener, rotctld::Rotator& rotator, const Clock& clock,
+                    const profile::InForce& profile)
 {
-    switch (protocol) {
+    switch (listener.protocol) {
         case Protocol::Gs232A:
             return gs232::talkGs232(rotator, clock, gs232::Dialect::A);
+        case Protocol::Gs232B:
+            return gs232::talkGs232(rotator, clock, gs232::Dialect::B);
         case Protocol::Easycomm1:
             return easycomm::talkEasycomm(rotator, clock, easycomm::Version::One);
         case Protocol::Easycomm2:
@@ -54,20 +61,12 @@ rotctld::StartConversation talkOf(Protocol protocol, rotctld::Rotator& rotator, 
             return pairs::talkPairs(rotator, clock, [&profile] {
                 return profile->site.known ? std::optional(profile->site.place()) : std::nullopt;
             });
-        case Protocol::Gs232B:
-        case Protocol::Pst:  // parserOf()
+        case Protocol::Pst:
+            return udp::Parse(udp::parsePst);
         case Protocol::N1mm:
             break;
     }
-    return gs232::talkGs232(rotator, clock, gs232::Dialect::B);
-}
-
-udp::Parse parserOf(const Listener& listener)
-{
-    if (listener.protocol == Protocol::N1mm) {
-        return [rotor = listener.rotor](std::string_view datagram) { return udp::parseN1mm(datagram, rotor); };
-    }
-    return udp::parsePst;
+    return udp::Parse([rotor = listener.rotor](std::string_view datagram) { return udp::parseN1mm(datagram, rotor); });
 }
 
 }  // namespace
@@ -125,13 +124,17 @@ std::unique_ptr<rotctld::ClientServer> StationListeners::serverOf(const Listener
 {
     rotctld::ServerSettings settings =
         serverSettings(listener, m_newestClient, static_cast<std::size_t>(m_profile->rotctld.maxClients));
-    if (listener.udp) {
-        return std::make_unique<udp::DatagramServer>(
-            std::move(settings), parserOf(listener), m_rotator, m_clock,
-            [this](std::uint64_t client) { return isReadOnly(client); }, m_parent);
-    }
-    return std::make_unique<rotctld::Server>(
-        std::move(settings), talkOf(listener.protocol, m_rotator, m_clock, m_profile), m_rotator, m_clock, m_parent);
+    Language language = languageOf(listener, m_rotator, m_clock, m_profile);
+    return std::visit(Overloaded{[&](rotctld::StartConversation& talk) -> std::unique_ptr<rotctld::ClientServer> {
+                                     return std::make_unique<rotctld::Server>(std::move(settings), std::move(talk),
+                                                                              m_rotator, m_clock, m_parent);
+                                 },
+                                 [&](udp::Parse& parse) -> std::unique_ptr<rotctld::ClientServer> {
+                                     return std::make_unique<udp::DatagramServer>(
+                                         std::move(settings), std::move(parse), m_rotator, m_clock,
+                                         [this](std::uint64_t client) { return isReadOnly(client); }, m_parent);
+                                 }},
+                      language);
 }
 
 bool StationListeners::isReadOnly(std::uint64_t client) const

@@ -11,7 +11,7 @@
 // Station thread.
 namespace boresight::udp {
 
-class UdpController final : public rotctld::LineProtocol
+class UdpController final
 {
 public:
     static constexpr std::size_t kLongest = 512;  // bytes of a datagram
@@ -30,7 +30,7 @@ public:
 
     // A STOP is always obeyed. Any other datagram is refused if it is too long. A motion is refused while it may be
     // old, and in a flood of motions.
-    [[nodiscard]] rotctld::LineOutcome obey(std::string_view datagram) override;
+    [[nodiscard]] rotctld::LineOutcome obey(std::string_view datagram);
 
 private:
     void logRefusal(std::string_view datagram, const Error& error) const;
