@@ -5,6 +5,7 @@
 #include "app/log_output.h"
 #include "core/base/numbers.h"
 #include "core/base/text.h"
+#include "core/base/trimmed.h"
 #include "core/elements/text_lines.h"
 #include "core/orbit/sgp4.h"
 #include "core/orbit/topocentric.h"
@@ -67,7 +68,7 @@ SkyTimes timesOf(const QByteArray& bytes, const QString& path)
     orbit::TextLines lines(std::string_view(bytes.data(), static_cast<std::size_t>(bytes.size())));
     bool isFirst = true;
     while (lines.next()) {
-        const std::string_view text = orbit::trimmed(lines.line().substr(0, lines.line().find(',')));
+        const std::string_view text = trimmed(lines.line().substr(0, lines.line().find(',')));
         if (text.empty() || text.front() == '#') {
             continue;
         }

@@ -119,6 +119,17 @@ inline constexpr std::array kStationAlarms{
         .help = AlarmHelp::OpenProfile,
         .examples = {"0.0.0.0:4534"}},
     AlarmEntry{
+        .id = "listener.datagrams",
+        .source = "listeners",
+        .severity = Severity::Advisory,
+        .what = QT_TRANSLATE_NOOP("Text", "A datagram with a forged sender can move the mount through %1"),
+        .action = QT_TRANSLATE_NOOP("Text", "Boresight obeys every datagram that gives a permitted address"),
+        .remedy = QT_TRANSLATE_NOOP("Text",
+                                    "Use this listener only in a network that you trust, or let it listen on 127.0.0.1 "
+                                    "(listeners.list on the page Profile)"),
+        .help = AlarmHelp::OpenProfile,
+        .examples = {"UDP 0.0.0.0:12040"}},
+    AlarmEntry{
         .id = "mqtt.open",
         .source = "mqtt",
         .severity = Severity::Advisory,

@@ -8,12 +8,16 @@
 namespace boresight {
 namespace {
 
-QHostAddress plain(const std::string& host)
+QHostAddress plain(const QHostAddress& address)
 {
-    const QHostAddress address(QString::fromStdString(host));
     bool mapped = false;
     const quint32 fourth = address.toIPv4Address(&mapped);
     return mapped ? QHostAddress(fourth) : address;
+}
+
+QHostAddress plain(const std::string& host)
+{
+    return plain(QHostAddress(QString::fromStdString(host)));
 }
 
 }  // namespace
@@ -33,6 +37,18 @@ std::string hostOf(std::string_view address)
     return std::string(host);
 }
 
+std::string addressText(const QHostAddress& host, std::uint16_t port)
+{
+    const QHostAddress own = plain(host);
+    const std::string text = own.toString().toStdString();
+    return (own.protocol() == QAbstractSocket::IPv6Protocol ? "[" + text + "]" : text) + ":" + std::to_string(port);
+}
+
+QHostAddress listenAddress(const std::string& host)
+{
+    return host == "localhost" ? QHostAddress(QHostAddress::LocalHost) : QHostAddress(QString::fromStdString(host));
+}
+
 bool sameHost(const std::string& one, const std::string& other)
 {
     const QHostAddress first = plain(one);
@@ -41,7 +57,7 @@ bool sameHost(const std::string& one, const std::string& other)
 
 bool isThisComputer(const std::string& host)
 {
-    return host == "localhost" || plain(host).isLoopback();
+    return plain(listenAddress(host)).isLoopback();
 }
 
 AllowList::AllowList(const std::vector<std::string>& entries)

@@ -3,6 +3,7 @@
 
 #include <QHostAddress>
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -15,6 +16,10 @@ namespace boresight {
 // "127.0.0.1" for "127.0.0.1:51234", "::1" for "[::1]:51234". A path is on this computer: "127.0.0.1". A topic of a
 // broker ("topic boresight/command") has no host: empty.
 [[nodiscard]] std::string hostOf(std::string_view address);
+// "127.0.0.1:5", "[::1]:5".
+[[nodiscard]] std::string addressText(const QHostAddress& host, std::uint16_t port);
+// The address on which a program listens: an IP address or "localhost". Null if neither.
+[[nodiscard]] QHostAddress listenAddress(const std::string& host);
 // Compares addresses, not texts: "::1" equals "0:0:0:0:0:0:0:1".
 [[nodiscard]] bool sameHost(const std::string& one, const std::string& other);
 

@@ -2,6 +2,7 @@
 #include "core/base/control_characters.h"
 #include "core/base/numbers.h"
 #include "core/base/text.h"
+#include "core/base/trimmed.h"
 #include "core/calibration/terms_fields.h"
 #include "core/calibration/terms_text.h"
 
@@ -21,12 +22,6 @@ constexpr std::size_t kMostProblems = 20;
 constexpr int kTermsReaderEarliest = 1970;
 constexpr int kTermsReaderLatest = 2200;
 constexpr std::string_view kBlanks = " \t\r";
-
-std::string_view trimmed(std::string_view text)
-{
-    text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
-    return text.substr(0, text.find_last_not_of(kBlanks) + 1);
-}
 
 std::vector<std::string_view> wordsOf(std::string_view text)
 {

@@ -3,63 +3,42 @@
 
 #include "core/base/text.h"
 
-#include <QNetworkDatagram>
-#include <QNetworkProxy>
-
 #include <utility>
 
 namespace boresight::datagrams {
 
 DatagramWorker::DatagramWorker(const QString& host, std::uint16_t port)
-    : m_host(host), m_port(port), m_outlet(this, [this] { report(); })
+    : m_host(host),
+      m_port(port),
+      m_inlet(kDatagramsAtOnce, DatagramPort::kLongest + 1, this),
+      m_outlet(this, [this] { report(); })
 {
-    m_socket.setProxy(QNetworkProxy::NoProxy);  // a query of the desktop for its proxy would block
     m_retry.setSingleShot(true);
     m_retry.setInterval(kRetry);
-    m_pause.setSingleShot(true);
-    m_pause.setInterval(kPause);
     connect(&m_retry, &QTimer::timeout, this, &DatagramWorker::open);
-    connect(&m_pause, &QTimer::timeout, this, &DatagramWorker::readSome);
-    connect(&m_socket, &QUdpSocket::readyRead, this, &DatagramWorker::readSome);
+    connect(&m_inlet, &DatagramInlet::received, this, &DatagramWorker::take);
 }
 
-DatagramWorker::~DatagramWorker()
-{
-    m_socket.disconnect(this);
-}
+DatagramWorker::~DatagramWorker() = default;
 
 // A broadcast reaches every program that shares the port.
 void DatagramWorker::open()
 {
     const QHostAddress address(m_host);
-    const QAbstractSocket::BindMode mode = address.isLoopback()
-                                               ? QAbstractSocket::DontShareAddress
-                                               : QAbstractSocket::ShareAddress | QAbstractSocket::ReuseAddressHint;
-    if (m_socket.bind(address, m_port, mode)) {
+    if (m_inlet.open(address, m_port, !address.isLoopback())) {
         m_trouble.clear();
     } else {
-        m_trouble =
-            Text::tr("Boresight cannot listen on UDP %1:%2: %3").arg(m_host).arg(m_port).arg(m_socket.errorString());
+        m_trouble = Text::tr("Boresight cannot listen on UDP %1:%2: %3").arg(m_host).arg(m_port).arg(m_inlet.trouble());
         m_retry.start();
     }
     m_outlet.ask();
 }
 
-// A full batch is followed by a pause. Meanwhile the kernel drops datagrams for which it has no room.
-void DatagramWorker::readSome()
+void DatagramWorker::take(const QByteArray& bytes)
 {
-    if (m_pause.isActive()) {
-        return;
-    }
-    int count = 0;
-    for (; count < kDatagramsAtOnce && m_socket.hasPendingDatagrams(); ++count) {
-        m_read.push_back(m_socket.receiveDatagram(DatagramPort::kLongest + 1).data());
-        if (m_read.size() > DatagramPort::kMost) {
-            m_read.pop_front();
-        }
-    }
-    if (count == kDatagramsAtOnce) {
-        m_pause.start();
+    m_read.push_back(bytes);
+    if (m_read.size() > DatagramPort::kMost) {
+        m_read.pop_front();
     }
     m_outlet.ask();
 }

@@ -2,15 +2,15 @@
 #pragma once
 
 #include "core/base/paced_outlet.h"
+#include "core/datagrams/datagram_inlet.h"
 #include "core/datagrams/datagram_port.h"
 
 #include <QTimer>
-#include <QUdpSocket>
 
 #include <cstdint>
 #include <deque>
 
-// The part of DatagramPort on the other thread: the socket, and the reports.
+// The part of DatagramPort on the other thread: the port, and the reports.
 namespace boresight::datagrams {
 
 class DatagramWorker final : public QObject
@@ -19,7 +19,6 @@ class DatagramWorker final : public QObject
 
 public:
     static constexpr int kDatagramsAtOnce = 64;
-    static constexpr std::chrono::milliseconds kPause{10};  // after kDatagramsAtOnce datagrams
     static constexpr std::chrono::seconds kRetry{2};
 
     DatagramWorker(const QString& host, std::uint16_t port);
@@ -33,14 +32,13 @@ Q_SIGNALS:
     void reported(const boresight::datagrams::PortReport& report);
 
 private:
-    void readSome();
+    void take(const QByteArray& bytes);
     void report();
 
     QString m_host;
     std::uint16_t m_port;
-    QUdpSocket m_socket{this};
+    DatagramInlet m_inlet;
     QTimer m_retry{this};
-    QTimer m_pause{this};
     QString m_trouble;
     std::deque<QByteArray> m_read;  // at most DatagramPort::kMost
     PacedOutlet m_outlet;

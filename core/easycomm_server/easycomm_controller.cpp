@@ -81,31 +81,9 @@ std::string EasycommController::status()
 
 Result<std::string> EasycommController::carryOut(const Target& target, rotctld::LineOutcome& outcome)
 {
-    outcome.motion = true;
-    const auto place = placeOf(target);
-    m_held.forget();
-    return place
-        .and_then([&](const SkyPointing& wanted) {
-            outcome.point = wanted;
-            return m_rotator.pointTo(m_client, {.azimuth = wanted.azimuth, .elevation = wanted.elevation});
-        })
-        .map([&](const QString& became) {
-            outcome.became = became;
-            m_held.sent(*place);
-            m_reported.reset();
-            return std::string();
-        });
-}
-
-Result<SkyPointing> EasycommController::placeOf(const Target& target)
-{
-    const rotctld::Limits limits = m_rotator.limits();
-    if (target.azimuth && target.elevation) {
-        return SkyPointing{.azimuth = limits.turned(*target.azimuth), .elevation = *target.elevation};
-    }
-    return m_held.place(m_client).map([&](const SkyPointing& held) {
-        return SkyPointing{.azimuth = target.azimuth ? limits.turned(*target.azimuth) : held.azimuth,
-                           .elevation = target.elevation.value_or(held.elevation)};
+    return m_held.pointTo(m_client, m_held.completed(m_client, target.azimuth, target.elevation), outcome).map([&] {
+        m_reported.reset();
+        return std::string();
     });
 }
 

@@ -31,7 +31,6 @@ private:
     Result<std::string> carryOut(const Reset& reset, rotctld::LineOutcome& outcome);
     Result<std::string> carryOut(const NotForARotator& other, rotctld::LineOutcome& outcome);
     Result<std::string> done(const Result<>& outcome);
-    [[nodiscard]] Result<SkyPointing> placeOf(const Target& target);
     [[nodiscard]] std::string status();
     [[nodiscard]] std::string alarmFor(const Error& error, bool asked);
 

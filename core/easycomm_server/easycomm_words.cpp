@@ -3,12 +3,13 @@
 
 #include "core/base/numbers.h"
 #include "core/base/text.h"
+#include "core/base/upper.h"
+#include "core/rotctld/client_angles.h"
 #include "core/rotctld/client_habits.h"
 
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cmath>
 #include <utility>
 
 namespace boresight::easycomm {
@@ -55,14 +56,6 @@ constexpr std::array<std::string_view, 10> kNotForARotator{"UP", "DN", "UM", "DM
 // Registers and inputs of a real controller.
 constexpr std::array<std::string_view, 4> kNotOffered{"CR", "CW", "IP", "AN"};
 
-std::string upper(std::string_view line)
-{
-    std::string text(line);
-    std::ranges::transform(text, text.begin(),
-                           [](char one) { return static_cast<char>(std::toupper(static_cast<unsigned char>(one))); });
-    return text;
-}
-
 // Hamlib leaves a semicolon after the line end of some questions, so a semicolon counts as a blank.
 std::vector<std::string_view> wordsOf(std::string_view line)
 {
@@ -82,39 +75,17 @@ tl::unexpected<Error> unknown(std::string_view word)
     return failure(ErrorCode::InvalidInput, Text::tr("\"%1\" is not an EasyComm command").arg(shownText(word)));
 }
 
-// "123.4", "-5", "+7.25". Also "123,4", from a program that writes numbers in the language of its user.
-std::optional<double> numberIn(std::string_view text)
-{
-    std::string number(text);
-    if (number.find_first_not_of("+-.,0123456789") != std::string::npos) {
-        return std::nullopt;
-    }
-    if (const std::size_t comma = number.find(','); comma != std::string::npos) {
-        number[comma] = '.';
-    }
-    return parseFinite(number);
-}
-
 Result<Command> parseAngle(std::string_view word)
 {
-    constexpr double kMostAzimuth = 3600.0;
-    constexpr double kLowest = -90.0;
-    constexpr double kHighest = 180.0;
-    const auto degrees = numberIn(word.substr(2));
-    if (!degrees) {
+    const auto angle = rotctld::degreesIn(word.substr(2));
+    if (!angle) {
         return unknown(word);
     }
-    const Angle angle = Angle::fromDegrees(*degrees);
-    if (word.starts_with("AZ")) {
-        if (std::abs(*degrees) > kMostAzimuth) {
-            return failure(ErrorCode::OutOfRange, Text::tr("\"%1\" is outside -3600°…3600°").arg(shownText(word)));
-        }
-        return Command(Target{.azimuth = angle, .elevation = {}});
-    }
-    if (*degrees < kLowest || *degrees > kHighest) {
-        return failure(ErrorCode::OutOfRange, Text::tr("\"%1\" is outside -90°…180°").arg(shownText(word)));
-    }
-    return Command(Target{.azimuth = {}, .elevation = angle});
+    const Target target =
+        word.starts_with("AZ") ? Target{.azimuth = angle, .elevation = {}} : Target{.azimuth = {}, .elevation = angle};
+    return rotctld::inReach(target.azimuth.value_or(Angle{}), target.elevation.value_or(Angle{})).map([&] {
+        return Command(target);
+    });
 }
 
 // "VL0500" is 0.5°/s.

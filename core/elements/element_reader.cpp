@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/elements/element_reader.h"
 
+#include "core/base/trimmed.h"
 #include "core/elements/omm_csv.h"
 #include "core/elements/omm_json.h"
 #include "core/elements/omm_kvn.h"

@@ -2,6 +2,7 @@
 #include "core/elements/omm_csv.h"
 
 #include "core/base/text.h"
+#include "core/base/trimmed.h"
 #include "core/elements/omm_record.h"
 #include "core/elements/text_lines.h"
 

@@ -3,9 +3,9 @@
 
 #include "core/base/numbers.h"
 #include "core/base/text.h"
+#include "core/base/trimmed.h"
 #include "core/elements/element_check.h"
 #include "core/elements/iso_epoch.h"
-#include "core/elements/text_lines.h"
 
 #include <algorithm>
 #include <utility>

@@ -22,7 +22,4 @@ private:
     int m_number = 0;
 };
 
-// The text without blanks and tabs at both ends.
-[[nodiscard]] std::string_view trimmed(std::string_view text);
-
 }  // namespace boresight::orbit

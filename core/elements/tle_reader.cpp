@@ -2,6 +2,7 @@
 #include "core/elements/tle_reader.h"
 
 #include "core/base/text.h"
+#include "core/base/trimmed.h"
 #include "core/elements/element_check.h"
 #include "core/elements/text_lines.h"
 #include "core/elements/tle_fields.h"

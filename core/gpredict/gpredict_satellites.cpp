@@ -2,6 +2,7 @@
 #include "core/gpredict/gpredict_satellites.h"
 
 #include "core/base/numbers.h"
+#include "core/base/trimmed.h"
 #include "core/gpredict/key_file.h"
 #include "core/profile/small_file.h"
 
@@ -19,13 +20,6 @@ constexpr int kFirstYearOfTheCentury = 57;  // year of Sputnik: 57 to 99 are 19x
 constexpr std::size_t kYearColumn = 18;     // from 0
 constexpr std::size_t kDayColumn = 20;
 constexpr std::size_t kDayColumns = 12;
-
-std::string_view trimmed(std::string_view text)
-{
-    const auto first = text.find_first_not_of(' ');
-    return first == std::string_view::npos ? std::string_view()
-                                           : text.substr(first, text.find_last_not_of(' ') + 1 - first);
-}
 
 }  // namespace
 

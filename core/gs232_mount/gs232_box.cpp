@@ -2,10 +2,10 @@
 #include "core/gs232_mount/gs232_box.h"
 
 #include "core/base/numbers.h"
+#include "core/base/upper.h"
 #include "core/gs232/box_command.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <utility>
 
@@ -79,7 +79,7 @@ void Gs232Box::take(std::string_view bytes, SteadyTime now)
     }
     for (const char one : bytes) {
         if (one != '\r' && one != '\n') {
-            m_line += static_cast<char>(std::toupper(static_cast<unsigned char>(one)));
+            m_line += upper(one);
         } else if (const std::string command = std::exchange(m_line, {}); !command.empty()) {
             m_heard.push_back(command);
             if (m_heard.size() > kHeardKept) {

@@ -2,12 +2,12 @@
 #include "core/gs232_server/client_words.h"
 
 #include "core/base/text.h"
+#include "core/base/upper.h"
 #include "core/gs232/box_command.h"
 #include "core/units/degrees_text.h"
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 
 namespace boresight::gs232 {
@@ -16,14 +16,6 @@ namespace {
 using rotctld::MoveDirection;
 
 constexpr std::size_t kDigits = 3;
-
-std::string upper(std::string_view line)
-{
-    std::string text(line);
-    std::ranges::transform(text, text.begin(),
-                           [](char one) { return static_cast<char>(std::toupper(static_cast<unsigned char>(one))); });
-    return text;
-}
 
 tl::unexpected<Error> unknown()
 {

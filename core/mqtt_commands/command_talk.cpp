@@ -2,6 +2,7 @@
 #include "core/mqtt_commands/command_talk.h"
 
 #include "core/base/text.h"
+#include "core/base/trimmed.h"
 
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -19,14 +20,6 @@ using rotctld::shownText;
 std::string_view textOf(const QByteArray& message)
 {
     return {message.constData(), static_cast<std::size_t>(message.size())};
-}
-
-// Messages of a shell script often end with a line end, and messages of a person with a blank.
-std::string_view trimmed(std::string_view text)
-{
-    constexpr std::string_view kBlanks = " \t\r\n";
-    const std::size_t begin = std::min(text.find_first_not_of(kBlanks), text.size());
-    return text.substr(begin, text.find_last_not_of(kBlanks) + 1 - begin);
 }
 
 // In a text of several lines the last word decides.
@@ -60,14 +53,15 @@ CommandTalk::CommandTalk(rotctld::Client client, rotctld::Rotator& rotator, cons
       m_latchStop(std::move(latchStop)),
       m_talk(m_client, rotator, std::move(site)),
       m_habits(clock.now()),
-      m_begin(clock.now()),
-      m_sleep(clock),
-      m_second(clock.now())
-{}
+      m_settling(clock),
+      m_budget(clock.now())
+{
+    m_settling.begin();
+}
 
 std::optional<QByteArray> CommandTalk::obey(const QByteArray& message, Retain retain)
 {
-    const std::string_view line = trimmed(textOf(message));
+    const std::string_view line = trimmed(textOf(message));  // a script ends a message with a line end
     if (asksForStop(line)) {
         return latch(line, retain);
     }
@@ -107,10 +101,8 @@ LineOutcome CommandTalk::run(std::string_view line, Retain retain)
         return refuse(line, ErrorCode::InvalidInput,
                       Text::tr("A command has at most %1 bytes.").arg(QString::number(kLongest)));
     }
-    if (m_inSecond > kPerSecond) {
-        return refuse(
-            line, ErrorCode::Busy,
-            Text::tr("More than %1 commands arrived in one second. Boresight ignores the rest.").arg(kPerSecond));
+    if (const Result<> may = m_budget.admits(); !may) {
+        return refuse(line, may.error().code, may.error().text);
     }
     tick();
     const Result<pairs::Command> command = pairs::parseLine(line);
@@ -121,13 +113,6 @@ LineOutcome CommandTalk::run(std::string_view line, Retain retain)
         return refuse(line, may.error().code, may.error().text);
     }
     return m_talk.obey(line);
-}
-
-void CommandTalk::tick()
-{
-    if (m_sleep.sleptSince(m_clock) > Seconds(0.0)) {
-        m_begin = m_clock.now();
-    }
 }
 
 // Also logs the refusal. The rotator logs its own refusals.
@@ -151,24 +136,18 @@ Result<> CommandTalk::admits(const pairs::Command& command) const
         return failure(ErrorCode::Refused, Text::tr("By MQTT a motion needs an azimuth and an elevation, such as "
                                                     "\"120.5 30\", because a message may arrive twice."));
     }
-    if (m_clock.now() - m_begin < kSettling) {
+    if (!m_settling.isOver()) {
         return failure(ErrorCode::Refused, Text::tr("The connection to the broker began or was interrupted less than "
                                                     "%1 s ago, so this command may be old. Send it again.")
-                                               .arg(kSettling.count()));
+                                               .arg(rotctld::Settling::kTime.count()));
     }
     return {};
 }
 
-// The first command above the limit is not yet a flood, so that it gets an answer with the reason.
 bool CommandTalk::isFlood()
 {
-    const SteadyTime now = m_clock.now();
-    if (now - m_second >= std::chrono::seconds(1)) {
-        m_second = now;
-        m_inSecond = 0;
-    }
-    m_inSecond = std::min(m_inSecond + 1, kPerSecond + 2);
-    return m_inSecond > kPerSecond + 1;
+    m_budget.count(m_clock.now());
+    return m_budget.isFlood();
 }
 
 QByteArray CommandTalk::answer(std::string_view line, const LineOutcome& outcome)

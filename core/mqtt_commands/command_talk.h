@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/sleep_watch.h"
 #include "core/mqtt/broker.h"
 #include "core/pairs_server/pairs_talk.h"
 #include "core/rotctld/client_habits.h"
+#include "core/rotctld/command_budget.h"
 #include "core/rotctld/rotator.h"
+#include "core/rotctld/settling.h"
 
 #include <QByteArray>
 
@@ -24,11 +25,7 @@ using LatchStop = std::function<Result<>(const rotctld::Client& client)>;
 class CommandTalk
 {
 public:
-    // A motion command may have waited somewhere if it arrives within this time after the connection or after the
-    // computer has slept. It is refused.
-    static constexpr std::chrono::seconds kSettling{2};
     static constexpr std::size_t kLongest = 200;  // bytes of a command
-    static constexpr int kPerSecond = 20;         // commands
 
     // Create it when the connection begins. The rotator and the clock outlive this.
     CommandTalk(rotctld::Client client, rotctld::Rotator& rotator, const Clock& clock, pairs::SiteNow site,
@@ -40,8 +37,8 @@ public:
     // Carries out a message of the STOP topic. Any text means STOP.
     [[nodiscard]] std::optional<QByteArray> stop(const QByteArray& message, Retain retain);
 
-    // Call once per tick. When the computer has slept, the time kSettling begins again.
-    void tick();
+    // Call once per tick. The settling begins again when the computer wakes up.
+    void tick() { m_settling.tick(); }
 
     [[nodiscard]] const rotctld::Client& client() const { return m_client; }
     [[nodiscard]] const rotctld::ClientHabits& habits() const { return m_habits; }
@@ -60,10 +57,8 @@ private:
     LatchStop m_latchStop;
     pairs::PairsTalk m_talk;
     rotctld::ClientHabits m_habits;
-    SteadyTime m_begin;  // start of the time kSettling
-    SleepWatch m_sleep;
-    SteadyTime m_second;  // start of the current second
-    int m_inSecond = 0;   // commands in this second
+    rotctld::Settling m_settling;
+    rotctld::CommandBudget m_budget;
 };
 
 }  // namespace boresight::mqtt

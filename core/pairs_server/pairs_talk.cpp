@@ -49,12 +49,7 @@ void PairsTalk::carryOut(const Park&, rotctld::LineOutcome& outcome)
 
 void PairsTalk::carryOut(const Place& place, rotctld::LineOutcome& outcome)
 {
-    const SkyPointing both{.azimuth = m_rotator.limits().turned(place.azimuth.value_or(Angle{})),
-                           .elevation = place.elevation};
-    point(place.azimuth ? Result<SkyPointing>(both) : m_held.place(m_client).map([&](const SkyPointing& held) {
-        return SkyPointing{.azimuth = held.azimuth, .elevation = place.elevation};
-    }),
-          outcome);
+    point(m_held.completed(m_client, place.azimuth, place.elevation), outcome);
 }
 
 // Moves from the target, so that several steps one after the other add up.
@@ -72,19 +67,7 @@ void PairsTalk::carryOut(const Bearing& bearing, rotctld::LineOutcome& outcome)
 
 void PairsTalk::point(const Result<SkyPointing>& place, rotctld::LineOutcome& outcome)
 {
-    outcome.motion = true;
-    m_held.forget();
-    outcome.result =
-        place
-            .and_then([&](const SkyPointing& wanted) {
-                outcome.point = wanted;
-                return m_rotator.pointTo(m_client, {.azimuth = wanted.azimuth, .elevation = wanted.elevation});
-            })
-            .map([&](const QString& became) {
-                outcome.became = became;
-                outcome.reply = doneAs(became);
-                m_held.sent(*place);
-            });
+    outcome.result = m_held.pointTo(m_client, place, outcome).map([&] { outcome.reply = doneAs(outcome.became); });
 }
 
 Result<SkyPointing> PairsTalk::directionOf(const targets::Target& target) const

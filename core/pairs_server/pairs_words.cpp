@@ -3,6 +3,7 @@
 
 #include "core/base/numbers.h"
 #include "core/base/text.h"
+#include "core/rotctld/client_angles.h"
 #include "core/rotctld/client_habits.h"
 #include "core/targets/locator.h"
 #include "core/units/degrees_text.h"
@@ -60,20 +61,6 @@ bool isStep(const std::string& word)
     return word.front() == '+' || word.front() == '-' || angleIn(word) == Angle{};
 }
 
-Result<> inReach(const SkyPointing& place)
-{
-    constexpr Angle kMostAzimuth = Angle::fromDegrees(3600.0);
-    if (abs(place.azimuth) > kMostAzimuth) {
-        return failure(ErrorCode::OutOfRange,
-                       Text::tr("azimuth %1 is outside -3600°…3600°").arg(degreesText(place.azimuth)));
-    }
-    if (place.elevation < -90_deg || place.elevation > 180_deg) {
-        return failure(ErrorCode::OutOfRange,
-                       Text::tr("elevation %1 is outside -90°…180°").arg(degreesText(place.elevation)));
-    }
-    return {};
-}
-
 Result<Command> parseNumbers(const std::vector<std::string>& words, std::string_view line)
 {
     const auto last = angleIn(words.back());
@@ -88,7 +75,7 @@ Result<Command> parseNumbers(const std::vector<std::string>& words, std::string_
         }
         return Command(MoveBy{.azimuth = both ? *first : Angle{}, .elevation = *last});
     }
-    return inReach({.azimuth = both ? *first : Angle{}, .elevation = *last}).map([&] {
+    return rotctld::inReach(both ? *first : Angle{}, *last).map([&] {
         return Command(Place{.azimuth = both ? first : std::nullopt, .elevation = *last});
     });
 }

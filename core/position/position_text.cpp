@@ -4,6 +4,7 @@
 #include "core/base/control_characters.h"
 #include "core/base/numbers.h"
 #include "core/base/text.h"
+#include "core/base/trimmed.h"
 
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -23,14 +24,6 @@ constexpr qsizetype kLongestName = 40;
 tl::unexpected<Error> refused(const QString& reason)
 {
     return failure(ErrorCode::InvalidInput, reason);
-}
-
-std::string_view trimmed(std::string_view text)
-{
-    constexpr std::string_view kBlank = " \t\r\n";
-    const std::size_t first = text.find_first_not_of(kBlank);
-    return first == std::string_view::npos ? std::string_view()
-                                           : text.substr(first, text.find_last_not_of(kBlank) - first + 1);
 }
 
 // The time of day in "12:06:04", "12:06:04.5Z" or "2026-11-27T12:06:04+00:00". Empty for any other text.

@@ -9,6 +9,7 @@
 #include "core/profile/setting_groups.h"
 #include "core/profile/watched_board.h"
 #include "core/units/degrees_text.h"
+#include "core/wind/wind_source.h"
 
 namespace boresight::profile {
 
@@ -76,19 +77,40 @@ void checkWatched(std::vector<Problem>& problems, const Profile& profile)
     }
 }
 
+listeners::Listener udpPort(const std::string& host, std::uint16_t port)
+{
+    listeners::Listener place{.host = host, .port = port};
+    place.udp = true;
+    return place;
+}
+
+// The ports that the station opens besides those of the listeners.
+std::vector<listeners::Listener> otherPorts(const Profile& profile)
+{
+    std::vector<listeners::Listener> ports{{.host = profile.rotctld.listen.host, .port = profile.rotctld.listen.port}};
+    if (profile.position.source == PositionSource::Udp) {
+        ports.push_back(udpPort(profile.position.host, static_cast<std::uint16_t>(profile.position.port)));
+    }
+    if (profile.power.source == PowerSource::Udp) {
+        ports.push_back(udpPort(profile.power.host, static_cast<std::uint16_t>(profile.power.port)));
+    }
+    const auto wind = wind::parseSource(profile.wind.source);
+    if (wind && wind->kind == wind::SourceKind::Udp) {
+        ports.push_back(udpPort(wind->place.toStdString(), wind->port));
+    }
+    return ports;
+}
+
 void checkListeners(std::vector<Problem>& problems, const Profile& profile)
 {
-    std::vector<listeners::Listener> seen;
+    std::vector<listeners::Listener> seen = otherPorts(profile);
     for (const std::string& text : profile.listeners) {
         const auto listener = listeners::parseListener(text);
         if (!listener) {
             continue;  // the check of the setting reports it
         }
-        const bool port = listener->pty.empty() && listener->port != 0 &&
-                          listener->host == profile.rotctld.listen.host &&
-                          listener->port == profile.rotctld.listen.port;
-        if (port || std::ranges::any_of(seen, [&](const auto& one) { return listeners::collide(one, *listener); })) {
-            problems.push_back({"listeners.list", Text::tr("Two listeners have the place %1. Each needs its own.")
+        if (std::ranges::any_of(seen, [&](const auto& one) { return listeners::collide(one, *listener); })) {
+            problems.push_back({"listeners.list", Text::tr("The place %1 is already used. Each listener needs its own.")
                                                       .arg(toQString(listeners::placeOf(*listener)))});
         }
         seen.push_back(*listener);

@@ -313,9 +313,10 @@ void addClients(std::vector<Setting>& list)
          QT_TRANSLATE_NOOP(
              "Text",
              "Listeners for programs that do not speak rotctld. Each has a protocol (\"gs232a\", \"gs232b\", "
-             "\"easycomm1\", \"easycomm2\", \"easycomm3\" or \"pairs\"), the right to \"drive\" or only to \"read\", "
-             "and a place: \"gs232b drive tcp:127.0.0.1:4534\", \"gs232a read pty:/tmp/rotator\" or \"pairs drive "
-             "unix:/tmp/pairs\". Addresses and networks that may connect by TCP can follow. Empty: none.")},
+             "\"easycomm1\", \"easycomm2\", \"easycomm3\", \"pairs\", \"pst\" or \"n1mm\"), the right to \"drive\" "
+             "or only to \"read\", and a place: \"gs232b drive tcp:127.0.0.1:4534\", \"gs232a read pty:/tmp/rotator\", "
+             "\"pairs drive unix:/tmp/pairs\" or \"pst drive udp:127.0.0.1:12000\". Addresses and networks that may "
+             "connect by TCP or UDP can follow, and for N1MM \"rotor=NAME\". Empty: none.")},
         [](auto& p) -> auto& { return p.listeners; },
         [](const std::string& text) { return listeners::parseListener(text).map([](const auto&) {}); }));
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/rotctld/line_protocol.h"
 #include "core/rotctld/rotator.h"
 
 #include <optional>
@@ -17,14 +18,24 @@ public:
     explicit HeldTarget(Rotator& rotator) : m_rotator(rotator) {}
 
     [[nodiscard]] Result<SkyPointing> place(const Client& client);
-    // The rotator has accepted this target of the client.
-    void sent(const SkyPointing& place) { m_sent = place; }
-    // The client has commanded something else.
+    // The target with these angles of the client. An azimuth outside the limits is moved by 360° if that brings it
+    // inside. An axis without an angle keeps its position.
+    [[nodiscard]] Result<SkyPointing> completed(const Client& client, std::optional<Angle> azimuth,
+                                                std::optional<Angle> elevation);
+    // Points there, and keeps the place if the rotator accepts it. Fills in the outcome, except its result.
+    Result<> pointTo(const Client& client, const Result<SkyPointing>& place, LineOutcome& outcome);
+    // A client has commanded something else.
     void forget() { m_sent.reset(); }
 
 private:
+    struct Sent
+    {
+        Client client;
+        SkyPointing place;
+    };
+
     Rotator& m_rotator;
-    std::optional<SkyPointing> m_sent;
+    std::optional<Sent> m_sent;
 };
 
 }  // namespace boresight::rotctld

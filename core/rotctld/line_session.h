@@ -3,34 +3,16 @@
 
 #include "core/base/clock.h"
 #include "core/rotctld/conversation.h"
+#include "core/rotctld/line_protocol.h"
 
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <string>
 #include <string_view>
 
 // A conversation in a protocol of lines: each line ends with CR or LF and is one command. Empty lines are ignored. Half
 // a line is dropped when the client leaves. Station thread.
 namespace boresight::rotctld {
-
-// The effect of one line. A result of InvalidInput: the line is no command.
-struct LineOutcome
-{
-    std::string reply;
-    Result<> result;
-    QString became = {};                    // the changed target, as text; empty if unchanged
-    bool motion = false;                    // it requested a motion, accepted or not
-    std::optional<SkyPointing> point = {};  // the target that it requested
-};
-
-class LineProtocol
-{
-public:
-    virtual ~LineProtocol() = default;
-    // Without its line end, never empty.
-    [[nodiscard]] virtual LineOutcome obey(std::string_view line) = 0;
-};
 
 class LineSession final : public Conversation
 {

@@ -38,12 +38,6 @@ constexpr auto kHousekeepingPeriod = 100ms;
 
 constexpr std::uint64_t kListenerId = 0;
 
-std::string programOf(const Conversation& talk)
-{
-    const std::string& protocol = talk.client().protocol;
-    return protocol == "rotctld" ? std::string(talk.habits().program()) : protocol;
-}
-
 }  // namespace
 
 struct Server::Connection
@@ -140,16 +134,8 @@ std::vector<ClientInfo> Server::clients() const
     std::vector<ClientInfo> list;
     list.reserve(m_connections.size());
     for (const auto& [id, connection] : m_connections) {
-        const ClientHabits& habits = connection->session->habits();
         if (!connection->left) {
-            list.push_back({.id = id,
-                            .address = connection->session->client().address,
-                            .program = programOf(*connection->session),
-                            .lastCommand = habits.lastInWords(),
-                            .oddCommands = habits.oddCommands(),
-                            .commandsPerSecond = habits.commandsPerSecond(m_clock.now()),
-                            .lastMotion = habits.lastMotion(),
-                            .leap = habits.leap()});
+            list.push_back(infoOf(connection->session->client(), connection->session->habits(), m_clock.now()));
         }
     }
     std::ranges::sort(list, {}, &ClientInfo::id);
@@ -181,11 +167,8 @@ void Server::acceptWaiting()
             }
             return;
         }
-        const Client client{.id = ++*m_settings.newestClient,
-                            .address = accepted->address,
-                            .protocol = m_settings.protocol,
-                            .readsOnly = m_settings.readsOnly};
-        if (turnedAway(client)) {
+        const Client client = newClient(m_settings, accepted->address);
+        if (isTurnedAway(client, m_settings, m_admission, m_rotator)) {
             m_entrance->left(false);
             continue;
         }
@@ -196,23 +179,6 @@ void Server::acceptWaiting()
         m_connections.emplace(client.id, std::move(connection));
         m_rotator.clientConnected(client);
     }
-}
-
-bool Server::turnedAway(const Client& client)
-{
-    const std::string host = hostOf(client.address);
-    if (!m_admission.admits(host)) {
-        // Logged without its port, so that repeated attempts of a host make one line in the log.
-        m_rotator.clientRemark(
-            {.address = host, .protocol = m_settings.protocol},
-            Text::tr("refused: its address is not permitted (%1)").arg(QLatin1String(m_settings.allowKey)));
-        return true;
-    }
-    const QString crowd = m_admission.crowd(host, m_settings.maxClients);
-    if (!crowd.isEmpty() && m_admission.isCrowdNews()) {
-        m_rotator.clientRemark(client, crowd);
-    }
-    return !crowd.isEmpty();
 }
 
 void Server::setAllowed(const std::vector<std::string>& entries)

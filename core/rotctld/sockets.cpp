@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/rotctld/sockets.h"
 
+#include "core/base/peer_address.h"
 #include "core/base/text.h"
+
+#include <QHostAddress>
 
 #include <arpa/inet.h>
 #include <fcntl.h>
+#include <net/if.h>
 #include <netdb.h>
 #include <netinet/in.h>
 #include <netinet/tcp.h>
@@ -52,32 +56,20 @@ bool isNearShortage(int fd)
            (::getrlimit(RLIMIT_NOFILE, &limit) == 0 && static_cast<rlim_t>(lowest.get()) + kReserved >= limit.rlim_cur);
 }
 
-std::string addressText(const sockaddr_storage& address, socklen_t length)
+// An address of one network interface contains its name: "[fe80::1%eth0]:4533".
+std::string peerText(const sockaddr_storage& address)
 {
-    std::array<char, NI_MAXHOST> host{};
-    std::array<char, NI_MAXSERV> service{};
     const void* const untyped = &address;
-    if (::getnameinfo(static_cast<const sockaddr*>(untyped), length, host.data(), host.size(), service.data(),
-                      service.size(), NI_NUMERICHOST | NI_NUMERICSERV) != 0) {
-        return "unknown";
+    QHostAddress host(static_cast<const sockaddr*>(untyped));
+    if (address.ss_family != AF_INET6) {
+        return addressText(host, ntohs(static_cast<const sockaddr_in*>(untyped)->sin_port));
     }
-    constexpr std::string_view kMapped = "::ffff:";  // an IPv4 client of a socket that serves both
-    std::string name = host.data();
-    if (name.starts_with(kMapped) && name.find('.') != std::string::npos) {
-        name.erase(0, kMapped.size());
+    const auto* const sixth = static_cast<const sockaddr_in6*>(untyped);
+    std::array<char, IF_NAMESIZE> name{};
+    if (::if_indextoname(sixth->sin6_scope_id, name.data()) != nullptr) {
+        host.setScopeId(QString::fromLatin1(name.data()));
     }
-    const bool sixth = name.find(':') != std::string::npos;
-    return (sixth ? "[" + name + "]" : name) + ":" + service.data();
-}
-
-template <class Query>
-std::pair<sockaddr_storage, socklen_t> socketName(int fd, Query query)
-{
-    sockaddr_storage address{};
-    socklen_t length = sizeof address;
-    void* const untyped = &address;
-    query(fd, static_cast<sockaddr*>(untyped), &length);
-    return {address, length};
+    return addressText(host, ntohs(sixth->sin6_port));
 }
 
 QString reason()
@@ -106,8 +98,8 @@ Result<Descriptor> listenOn(const std::string& host, std::uint16_t port)
     hints.ai_flags = AI_NUMERICHOST | AI_NUMERICSERV | AI_PASSIVE;
     hints.ai_socktype = SOCK_STREAM;
     addrinfo* found = nullptr;
-    const std::string numeric = host == "localhost" ? "127.0.0.1" : host;
-    if (::getaddrinfo(numeric.c_str(), std::to_string(port).c_str(), &hints, &found) != 0) {
+    const std::string numeric = listenAddress(host).toString().toStdString();
+    if (numeric.empty() || ::getaddrinfo(numeric.c_str(), std::to_string(port).c_str(), &hints, &found) != 0) {
         return failure(ErrorCode::InvalidInput,
                        Text::tr("cannot listen on %1: not an IP address").arg(toQString(where)));
     }
@@ -131,8 +123,11 @@ Result<Descriptor> listenOn(const std::string& host, std::uint16_t port)
 
 std::string localAddress(const Descriptor& socket)
 {
-    const auto [address, length] = socketName(socket.get(), ::getsockname);
-    return addressText(address, length);
+    sockaddr_storage address{};
+    socklen_t length = sizeof address;
+    void* const untyped = &address;
+    ::getsockname(socket.get(), static_cast<sockaddr*>(untyped), &length);
+    return peerText(address);
 }
 
 std::uint16_t localPort(const Descriptor& socket)
@@ -156,7 +151,7 @@ tl::expected<Accepted, AcceptFailure> acceptOne(const Descriptor& listener)
         return tl::unexpected(shortage ? AcceptFailure::Shortage : AcceptFailure::NoneWaiting);
     }
     prepareClient(socket.get());
-    return Accepted{.socket = std::move(socket), .address = addressText(address, length)};
+    return Accepted{.socket = std::move(socket), .address = peerText(address)};
 }
 
 Received receiveSome(const Descriptor& socket, char* buffer, std::size_t size)

@@ -119,15 +119,7 @@ std::vector<rotctld::ClientInfo> MessageCommands::clients() const
     if (!m_talk) {
         return {};
     }
-    const rotctld::ClientHabits& habits = m_talk->habits();
-    return {{.id = m_talk->client().id,
-             .address = m_talk->client().address,
-             .program = m_talk->client().protocol,
-             .lastCommand = habits.lastInWords(),
-             .oddCommands = habits.oddCommands(),
-             .commandsPerSecond = habits.commandsPerSecond(m_clock.now()),
-             .lastMotion = habits.lastMotion(),
-             .leap = habits.leap()}};
+    return {infoOf(m_talk->client(), m_talk->habits(), m_clock.now())};
 }
 
 // The address of this client is a topic, not a computer. A profile can therefore not lock the mount to this client.

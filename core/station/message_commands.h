@@ -5,7 +5,7 @@
 #include "core/alarms/event_log.h"
 #include "core/mqtt_commands/command_talk.h"
 #include "core/profile/in_force.h"
-#include "core/rotctld/server.h"
+#include "core/rotctld/client_server.h"
 #include "core/station/station_broker.h"
 
 #include <QObject>

@@ -222,6 +222,7 @@ void Station::tick()
 {
     keepSample();
     m_clockGuard.tick();
+    m_server.tick();
     m_commands.tick();
     m_calibration.show(m_power.tick());
     m_calibration.tick();

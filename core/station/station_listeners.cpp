@@ -2,16 +2,21 @@
 #include "core/station/station_listeners.h"
 
 #include "core/alarms/catalogue.h"
+#include "core/base/overloaded.h"
 #include "core/base/text.h"
 #include "core/easycomm_server/easycomm_controller.h"
 #include "core/gs232_server/emulated_box.h"
-#include "core/listeners/listener.h"
 #include "core/pairs_server/pairs_talk.h"
+#include "core/rotctld/server.h"
+#include "core/udp_server/datagram_server.h"
+#include "core/udp_server/n1mm_words.h"
+#include "core/udp_server/pst_words.h"
 
 #include <algorithm>
 #include <iterator>
 #include <optional>
 #include <utility>
+#include <variant>
 
 namespace boresight {
 namespace {
@@ -34,13 +39,18 @@ rotctld::ServerSettings serverSettings(const Listener& listener, const std::shar
             .newestClient = newestClient};
 }
 
+// With connections, or with datagrams.
+using Language = std::variant<rotctld::StartConversation, udp::Parse>;
+
 // A new protocol needs a line here.
-rotctld::StartConversation talkOf(Protocol protocol, rotctld::Rotator& rotator, const Clock& clock,
-                                  const profile::InForce& profile)
+Language languageOf(const Listener& listener, rotctld::Rotator& rotator, const Clock& clock,
+                    const profile::InForce& profile)
 {
-    switch (protocol) {
+    switch (listener.protocol) {
         case Protocol::Gs232A:
             return gs232::talkGs232(rotator, clock, gs232::Dialect::A);
+        case Protocol::Gs232B:
+            return gs232::talkGs232(rotator, clock, gs232::Dialect::B);
         case Protocol::Easycomm1:
             return easycomm::talkEasycomm(rotator, clock, easycomm::Version::One);
         case Protocol::Easycomm2:
@@ -51,18 +61,20 @@ rotctld::StartConversation talkOf(Protocol protocol, rotctld::Rotator& rotator, 
             return pairs::talkPairs(rotator, clock, [&profile] {
                 return profile->site.known ? std::optional(profile->site.place()) : std::nullopt;
             });
-        case Protocol::Gs232B:
+        case Protocol::Pst:
+            return udp::Parse(udp::parsePst);
+        case Protocol::N1mm:
             break;
     }
-    return gs232::talkGs232(rotator, clock, gs232::Dialect::B);
+    return udp::Parse([rotor = listener.rotor](std::string_view datagram) { return udp::parseN1mm(datagram, rotor); });
 }
 
 }  // namespace
 
-StationListeners::StationListeners(AlarmBoard& alarms, const profile::InForce& profile, EventLog& log,
+StationListeners::StationListeners(StationControl& control, const profile::InForce& profile, EventLog& log,
                                    rotctld::Rotator& rotator, const Clock& clock,
                                    std::shared_ptr<std::uint64_t> newestClient, QObject* parent)
-    : m_alarms(alarms),
+    : m_control(control),
       m_profile(profile),
       m_log(log),
       m_rotator(rotator),
@@ -75,14 +87,13 @@ void StationListeners::open()
 {
     QStringList failed;
     QStringList exposed;
+    QStringList forgeable;
     for (const std::string& line : m_profile->listeners) {
         const auto listener = listeners::parseListener(line);
         if (!listener) {
             continue;  // cannot happen: a profile with such a line is refused
         }
-        auto server = std::make_unique<rotctld::Server>(
-            serverSettings(*listener, m_newestClient, static_cast<std::size_t>(m_profile->rotctld.maxClients)),
-            talkOf(listener->protocol, m_rotator, m_clock, m_profile), m_rotator, m_clock, m_parent);
+        auto server = serverOf(*listener);
         if (const Result<> listening = server->listen(); !listening) {
             failed << listening.error().text;
             continue;
@@ -93,13 +104,50 @@ void StationListeners::open()
         if (listeners::isOpenToAll(*listener)) {
             exposed << address;
         }
+        if (listeners::isOpenToForgery(*listener)) {
+            forgeable << address;
+        }
         m_servers.push_back(std::move(server));
     }
     if (!failed.isEmpty()) {
-        m_alarms.raise(alarmEntry("listener.not-open"), {failed.join(QStringLiteral("; "))});
+        m_control.alarms().raise(alarmEntry("listener.not-open"), {failed.join(QStringLiteral("; "))});
     }
     if (!exposed.isEmpty()) {
-        m_alarms.raise(alarmEntry("listener.open"), {exposed.join(QStringLiteral(", "))});
+        m_control.alarms().raise(alarmEntry("listener.open"), {exposed.join(QStringLiteral(", "))});
+    }
+    if (!forgeable.isEmpty()) {
+        m_control.alarms().raise(alarmEntry("listener.datagrams"), {forgeable.join(QStringLiteral(", "))});
+    }
+}
+
+std::unique_ptr<rotctld::ClientServer> StationListeners::serverOf(const Listener& listener) const
+{
+    rotctld::ServerSettings settings =
+        serverSettings(listener, m_newestClient, static_cast<std::size_t>(m_profile->rotctld.maxClients));
+    Language language = languageOf(listener, m_rotator, m_clock, m_profile);
+    return std::visit(Overloaded{[&](rotctld::StartConversation& talk) -> std::unique_ptr<rotctld::ClientServer> {
+                                     return std::make_unique<rotctld::Server>(std::move(settings), std::move(talk),
+                                                                              m_rotator, m_clock, m_parent);
+                                 },
+                                 [&](udp::Parse& parse) -> std::unique_ptr<rotctld::ClientServer> {
+                                     return std::make_unique<udp::DatagramServer>(
+                                         std::move(settings), std::move(parse), m_rotator, m_clock,
+                                         [this](std::uint64_t client) { return isReadOnly(client); }, m_parent);
+                                 }},
+                      language);
+}
+
+bool StationListeners::isReadOnly(std::uint64_t client) const
+{
+    ClientStatus status{.id = client};
+    m_control.describe(status, {});
+    return status.readOnly;
+}
+
+void StationListeners::tick()
+{
+    for (const auto& server : m_servers) {
+        server->tick();
     }
 }
 

@@ -45,7 +45,7 @@ StationServer::StationServer(StationControl& control, const profile::InForce& pr
       m_rotator(control, profile, log, clock),
       m_server(serverSettings(profile->rotctld),
                rotctld::talkRotctld(m_rotator, clock, formOf(profile->rotctld.dumpState)), m_rotator, clock, parent),
-      m_further(control.alarms(), profile, log, m_rotator, clock, m_server.newestClient(), parent)
+      m_further(control, profile, log, m_rotator, clock, m_server.newestClient(), parent)
 {}
 
 Result<> StationServer::open()

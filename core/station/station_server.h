@@ -26,6 +26,7 @@ public:
     // A server that cannot listen also raises an alarm.
     Result<> open();
     void close();
+    void tick() { m_further.tick(); }
     void profileChanged();
     // NotAvailable: the client has already disconnected.
     Result<> disconnect(std::uint64_t client, const QString& reason);

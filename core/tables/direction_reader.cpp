@@ -4,6 +4,7 @@
 #include "core/base/numbers.h"
 #include "core/base/result.h"
 #include "core/base/text.h"
+#include "core/base/trimmed.h"
 #include "core/elements/element_check.h"
 #include "core/elements/text_lines.h"
 #include "core/elements/written_time.h"
@@ -32,7 +33,7 @@ struct Columns
 Columns columnsOf(std::string_view line)
 {
     Columns columns;
-    for (line = orbit::trimmed(line); columns.count < columns.texts.size();) {
+    for (line = trimmed(line); columns.count < columns.texts.size();) {
         const std::size_t end = std::min(line.find_first_of(kSeparators), line.size());
         columns.texts[columns.count++] = line.substr(0, end);
         if (end == line.size()) {
@@ -40,7 +41,7 @@ Columns columnsOf(std::string_view line)
         }
         line.remove_prefix(std::min(line.find_first_not_of(" \t", end), line.size()));
         if (!line.empty() && (line.front() == ',' || line.front() == ';')) {
-            line = orbit::trimmed(line.substr(1));
+            line = trimmed(line.substr(1));
         }
     }
     return columns;
@@ -148,7 +149,7 @@ TableReading<DirectionRows> readDirections(std::string_view text)
     bool mayBeHeader = true;
     int lastLine = 1;  // line number of the last row
     while (lines.next()) {
-        const std::string_view line = orbit::trimmed(lines.line());
+        const std::string_view line = trimmed(lines.line());
         if (line.empty() || line.front() == '#') {
             continue;
         }

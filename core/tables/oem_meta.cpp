@@ -3,9 +3,9 @@
 
 #include "core/base/numbers.h"
 #include "core/base/text.h"
+#include "core/base/trimmed.h"
 #include "core/elements/element_check.h"
 #include "core/elements/iso_epoch.h"
-#include "core/elements/text_lines.h"
 #include "core/tables/row_polynomial.h"
 
 #include <algorithm>
@@ -54,7 +54,7 @@ std::optional<OemEntry> oemEntry(std::string_view line)
     if (equals == std::string_view::npos) {
         return std::nullopt;
     }
-    return OemEntry{.key = orbit::trimmed(line.substr(0, equals)), .value = orbit::trimmed(line.substr(equals + 1))};
+    return OemEntry{.key = trimmed(line.substr(0, equals)), .value = trimmed(line.substr(equals + 1))};
 }
 
 Result<> OemMeta::take(std::string_view line)

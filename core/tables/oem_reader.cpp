@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tables/oem_reader.h"
 
+#include "core/base/trimmed.h"
 #include "core/elements/text_lines.h"
 #include "core/tables/oem_parts.h"
 
@@ -17,7 +18,7 @@ TableReading<Oem> readOem(std::string_view text)
         return tl::unexpected(TableProblem{.line = last, .reason = taken.error().text});
     };
     while (lines.next()) {
-        const std::string_view line = orbit::trimmed(lines.line());
+        const std::string_view line = trimmed(lines.line());
         last = lines.number();
         if (line.empty() || line == "COMMENT" || line.starts_with("COMMENT ")) {
             continue;

@@ -3,8 +3,8 @@
 
 #include "core/base/control_characters.h"
 #include "core/base/text.h"
+#include "core/base/trimmed.h"
 #include "core/elements/element_check.h"
-#include "core/elements/text_lines.h"
 #include "core/tables/oem_parts.h"
 
 #include <QXmlStreamReader>
@@ -179,13 +179,13 @@ Result<> OemXmlReader::row()
     }
     std::string line;
     std::for_each(texts.begin(), last, [&line](const std::string& text) { line += text + ' '; });
-    return m_parts.take(orbit::trimmed(line));
+    return m_parts.take(trimmed(line));
 }
 
 // The text of the present element. Reads to its end.
 std::string OemXmlReader::value()
 {
-    return std::string(orbit::trimmed(m_xml.readElementText().toStdString()));
+    return std::string(trimmed(m_xml.readElementText().toStdString()));
 }
 
 // Skips the present element to its end. The XML reader keeps every open element in memory, so a file of nothing but

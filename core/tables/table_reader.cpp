@@ -2,6 +2,7 @@
 #include "core/tables/table_reader.h"
 
 #include "core/base/text.h"
+#include "core/base/trimmed.h"
 #include "core/elements/text_lines.h"
 #include "core/tables/direction_reader.h"
 #include "core/tables/oem_reader.h"
@@ -24,7 +25,7 @@ Beginning beginningOf(std::string_view text)
 {
     orbit::TextLines lines(text);
     while (lines.next()) {
-        if (const std::string_view line = orbit::trimmed(lines.line()); !line.empty()) {
+        if (const std::string_view line = trimmed(lines.line()); !line.empty()) {
             return {.text = line, .line = lines.number()};
         }
     }

@@ -3,7 +3,7 @@
 
 #include "core/base/numbers.h"
 #include "core/base/text.h"
-#include "core/elements/text_lines.h"
+#include "core/base/trimmed.h"
 #include "core/targets/locator.h"
 #include "core/units/direction_text.h"
 
@@ -61,7 +61,7 @@ std::vector<double> numbersOf(std::string_view text)
     std::vector<double> numbers;
     for (;;) {
         const std::size_t comma = text.find(',');
-        numbers.push_back(parseFinite(orbit::trimmed(text.substr(0, comma))).value_or(std::nan("")));
+        numbers.push_back(parseFinite(trimmed(text.substr(0, comma))).value_or(std::nan("")));
         if (comma == std::string_view::npos) {
             return numbers;
         }
@@ -190,7 +190,7 @@ std::optional<Target> locatorTarget(std::string_view text)
 {
     constexpr std::string_view kLong = " long";
     const bool isLong = lowered(text).ends_with(kLong);
-    const std::string_view locator = orbit::trimmed(isLong ? text.substr(0, text.size() - kLong.size()) : text);
+    const std::string_view locator = trimmed(isLong ? text.substr(0, text.size() - kLong.size()) : text);
     const auto place = fromLocator(locator);
     if (!place) {
         return std::nullopt;
@@ -206,8 +206,8 @@ std::optional<Target> locatorTarget(std::string_view text)
 std::optional<ephemeris::StarPlace> parseStarPlace(std::string_view text)
 {
     const std::size_t comma = std::min(text.find(','), text.size());
-    const auto hours = sexagesimal(orbit::trimmed(text.substr(0, comma)));
-    const auto degrees = sexagesimal(orbit::trimmed(text.substr(std::min(comma + 1, text.size()))));
+    const auto hours = sexagesimal(trimmed(text.substr(0, comma)));
+    const auto degrees = sexagesimal(trimmed(text.substr(std::min(comma + 1, text.size()))));
     if (!hours || !degrees || !isWithin(*degrees, -90.0, 90.0) || *hours < 0.0 || *hours >= 24.0) {
         return std::nullopt;
     }
@@ -217,11 +217,11 @@ std::optional<ephemeris::StarPlace> parseStarPlace(std::string_view text)
 
 std::optional<QString> tableFile(std::string_view text)
 {
-    const std::string_view typed = orbit::trimmed(text);
+    const std::string_view typed = trimmed(text);
     const std::string small = lowered(typed);
     for (const std::string_view word : {std::string_view("table "), std::string_view("oem ")}) {
         if (small.starts_with(word)) {
-            return toQString(orbit::trimmed(typed.substr(word.size())));
+            return toQString(trimmed(typed.substr(word.size())));
         }
     }
     return std::nullopt;
@@ -229,13 +229,13 @@ std::optional<QString> tableFile(std::string_view text)
 
 std::optional<QString> otherRotator(std::string_view text)
 {
-    const std::string_view typed = orbit::trimmed(text);
+    const std::string_view typed = trimmed(text);
     return lowered(typed).starts_with("rotctld:") ? std::optional(toQString(typed)) : std::nullopt;
 }
 
 Result<Target> parseTarget(std::string_view text, std::span<const orbit::ElementSet> satellites)
 {
-    const std::string_view typed = orbit::trimmed(text);
+    const std::string_view typed = trimmed(text);
     const std::string small = lowered(typed);
     for (const Form& form : kForms) {
         if (small.starts_with(form.word)) {

@@ -76,6 +76,7 @@ public:
     Result<> stop(const rotctld::Client& /*client*/) override
     {
         mover = 0;
+        ++stops;
         return drive(m_azimuth.at(m_clock.now()), m_elevation.at(m_clock.now()));
     }
     Result<> park(const rotctld::Client& /*client*/) override { return drive(0_deg, 0_deg); }
@@ -109,6 +110,7 @@ public:
     std::optional<AngularRate> lastRate;  // of the last moveAt
     int actions = 0;                      // calls that would move or stop a mount, accepted or refused
     int questions = 0;                    // queries of the position
+    int stops = 0;
     std::uint64_t mover = 0;
     std::map<std::uint64_t, std::string> connected;
     std::map<std::uint64_t, std::string> gone;

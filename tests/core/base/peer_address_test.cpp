@@ -13,6 +13,20 @@ TEST(PeerAddress, TellsTheHost)
     EXPECT_EQ(hostOf("[fe80::1%eth0]:5"), "fe80::1%eth0");
 }
 
+TEST(PeerAddress, IsWrittenWithItsPort)
+{
+    EXPECT_EQ(addressText(QHostAddress(QStringLiteral("127.0.0.1")), 5), "127.0.0.1:5");
+    EXPECT_EQ(addressText(QHostAddress(QStringLiteral("::ffff:10.0.0.7")), 12000), "10.0.0.7:12000");
+    EXPECT_EQ(addressText(QHostAddress(QStringLiteral("::1")), 51234), "[::1]:51234");
+}
+
+TEST(PeerAddress, IsWhereAProgramListens)
+{
+    EXPECT_TRUE(listenAddress("localhost").isLoopback());
+    EXPECT_EQ(listenAddress("0.0.0.0"), QHostAddress(QHostAddress::AnyIPv4));
+    EXPECT_TRUE(listenAddress("shack.example").isNull());
+}
+
 TEST(PeerAddress, ComparesHostsNotSpellings)
 {
     EXPECT_TRUE(sameHost("::1", "0:0:0:0:0:0:0:1"));

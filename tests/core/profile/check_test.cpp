@@ -320,6 +320,27 @@ TEST(CrossCheck, APasswordNeedsAUser)
     EXPECT_TRUE(crossCheck(profile).empty());
 }
 
+// REQ-LISTENERS-13: A listener has a port or a path of its own, also beside the ports of rotctld, positions, power and
+// wind.
+TEST(CrossCheck, AListenerHasAPlaceOfItsOwn)
+{
+    Profile profile;
+    profile.listeners = {"gs232b drive tcp:127.0.0.1:4534", "pst drive udp:127.0.0.1:4534",
+                         "pst read udp:127.0.0.1:4535"};
+    EXPECT_TRUE(crossCheck(profile).empty());
+    profile.listeners.emplace_back("n1mm read udp:127.0.0.1:4535");
+    EXPECT_EQ(keysOf(crossCheck(profile)), std::vector<std::string>{"listeners.list"});
+    for (const char* const taken : {"gs232b drive tcp:127.0.0.1:4533", "pst drive udp:127.0.0.1:4540",
+                                    "pst read udp:0.0.0.0:4541", "n1mm drive udp:127.0.0.1:55673"}) {
+        Profile other;
+        other.listeners = {taken};
+        other.power.source = PowerSource::Udp;
+        other.position.source = PositionSource::Udp;
+        other.wind.source = "udp:4541";
+        EXPECT_EQ(keysOf(crossCheck(other)), std::vector<std::string>{"listeners.list"}) << taken;
+    }
+}
+
 // REQ-MQTTCOMMANDS-12: Home Assistant needs the published state. The topics of commands have no other reader.
 TEST(CrossCheck, TheTopicsOfCommandsAreTheirOwn)
 {

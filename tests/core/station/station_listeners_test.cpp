@@ -10,6 +10,7 @@
 #include <QCoreApplication>
 #include <QLocalSocket>
 #include <QTemporaryDir>
+#include <QUdpSocket>
 
 #include <gtest/gtest.h>
 
@@ -33,6 +34,14 @@ struct ListenersRig : StationRig
         run(Seconds(0.2));
         further.open();
     }
+    // With the ticks of the listeners.
+    void pass(int seconds)
+    {
+        for (int i = 0; i < seconds; ++i) {
+            run(Seconds(1.0));
+            further.tick();
+        }
+    }
     [[nodiscard]] std::unique_ptr<fakes::TcpPeer> connect(std::size_t index) const
     {
         const std::string address = further.addresses().at(index);
@@ -50,8 +59,7 @@ struct ListenersRig : StationRig
     }
 
     StationRotator rotator{control, inForce, log, clock};
-    StationListeners further{control.alarms(), inForce, log, rotator, clock, std::make_shared<std::uint64_t>(70),
-                             nullptr};
+    StationListeners further{control, inForce, log, rotator, clock, std::make_shared<std::uint64_t>(70), nullptr};
 };
 
 // REQ-LISTENERS-04 (StationListeners.*): Several listeners serve at the same time. Each client has its own number and
@@ -162,6 +170,114 @@ TEST(StationListeners, PairsComeByASocketInTheFileSystem)
     EXPECT_TRUE(ask("60\n").starts_with("error: "));
 }
 
+// REQ-LISTENERS-10 (StationListeners.ADatagram*): A datagram moves the mount within its limits and by the rule that
+// holds for rotctld clients. STOP holds it, and nothing but the next command after it moves the mount.
+TEST(StationListeners, ADatagramMovesTheMountWithinItsLimits)
+{
+    ListenersRig rig(
+        {"pst drive udp:127.0.0.1:0", "n1mm drive udp:127.0.0.1:0 rotor=Yagi 20", "gs232b drive tcp:127.0.0.1:0"});
+    const auto send = [&](std::size_t listener, const QByteArray& bytes) {
+        const std::string address = rig.further.addresses().at(listener);
+        QUdpSocket().writeDatagram(bytes, QHostAddress::LocalHost,
+                                   static_cast<quint16>(std::stoi(address.substr(address.rfind(':') + 1))));
+        const std::string program = listener == 0 ? "PstRotator" : "N1MM";
+        EXPECT_TRUE(fakes::waitUntil([&] {
+            return std::ranges::any_of(rig.further.clients(), [&](const rotctld::ClientInfo& client) {
+                return client.program == program && client.lastMotion == rig.clock.now();
+            });
+        })) << bytes.toStdString();
+    };
+    send(0, "<PST><AZIMUTH>40</AZIMUTH><ELEVATION>30</ELEVATION></PST>");
+    EXPECT_TRUE(rig.control.followsClient());
+    EXPECT_TRUE(rig.control.status().commander.name.startsWith(QStringLiteral("client PstRotator 127.0.0.1:")));
+    rig.pass(60);
+    EXPECT_NEAR(rig.control.measured()->azimuth.degrees(), 40.0, 0.1);
+    EXPECT_NEAR(rig.control.measured()->elevation.degrees(), 30.0, 0.1);
+
+    send(0, "<PST><ELEVATION>170</ELEVATION></PST>");
+    rig.pass(120);
+    EXPECT_NEAR(rig.control.measured()->azimuth.degrees(), 220.0, 0.1) << "the same direction, over the zenith";
+    EXPECT_NEAR(rig.control.measured()->elevation.degrees(), 10.0, 0.1);
+    send(0, "<PST><ELEVATION>-20</ELEVATION></PST>");
+    const QString became = rig.further.clients().front().lastCommand;
+    EXPECT_TRUE(became.endsWith(QStringLiteral("elevation -20.0° below limit 0.0°"))) << became.toStdString();
+    rig.pass(60);
+    EXPECT_NEAR(rig.control.measured()->azimuth.degrees(), 220.0, 0.1);
+    EXPECT_NEAR(rig.control.measured()->elevation.degrees(), rig.inForce->elevation.geometry.travel.min.degrees(),
+                0.05);
+
+    send(0, "<PST><AZIMUTH>100</AZIMUTH></PST>");
+    send(1, "<N1MMRotor><rotor>Yagi 20</rotor><goazi>90.0</goazi><offset>0.0</offset></N1MMRotor>");
+    EXPECT_TRUE(rig.further.clients().back().lastCommand.contains(QStringLiteral("has control")))
+        << "another client has control";
+    EXPECT_EQ(rig.connect(2)->ask("W300 010\r"), "?>\r\n");
+
+    rig.pass(1);
+    ASSERT_TRUE(rig.ask(request::Stop{}));
+    rig.pass(5);
+    const auto stopped = rig.control.measured()->azimuth;
+    send(0, "<PST><AZIMUTH>200</AZIMUTH></PST>");
+    send(1, "<N1MMRotor><rotor>Yagi 20</rotor><goazi>90.0</goazi><offset>0.0</offset></N1MMRotor>");
+    rig.pass(20);
+    EXPECT_NEAR(rig.control.measured()->azimuth.degrees(), stopped.degrees(), 0.01);
+    ASSERT_TRUE(rig.ask(request::ResetStop{}));
+    rig.pass(20);
+    ASSERT_TRUE(rig.ask(request::GiveAuthority{}));
+    rig.pass(20);
+    EXPECT_NEAR(rig.control.measured()->azimuth.degrees(), stopped.degrees(), 0.01) << "nothing moves by itself";
+    send(0, "<PST><AZIMUTH>60</AZIMUTH></PST>");
+    rig.pass(60);
+    EXPECT_NEAR(rig.control.measured()->azimuth.degrees(), 60.0, 0.1);
+}
+
+TEST(StationListeners, ADatagramForReadersMovesNothing)
+{
+    ListenersRig rig({"pst read udp:127.0.0.1:0"});
+    const std::string address = rig.further.addresses().front();
+    const auto port = static_cast<quint16>(std::stoi(address.substr(address.rfind(':') + 1)));
+    QUdpSocket().writeDatagram("<PST><AZIMUTH>40</AZIMUTH></PST>", QHostAddress::LocalHost, port);
+    ASSERT_TRUE(fakes::waitUntil([&] { return !rig.further.clients().empty(); }));
+    EXPECT_FALSE(rig.control.followsClient());
+    EXPECT_TRUE(rig.further.clients().front().lastCommand.contains(QStringLiteral("refused")));
+    ASSERT_TRUE(rig.point(40.0, 30.0));
+    EXPECT_TRUE(rig.control.followsClient());
+    QUdpSocket().writeDatagram("<PST><STOP>1</STOP></PST>", QHostAddress::LocalHost, port);
+    EXPECT_TRUE(fakes::waitUntil([&] { return !rig.control.followsClient(); })) << "every client may stop";
+}
+
+// REQ-LISTENERS-12: A client of datagrams that the operator made read-only stays so, however long it is silent, and
+// after Disconnect. The operator can let it move the mount again.
+TEST(StationListeners, ASilenceEndsNoMarkOfTheOperator)
+{
+    ListenersRig rig({"pst drive udp:127.0.0.1:0"});
+    const std::string address = rig.further.addresses().front();
+    const auto port = static_cast<quint16>(std::stoi(address.substr(address.rfind(':') + 1)));
+    const auto point = [&](int azimuth) {
+        const QByteArray datagram = "<PST><AZIMUTH>" + QByteArray::number(azimuth) + "</AZIMUTH></PST>";
+        QUdpSocket().writeDatagram(datagram, QHostAddress::LocalHost, port);
+        EXPECT_TRUE(fakes::waitUntil([&] {
+            const auto clients = rig.further.clients();
+            return !clients.empty() && clients.front().lastCommand.startsWith(QString::fromLatin1(datagram));
+        }));
+    };
+    point(40);
+    ASSERT_TRUE(rig.control.followsClient());
+    const std::uint64_t id = rig.further.clients().front().id;
+    ASSERT_TRUE(rig.ask(request::SetReadOnly{.clientId = id, .readOnly = true}));
+    rig.pass(120);
+    point(50);
+    EXPECT_FALSE(rig.control.followsClient()) << "after two minutes of silence";
+    EXPECT_TRUE(rig.further.disconnect(id, QStringLiteral("by the operator")));
+    point(60);
+    EXPECT_FALSE(rig.control.followsClient()) << "after Disconnect";
+    EXPECT_EQ(rig.further.clients().front().id, id);
+    ASSERT_TRUE(rig.ask(request::SetReadOnly{.clientId = id, .readOnly = false}));
+    point(70);
+    EXPECT_TRUE(rig.control.followsClient());
+    rig.pass(120);
+    EXPECT_TRUE(rig.further.clients().empty()) << "a client without the mark leaves";
+}
+
 // REQ-LISTENERS-06: A listener that cannot be opened raises an alarm with the place and the reason. The other listeners
 // serve. A listener that other computers can reach without a list of addresses raises an advisory.
 TEST(StationListeners, APlaceThatIsTakenIsAnAlarm)
@@ -174,6 +290,17 @@ TEST(StationListeners, APlaceThatIsTakenIsAnAlarm)
     EXPECT_TRUE(first.alarm("Further clients cannot connect").isEmpty());
     const ListenersRig open({"gs232a drive tcp:0.0.0.0:0"});
     EXPECT_FALSE(open.alarm("can move the mount").isEmpty());
+    EXPECT_TRUE(open.alarm("forged sender").isEmpty());
+}
+
+// REQ-LISTENERS-11: A listener for datagrams that other computers can reach raises an advisory, because a datagram can
+// name any sender.
+TEST(StationListeners, DatagramsFromTheNetworkAreAnAdvisory)
+{
+    const ListenersRig open({"pst drive udp:0.0.0.0:0 10.0.0.7"});
+    EXPECT_TRUE(open.alarm("forged sender").contains(QStringLiteral("UDP 0.0.0.0:")));
+    const ListenersRig closed({"pst drive udp:127.0.0.1:0", "n1mm read udp:0.0.0.0:0"});
+    EXPECT_TRUE(closed.alarm("forged sender").isEmpty());
 }
 
 // REQ-LISTENERS-07: While the drives are silent a client receives no position.
