@@ -60,7 +60,6 @@ private:
     rotctld::Rotator& m_rotator;
     const Clock& m_clock;
     rotctld::Admission m_admission;
-    rotctld::HeldTarget m_held;
     rotctld::Settling m_settling;
     SteadyTime m_lastTurn;  // when the thread was last here
     datagrams::DatagramInlet m_inlet;

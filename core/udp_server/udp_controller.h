@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/rotctld/held_target.h"
+#include "core/rotctld/line_protocol.h"
+#include "core/rotctld/rotator.h"
 #include "core/rotctld/settling.h"
 #include "core/udp_server/rotor_command.h"
 
@@ -14,12 +15,11 @@ class UdpController final : public rotctld::LineProtocol
 public:
     static constexpr std::size_t kLongest = 512;  // bytes of a datagram
 
-    // What the clients of a listener share: a real rotator has one target for all programs. All of it outlives them.
+    // What the clients of a listener share. All of it outlives them.
     struct Shared
     {
         rotctld::Rotator& rotator;
         const Parse& parse;
-        rotctld::HeldTarget& held;
         const rotctld::Settling& settling;
     };
 
