@@ -34,6 +34,7 @@ void CurrentMotion::end(Activity left)
 void CurrentMotion::forgetDetails()
 {
     m_point.reset();
+    m_asked.reset();
     m_limitedReason.clear();
     m_limitedDirection.reset();
 }

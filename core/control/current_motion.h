@@ -62,6 +62,10 @@ public:
     void aim(const AxisPosition& point) { m_point = point; }
     [[nodiscard]] const std::optional<AxisPosition>& point() const { return m_point; }
 
+    // The last point of a stream as it was asked for. It stays after the source of the stream is gone.
+    void ask(const SkyPointing& direction) { m_asked = direction; }
+    [[nodiscard]] const std::optional<SkyPointing>& asked() const { return m_asked; }
+
     // The direction that was asked for is not permitted. The mount goes to the nearest permitted place.
     void limit(const QString& reason, const SkyPointing& asked);
     [[nodiscard]] const QString& limitedReason() const
@@ -82,6 +86,7 @@ private:
     std::uint64_t m_motionId = 0;
     QString m_text;
     std::optional<AxisPosition> m_point;
+    std::optional<SkyPointing> m_asked;
     QString m_limitedReason;
     std::optional<SkyPointing> m_limitedDirection;
     bool m_keepsWrap = false;

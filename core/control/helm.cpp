@@ -164,7 +164,9 @@ Result<> Helm::streamTo(const SkyPointing& direction, const Source& by, const QS
         if (anew) {
             m_of.motion.rest();
         }
-        return follow(view().model.resolve(direction, heading()), direction, by, what);
+        return follow(view().model.resolve(direction, heading()), direction, by, what).map([&] {
+            m_of.current.ask(direction);
+        });
     });
 }
 
@@ -172,7 +174,9 @@ Result<> Helm::streamTo(const AxisPosition& place, const Source& by)
 {
     return mayPoint(by).and_then([&] {
         const pointing::MountModel& model = view().model;
-        return follow(model.resolve(place), model.toSky(place), by, {});
+        return follow(model.resolve(place), model.toSky(place), by, {}).map([&] {
+            m_of.current.ask(model.pointing().toSky(place));
+        });
     });
 }
 

@@ -375,9 +375,10 @@ std::optional<AxisPosition> StationControl::streamGoal() const
     return !point || region().permits(*point) ? point : pointing::nearestPermitted(region(), *point);
 }
 
-bool StationControl::streamsFor(std::uint64_t clientId) const
+AxisPosition StationControl::untrimmedGoal() const
 {
-    return m_current.is(Activity::Streaming) && m_current.isForClient(clientId);
+    const AxisPosition goal = m_motion.target(m_now).value_or(parts().stoppingPlace());
+    return {.azimuth = goal.azimuth - trim().azimuth, .elevation = goal.elevation - trim().elevation};
 }
 
 void StationControl::tick()

@@ -133,8 +133,11 @@ public:
     [[nodiscard]] std::optional<AxisPosition> trimInUse() const;
     // The axis angles for the last point of the stream: the point itself, or the nearest permitted place.
     [[nodiscard]] std::optional<AxisPosition> streamGoal() const;
-    // Whether the mount follows the stream of this client, or stays at its last point.
-    [[nodiscard]] bool streamsFor(std::uint64_t clientId) const;
+    // The last point of a client as it was asked for, while the mount goes there or stays there.
+    [[nodiscard]] const std::optional<SkyPointing>& askedPoint() const { return m_current.asked(); }
+    // Where the axes go. If they go nowhere: where they stop or stand. It is without the trim, which is added to
+    // points.
+    [[nodiscard]] AxisPosition untrimmedGoal() const;
     // The correction by the operator that is added to every target that is tracked.
     [[nodiscard]] const AxisPosition& trim() const { return m_motion.trim(); }
     // Whether both axes are this near to their target.

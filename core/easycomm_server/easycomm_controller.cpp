@@ -3,6 +3,7 @@
 
 #include "core/base/text.h"
 #include "core/base/version.h"
+#include "core/rotctld/client_target.h"
 
 #include <utility>
 
@@ -14,7 +15,7 @@ constexpr int kSpeedOfTheLevel = -1;
 }  // namespace
 
 EasycommController::EasycommController(rotctld::Client client, rotctld::Rotator& rotator, Version version)
-    : m_client(std::move(client)), m_rotator(rotator), m_version(version), m_held(rotator)
+    : m_client(std::move(client)), m_rotator(rotator), m_version(version)
 {}
 
 rotctld::LineOutcome EasycommController::obey(std::string_view line)
@@ -81,10 +82,8 @@ std::string EasycommController::status()
 
 Result<std::string> EasycommController::carryOut(const Target& target, rotctld::LineOutcome& outcome)
 {
-    return m_held.pointTo(m_client, m_held.completed(m_client, target.azimuth, target.elevation), outcome).map([&] {
-        m_reported.reset();
-        return std::string();
-    });
+    const Result<SkyPointing> place = rotctld::completed(m_rotator, target.azimuth, target.elevation);
+    return done(rotctld::pointTo(m_rotator, m_client, place, outcome));
 }
 
 Result<std::string> EasycommController::carryOut(const Turn& turn, rotctld::LineOutcome& outcome)
@@ -120,10 +119,8 @@ Result<std::string> EasycommController::carryOut(const Reset&, rotctld::LineOutc
     return done(m_rotator.reset(m_client, 1));
 }
 
-// Every command except a target ends the memory of the last target.
 Result<std::string> EasycommController::done(const Result<>& outcome)
 {
-    m_held.forget();
     return outcome.map([&] {
         m_reported.reset();
         return std::string();

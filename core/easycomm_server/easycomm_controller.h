@@ -2,7 +2,6 @@
 #pragma once
 
 #include "core/easycomm_server/easycomm_words.h"
-#include "core/rotctld/held_target.h"
 #include "core/rotctld/line_session.h"
 
 #include <optional>
@@ -37,7 +36,6 @@ private:
     rotctld::Client m_client;
     rotctld::Rotator& m_rotator;
     Version m_version;
-    rotctld::HeldTarget m_held;
     bool m_turns = false;                 // this client turns the mount at a rate
     std::optional<ErrorCode> m_reported;  // the last alarm of a command, until a command is accepted
 };

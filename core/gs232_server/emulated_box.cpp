@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/gs232_server/emulated_box.h"
 
+#include "core/rotctld/client_target.h"
+
 #include <utility>
 
 namespace boresight::gs232 {
@@ -35,46 +37,20 @@ void EmulatedBox::carryOut(Ask question, rotctld::LineOutcome& outcome)
                          .map([&](const std::string& answer) { outcome.reply = answer; });
 }
 
-// The station always points both axes.
 void EmulatedBox::carryOut(const PointTo& place, rotctld::LineOutcome& outcome)
 {
-    outcome.motion = true;
-    if (place.elevation) {
-        m_kept.reset();
-    }
-    const Result<Angle> elevation = place.elevation ? Result<Angle>(*place.elevation) : keptElevation();
-    outcome.result = elevation
-                         .and_then([&](Angle wanted) {
-                             const Angle azimuth = m_rotator.limits().turned(place.azimuth);
-                             outcome.point = SkyPointing{.azimuth = azimuth, .elevation = wanted};
-                             return m_rotator.pointTo(m_client, {.azimuth = azimuth, .elevation = wanted});
-                         })
-                         .map([&](const QString& became) { outcome.became = became; });
-}
-
-// The elevation at the first M. A mount that is a little off its target would creep if each M used the present
-// elevation.
-Result<Angle> EmulatedBox::keptElevation()
-{
-    constexpr Angle kBeside = Angle::fromDegrees(1.5);
-    return m_rotator.position(m_client).map([&](const SkyPointing& now) {
-        if (!m_kept || abs(*m_kept - now.elevation) > kBeside) {
-            m_kept = m_rotator.limits().nearest(now).elevation;
-        }
-        return *m_kept;
-    });
+    const Result<SkyPointing> target = rotctld::completed(m_rotator, place.azimuth, place.elevation);
+    outcome.result = rotctld::pointTo(m_rotator, m_client, target, outcome);
 }
 
 void EmulatedBox::carryOut(const Turn& turn, rotctld::LineOutcome& outcome)
 {
-    m_kept.reset();
     outcome.motion = true;
     outcome.result = m_rotator.move(m_client, turn.direction, kSpeedOfTheLevel);
 }
 
 void EmulatedBox::carryOut(const StopTurning&, rotctld::LineOutcome& outcome)
 {
-    m_kept.reset();
     outcome.result = m_rotator.stop(m_client);
 }
 

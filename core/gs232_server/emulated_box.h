@@ -22,12 +22,10 @@ private:
     void carryOut(const Turn& turn, rotctld::LineOutcome& outcome);
     void carryOut(const StopTurning& stop, rotctld::LineOutcome& outcome);
     void carryOut(const Speed& speed, rotctld::LineOutcome& outcome);
-    [[nodiscard]] Result<Angle> keptElevation();
 
     rotctld::Client m_client;
     rotctld::Rotator& m_rotator;
     Dialect m_dialect;
-    std::optional<Angle> m_kept;  // the elevation that M keeps, until another command
 };
 
 // How a server starts a conversation with a client. Rotator and clock outlive it.

@@ -2,6 +2,7 @@
 #include "core/pairs_server/pairs_talk.h"
 
 #include "core/base/text.h"
+#include "core/rotctld/client_target.h"
 #include "core/targets/target_path.h"
 
 #include <utility>
@@ -9,7 +10,7 @@
 namespace boresight::pairs {
 
 PairsTalk::PairsTalk(rotctld::Client client, rotctld::Rotator& rotator, SiteNow site)
-    : m_client(std::move(client)), m_rotator(rotator), m_site(std::move(site)), m_held(rotator)
+    : m_client(std::move(client)), m_rotator(rotator), m_site(std::move(site))
 {}
 
 rotctld::LineOutcome PairsTalk::obey(std::string_view line)
@@ -36,27 +37,24 @@ void PairsTalk::carryOut(const Report&, rotctld::LineOutcome& outcome)
 
 void PairsTalk::carryOut(const Stop&, rotctld::LineOutcome& outcome)
 {
-    m_held.forget();
     outcome.result = m_rotator.stop(m_client);
 }
 
 void PairsTalk::carryOut(const Park&, rotctld::LineOutcome& outcome)
 {
-    m_held.forget();
     outcome.motion = true;
     outcome.result = m_rotator.park(m_client);
 }
 
 void PairsTalk::carryOut(const Place& place, rotctld::LineOutcome& outcome)
 {
-    point(m_held.completed(m_client, place.azimuth, place.elevation), outcome);
+    point(rotctld::completed(m_rotator, place.azimuth, place.elevation), outcome);
 }
 
 // Moves from the target, so that several steps one after the other add up.
 void PairsTalk::carryOut(const MoveBy& move, rotctld::LineOutcome& outcome)
 {
-    point(m_held.place(m_client).and_then(
-              [&](const SkyPointing& held) { return movedBy(held, move, m_rotator.limits()); }),
+    point(m_rotator.target().and_then([&](const SkyPointing& from) { return movedBy(from, move, m_rotator.limits()); }),
           outcome);
 }
 
@@ -67,7 +65,8 @@ void PairsTalk::carryOut(const Bearing& bearing, rotctld::LineOutcome& outcome)
 
 void PairsTalk::point(const Result<SkyPointing>& place, rotctld::LineOutcome& outcome)
 {
-    outcome.result = m_held.pointTo(m_client, place, outcome).map([&] { outcome.reply = doneAs(outcome.became); });
+    outcome.result = rotctld::pointTo(m_rotator, m_client, place, outcome);
+    outcome.reply = doneAs(outcome.became);
 }
 
 Result<SkyPointing> PairsTalk::directionOf(const targets::Target& target) const

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "core/pairs_server/pairs_words.h"
-#include "core/rotctld/held_target.h"
 #include "core/rotctld/line_session.h"
 
 #include <functional>
@@ -37,7 +36,6 @@ private:
     rotctld::Client m_client;
     rotctld::Rotator& m_rotator;
     SiteNow m_site;
-    rotctld::HeldTarget m_held;
 };
 
 // How a server starts a conversation with a client. Rotator and clock outlive it.

@@ -56,7 +56,7 @@ struct Limits
         const bool isOutside = azimuth > maxAzimuth || azimuth < minAzimuth;
         return isOutside && other >= minAzimuth && other <= maxAzimuth ? other : azimuth;
     }
-    // Moves a measured position into the limits, because its noise may put it outside.
+    // Moves a position into the limits. The noise of a measured position may put it outside.
     [[nodiscard]] SkyPointing nearest(const SkyPointing& place) const
     {
         return {.azimuth = std::max(minAzimuth, std::min(place.azimuth, maxAzimuth)),
@@ -87,9 +87,10 @@ public:
     // The measured position in the azimuth convention of the client. An error if it is older than 1 s or unknown. The
     // client matters: a tracking client that reads the position and sends no new point accepts where the mount points.
     [[nodiscard]] virtual Result<SkyPointing> position(const Client& client) = 0;
+    // The target that leaves both axes where they go or stand. An axis that sags still has its set-point here. An error
+    // if the position is older than 1 s or unknown.
+    [[nodiscard]] virtual Result<SkyPointing> target() const = 0;
     [[nodiscard]] virtual MotionFlags motion() const = 0;
-    // The mount moves to the last target of this client, or stays there. False: it was moved or stopped since then.
-    [[nodiscard]] virtual bool follows(const Client& client) const = 0;
 
     // On success: the changed target as text, or empty if the target was not changed.
     virtual Result<QString> pointTo(const Client& client, const PointRequest& request) = 0;

@@ -96,7 +96,10 @@ private:
     [[nodiscard]] rotctld::Limits limits() const override { return kLimits; }
     [[nodiscard]] Result<SkyPointing> position(const rotctld::Client& client) override;
     [[nodiscard]] rotctld::MotionFlags motion() const override;
-    [[nodiscard]] bool follows(const rotctld::Client& /*client*/) const override { return true; }
+    [[nodiscard]] Result<SkyPointing> target() const override
+    {
+        return SkyPointing{.azimuth = m_target.azimuth, .elevation = m_target.elevation};
+    }
     Result<QString> pointTo(const rotctld::Client& client, const rotctld::PointRequest& request) override;
     Result<> move(const rotctld::Client& client, rotctld::MoveDirection direction, int speed) override;
     Result<QString> moveAt(const rotctld::Client& client, rotctld::MoveDirection direction,

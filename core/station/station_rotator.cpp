@@ -120,6 +120,14 @@ Result<SkyPointing> StationRotator::position(const rotctld::Client& client)
     });
 }
 
+Result<SkyPointing> StationRotator::target() const
+{
+    return m_control.measured().map([this](const AxisPosition&) {
+        const auto& asked = m_control.askedPoint();
+        return asked ? inConvention(*asked) : limits().nearest(inConvention(model().toSky(m_control.untrimmedGoal())));
+    });
+}
+
 SkyPointing StationRotator::inConvention(const SkyPointing& beam) const
 {
     switch (m_profile->rotctld.azimuth) {

@@ -21,8 +21,8 @@ public:
     [[nodiscard]] std::string info() const override;
     [[nodiscard]] rotctld::Limits limits() const override;
     [[nodiscard]] Result<SkyPointing> position(const rotctld::Client& client) override;
+    [[nodiscard]] Result<SkyPointing> target() const override;
     [[nodiscard]] rotctld::MotionFlags motion() const override;
-    [[nodiscard]] bool follows(const rotctld::Client& client) const override { return m_control.streamsFor(client.id); }
 
     Result<QString> pointTo(const rotctld::Client& client, const rotctld::PointRequest& request) override;
     Result<> move(const rotctld::Client& client, rotctld::MoveDirection direction, int speed) override;

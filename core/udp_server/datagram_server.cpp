@@ -22,7 +22,6 @@ DatagramServer::DatagramServer(rotctld::ServerSettings settings, Parse parse, ro
       m_clock(clock),
       m_isReadOnly(std::move(isReadOnly)),
       m_admission(m_settings.allow),
-      m_held(rotator),
       m_settling(clock),
       m_lastTurn(clock.now()),
       m_inlet(kAtOnce, datagrams::DatagramInlet::kWhole, this)
@@ -114,7 +113,7 @@ DatagramServer::Sender& DatagramServer::welcome(const rotctld::Client& client, c
     m_admission.enter(host);
     m_rotator.clientConnected(client);
     const UdpController::Shared shared{
-        .rotator = m_rotator, .parse = m_parse, .held = m_held, .settling = m_settling, .clock = m_clock};
+        .rotator = m_rotator, .parse = m_parse, .settling = m_settling, .clock = m_clock};
     Sender sender{
         .client = client, .controller = UdpController(client, shared), .habits = rotctld::ClientHabits(m_clock.now())};
     return m_senders.emplace(host, std::move(sender)).first->second;

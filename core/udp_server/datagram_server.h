@@ -67,7 +67,6 @@ private:
     const Clock& m_clock;
     IsReadOnly m_isReadOnly;
     rotctld::Admission m_admission;
-    rotctld::HeldTarget m_held;
     rotctld::Settling m_settling;
     SteadyTime m_lastTurn;  // when the thread was last here
     datagrams::DatagramInlet m_inlet;

@@ -4,6 +4,7 @@
 #include "core/base/text.h"
 #include "core/base/trimmed.h"
 #include "core/rotctld/client_habits.h"
+#include "core/rotctld/client_target.h"
 #include "core/udp_server/pst_words.h"
 
 #include <utility>
@@ -70,25 +71,23 @@ Result<> UdpController::admits(const Command& command)
 void UdpController::carryOut(Ask question, LineOutcome& outcome)
 {
     const Result<SkyPointing> place =
-        question == Ask::TargetAzimuth ? m_shared.held.place(m_client) : m_shared.rotator.position(m_client);
+        question == Ask::TargetAzimuth ? m_shared.rotator.target() : m_shared.rotator.position(m_client);
     outcome.result = place.map([&](const SkyPointing& known) { outcome.reply = pstAnswer(question, known); });
 }
 
 void UdpController::carryOut(const Target& target, LineOutcome& outcome)
 {
-    const Result<SkyPointing> place = m_shared.held.completed(m_client, target.azimuth, target.elevation);
-    outcome.result = m_shared.held.pointTo(m_client, place, outcome);
+    const Result<SkyPointing> place = rotctld::completed(m_shared.rotator, target.azimuth, target.elevation);
+    outcome.result = rotctld::pointTo(m_shared.rotator, m_client, place, outcome);
 }
 
 void UdpController::carryOut(const StopTurning& /*stop*/, LineOutcome& outcome)
 {
-    m_shared.held.forget();
     outcome.result = m_shared.rotator.stop(m_client);
 }
 
 void UdpController::carryOut(const Park& /*park*/, LineOutcome& outcome)
 {
-    m_shared.held.forget();
     outcome.motion = true;
     outcome.result = m_shared.rotator.park(m_client);
 }

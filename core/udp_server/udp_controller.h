@@ -3,7 +3,7 @@
 
 #include "core/base/clock.h"
 #include "core/rotctld/command_budget.h"
-#include "core/rotctld/held_target.h"
+#include "core/rotctld/rotator.h"
 #include "core/rotctld/settling.h"
 #include "core/udp_server/rotor_command.h"
 
@@ -16,12 +16,11 @@ class UdpController final
 public:
     static constexpr std::size_t kLongest = 512;  // bytes of a datagram
 
-    // What the clients of a listener share: a real rotator has one target for all programs. All of it outlives them.
+    // What the clients of a listener share. All of it outlives them.
     struct Shared
     {
         rotctld::Rotator& rotator;
         const Parse& parse;
-        rotctld::HeldTarget& held;
         const rotctld::Settling& settling;
         const Clock& clock;
     };

@@ -29,6 +29,11 @@ public:
         }
         return SkyPointing{.azimuth = m_azimuth.at(m_clock.now()), .elevation = m_elevation.at(m_clock.now()) - sag};
     }
+    [[nodiscard]] Result<SkyPointing> target() const override
+    {
+        const auto goal = [this](const Axis& axis) { return mover == 0 ? axis.target : axis.at(m_clock.now()); };
+        return outcome().map([&] { return SkyPointing{.azimuth = goal(m_azimuth), .elevation = goal(m_elevation)}; });
+    }
     [[nodiscard]] rotctld::MotionFlags motion() const override
     {
         const auto azimuth = m_azimuth.target - m_azimuth.at(m_clock.now());
@@ -38,19 +43,15 @@ public:
                 .movingDown = elevation < 0.0_deg};
     }
 
-    [[nodiscard]] bool follows(const rotctld::Client& client) const override { return m_followed == client.id; }
-
-    Result<QString> pointTo(const rotctld::Client& client, const rotctld::PointRequest& request) override
+    Result<QString> pointTo(const rotctld::Client& /*client*/, const rotctld::PointRequest& request) override
     {
         lastRequest = request;
         if (request.azimuth < m_limits.minAzimuth || request.azimuth > m_limits.maxAzimuth ||
             request.elevation < m_limits.minElevation || request.elevation > m_limits.maxElevation) {
             return failure(ErrorCode::OutOfRange, QStringLiteral("outside the limits"));
         }
-        return drive(request.azimuth, request.elevation).map([&] {
-            m_followed = client.id;
-            return became;
-        });
+        mover = 0;
+        return drive(request.azimuth, request.elevation).map([&] { return became; });
     }
     Result<> move(const rotctld::Client& client, rotctld::MoveDirection direction, int speed) override
     {
@@ -79,7 +80,11 @@ public:
         ++stops;
         return drive(m_azimuth.at(m_clock.now()), m_elevation.at(m_clock.now()));
     }
-    Result<> park(const rotctld::Client& /*client*/) override { return drive(0_deg, 0_deg); }
+    Result<> park(const rotctld::Client& /*client*/) override
+    {
+        mover = 0;
+        return drive(0_deg, 0_deg);
+    }
     Result<> reset(const rotctld::Client& /*client*/, int /*kind*/) override { return outcome(); }
 
     [[nodiscard]] int speedLevel() const override { return m_speedLevel; }
@@ -134,7 +139,6 @@ private:
     Result<> drive(Angle azimuth, Angle elevation)
     {
         ++actions;
-        m_followed = 0;
         if (!fault) {
             const SteadyTime now = m_clock.now();
             m_azimuth = {.start = m_azimuth.at(now), .target = azimuth, .since = now};
@@ -149,7 +153,6 @@ private:
     Axis m_azimuth;
     Axis m_elevation;
     int m_speedLevel = 0;
-    std::uint64_t m_followed = 0;  // the client that sent this target
 };
 
 }  // namespace boresight::fakes

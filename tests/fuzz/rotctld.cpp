@@ -44,7 +44,7 @@ public:
     [[nodiscard]] std::string info() const override { return "doubting rotator"; }
     [[nodiscard]] Limits limits() const override { return {0_deg, 360_deg, 0_deg, 90_deg}; }
     [[nodiscard]] Result<SkyPointing> position(const Client&) override { return SkyPointing{123.45_deg, 67.89_deg}; }
-    [[nodiscard]] bool follows(const Client& /*client*/) const override { return true; }
+    [[nodiscard]] Result<SkyPointing> target() const override { return SkyPointing{123.45_deg, 67.89_deg}; }
     [[nodiscard]] MotionFlags motion() const override { return {.movingLeft = true, .limitUp = true}; }
 
     Result<QString> pointTo(const Client&, const PointRequest& request) override

@@ -230,6 +230,113 @@ TEST(StationListeners, ADatagramMovesTheMountWithinItsLimits)
     EXPECT_NEAR(rig.control.measured()->azimuth.degrees(), 60.0, 0.1);
 }
 
+struct PstRig : ListenersRig
+{
+    PstRig() : ListenersRig({"pst drive udp:127.0.0.1:0"}) {}
+
+    void send(const QByteArray& bytes, const QHostAddress& from = QHostAddress::LocalHost) const
+    {
+        const std::string address = further.addresses().front();
+        QUdpSocket socket;
+        socket.bind(from);
+        socket.writeDatagram(bytes, QHostAddress::LocalHost,
+                             static_cast<quint16>(std::stoi(address.substr(address.rfind(':') + 1))));
+    }
+    // Sends a command for a motion, and waits until it is judged. Returns whether it is accepted.
+    [[nodiscard]] bool points(const QByteArray& fields, const QHostAddress& from = QHostAddress::LocalHost)
+    {
+        send("<PST>" + fields + "</PST>", from);
+        const std::string sender = from.toString().toStdString();
+        QString answer;
+        EXPECT_TRUE(fakes::waitUntil([&] {
+            return std::ranges::any_of(further.clients(), [&](const rotctld::ClientInfo& client) {
+                answer = client.lastCommand;
+                return client.address.starts_with(sender) && client.lastMotion == clock.now();
+            });
+        })) << fields.toStdString();
+        return !answer.contains(QStringLiteral("refused"));
+    }
+    [[nodiscard]] bool stops()
+    {
+        send("<PST><STOP>1</STOP></PST>");
+        return fakes::waitUntil([&] { return !control.followsClient(); });
+    }
+};
+
+// REQ-LISTENERS-12 (StationListeners.AnAzimuthAlone*): An azimuth alone leaves the elevation at its target. If the
+// mount goes to no target, the set-point of the elevation stays. So repeated azimuths move the elevation neither by the
+// trim nor by an error of the axis.
+TEST(StationListeners, AnAzimuthAloneKeepsTheElevationOfATrimmedMount)
+{
+    PstRig rig;
+    ASSERT_TRUE(rig.points("<AZIMUTH>10</AZIMUTH><ELEVATION>30</ELEVATION>"));
+    rig.pass(30);
+    ASSERT_TRUE(rig.ask(request::Nudge{.elevation = 2_deg}));
+    rig.pass(10);
+    ASSERT_NEAR(rig.elevationDegrees(), 32.0, 0.01);
+    for (const char* const azimuth : {"20", "30", "40"}) {
+        ASSERT_TRUE(rig.stops());
+        rig.pass(1);
+        ASSERT_TRUE(rig.points("<AZIMUTH>" + QByteArray(azimuth) + "</AZIMUTH>"));
+        rig.pass(20);
+        EXPECT_NEAR(rig.azimuthDegrees(), QByteArray(azimuth).toDouble(), 0.01);
+        EXPECT_NEAR(rig.elevationDegrees(), 32.0, 0.01) << "after a stop, azimuth " << azimuth;
+    }
+    for (const char* const azimuth : {"50", "60"}) {
+        rig.pass(62);
+        ASSERT_TRUE(rig.further.clients().empty());
+        ASSERT_TRUE(rig.points("<AZIMUTH>" + QByteArray(azimuth) + "</AZIMUTH>"));
+        rig.pass(20);
+        EXPECT_NEAR(rig.elevationDegrees(), 32.0, 0.01) << "after a silence, azimuth " << azimuth;
+    }
+}
+
+TEST(StationListeners, AnAzimuthAloneKeepsTheElevationWhereAStopLeftIt)
+{
+    PstRig rig;
+    ASSERT_TRUE(rig.points("<AZIMUTH>10</AZIMUTH><ELEVATION>80</ELEVATION>"));
+    rig.pass(2);
+    ASSERT_TRUE(rig.stops());
+    ASSERT_TRUE(rig.points("<AZIMUTH>20</AZIMUTH>"));
+    const double braked = rig.control.status().elevation.commanded->degrees();
+    rig.pass(20);
+    EXPECT_GE(rig.elevationDegrees(), braked) << "it does not go back while it brakes";
+    const double stopped = rig.elevationDegrees();
+    ASSERT_TRUE(rig.points("<AZIMUTH>30</AZIMUTH>"));
+    rig.pass(20);
+    EXPECT_NEAR(rig.elevationDegrees(), stopped, 1e-3);
+}
+
+TEST(StationListeners, AnAzimuthAloneKeepsTheTargetOfAHostThatLeft)
+{
+    PstRig rig;
+    profile::Profile slow = rig.inForce.wanted();
+    slow.elevation.limits.speed = 0.5_deg_s;
+    rig.setProfile(slow);
+    ASSERT_TRUE(rig.points("<AZIMUTH>10</AZIMUTH><ELEVATION>60</ELEVATION>"));
+    rig.pass(70);
+    ASSERT_TRUE(rig.further.clients().empty());
+    ASSERT_LT(rig.elevationDegrees(), 40.0);
+    ASSERT_TRUE(rig.points("<AZIMUTH>20</AZIMUTH>"));
+    rig.pass(100);
+    EXPECT_NEAR(rig.elevationDegrees(), 60.0, 0.01);
+}
+
+TEST(StationListeners, AnAzimuthAloneKeepsTheTargetAfterTheRefusalOfAnotherHost)
+{
+    PstRig rig;
+    ASSERT_TRUE(rig.points("<AZIMUTH>10</AZIMUTH><ELEVATION>60</ELEVATION>"));
+    rig.pass(2);
+    const QHostAddress other(QStringLiteral("127.0.0.2"));
+    EXPECT_FALSE(rig.points("<AZIMUTH>100</AZIMUTH>", other));
+    rig.tick();
+    EXPECT_FALSE(rig.points("<PARK>1</PARK>", other));
+    ASSERT_TRUE(rig.points("<AZIMUTH>20</AZIMUTH>"));
+    rig.pass(60);
+    EXPECT_NEAR(rig.azimuthDegrees(), 20.0, 0.01);
+    EXPECT_NEAR(rig.elevationDegrees(), 60.0, 0.01);
+}
+
 TEST(StationListeners, ADatagramForReadersMovesNothing)
 {
     ListenersRig rig({"pst read udp:127.0.0.1:0"});
@@ -245,7 +352,7 @@ TEST(StationListeners, ADatagramForReadersMovesNothing)
     EXPECT_TRUE(fakes::waitUntil([&] { return !rig.control.followsClient(); })) << "every client may stop";
 }
 
-// REQ-LISTENERS-12: A client of datagrams that the operator made read-only stays so, however long it is silent, and
+// REQ-LISTENERS-14: A client of datagrams that the operator made read-only stays so, however long it is silent, and
 // after Disconnect. The operator can let it move the mount again.
 TEST(StationListeners, ASilenceEndsNoMarkOfTheOperator)
 {

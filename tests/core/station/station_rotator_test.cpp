@@ -278,6 +278,24 @@ StationState afterSilence(RotatorRig& rig, const rotctld::Client& reader)
     return rig.state();
 }
 
+// REQ-LISTENERS-12
+TEST(StationRotator, ItsTargetIsWhatTheClientAskedFor)
+{
+    RotatorRig rig;
+    EXPECT_EQ(rig.rotator.target()->elevation, 0_deg) << "where it stands";
+    ASSERT_TRUE(rig.pointTo(40.0, -5.0));
+    rig.settle();
+    EXPECT_EQ(rig.rotator.target()->azimuth, 40_deg);
+    EXPECT_EQ(rig.rotator.target()->elevation, -5_deg) << "although the axis ends at 0°";
+    rig.rotator.clientGone(kRotatorGpredict, QStringLiteral("closed"));
+    EXPECT_EQ(rig.rotator.target()->elevation, -5_deg);
+    ASSERT_TRUE(rig.rotator.stop(kRotatorGpredict));
+    EXPECT_NEAR(rig.rotator.target()->elevation.degrees(), 0.0, 1e-9) << "where it was stopped";
+    rig.elevation.silent = true;
+    rig.run(Seconds(3.0));
+    EXPECT_FALSE(rig.rotator.target());
+}
+
 // REQ-CONTROL-12: A client that reads the position keeps its own stream alive, and no other stream.
 TEST(StationRotator, AClientThatReadsOnIsContentWithThePathOfItsStream)
 {

@@ -26,14 +26,13 @@ struct UdpControllerTest : ::testing::Test
     [[nodiscard]] UdpController meet(std::uint64_t id)
     {
         return {{.id = id, .address = "127.0.0.1:5", .protocol = "PstRotator"},
-                {.rotator = rotator, .parse = parse, .held = held, .settling = settling, .clock = clock}};
+                {.rotator = rotator, .parse = parse, .settling = settling, .clock = clock}};
     }
     std::string pst(const std::string& datagram) { return first.obey(datagram).reply; }
 
     fakes::ManualClock clock;
     fakes::DummyRotator rotator{clock};
     Parse parse = parsePst;
-    rotctld::HeldTarget held{rotator};
     rotctld::Settling settling{clock};
     UdpController first = meet(7);
     UdpController second = meet(8);
@@ -67,16 +66,18 @@ TEST_F(UdpControllerTest, OneAxisLeavesTheOtherAtItsTarget)
     }
     static_cast<void>(rotator.stop({.id = 3, .address = {}}));
     static_cast<void>(pst(azimuthDatagram("50")));
-    EXPECT_NEAR(rotator.lastRequest->elevation.degrees(), 29.7, 1e-9) << "where somebody has stopped it";
+    EXPECT_EQ(rotator.lastRequest->elevation, 30_deg) << "after a stop too";
 }
 
-TEST_F(UdpControllerTest, ClientsOfAListenerShareTheTarget)
+TEST_F(UdpControllerTest, ClientsShareTheTarget)
 {
     rotator.sag = 0.3_deg;
     EXPECT_EQ(pst("<PST><AZIMUTH>10</AZIMUTH><ELEVATION>30</ELEVATION></PST>"), "");
     clock.advance(30s);
     EXPECT_TRUE(second.obey(azimuthDatagram("20")).result);
     EXPECT_EQ(rotator.lastRequest->elevation, 30_deg);
+    rotator.clientGone({.id = 7, .address = {}}, {});
+    rotator.clientGone({.id = 8, .address = {}}, {});
     EXPECT_TRUE(meet(9).obey(azimuthDatagram("30")).result);
     EXPECT_EQ(rotator.lastRequest->elevation, 30_deg) << "the host sends again after a silence";
 }

@@ -19,7 +19,8 @@ public:
 
     [[nodiscard]] std::string info() const override { return "strict rotator"; }
     [[nodiscard]] rotctld::Limits limits() const override { return {-180_deg, 180_deg, 0_deg, 90_deg}; }
-    [[nodiscard]] Result<SkyPointing> position(const rotctld::Client&) override
+    [[nodiscard]] Result<SkyPointing> position(const rotctld::Client&) override { return target(); }
+    [[nodiscard]] Result<SkyPointing> target() const override
     {
         if (refuses) {
             return failure(ErrorCode::NoAnswer, QStringLiteral("the drives are silent"));
@@ -27,7 +28,6 @@ public:
         return m_place;
     }
     [[nodiscard]] rotctld::MotionFlags motion() const override { return {}; }
-    [[nodiscard]] bool follows(const rotctld::Client& /*client*/) const override { return true; }
     Result<QString> pointTo(const rotctld::Client&, const rotctld::PointRequest& request) override
     {
         require(abs(request.azimuth) <= 3600_deg, "an azimuth is within -3600°…3600°");

@@ -146,10 +146,9 @@ void feed(std::span<const std::uint8_t> input)
     fakes::ManualClock clock;
     DatagramRotator rotator;
     rotator.refuses = chance.refuses;
-    rotctld::HeldTarget held(rotator);
     rotctld::Settling settling(clock);
     UdpController controller({.id = 7, .address = "127.0.0.1:5", .protocol = "PstRotator"},
-                             {.rotator = rotator, .parse = parse, .held = held, .settling = settling, .clock = clock});
+                             {.rotator = rotator, .parse = parse, .settling = settling, .clock = clock});
     if (chance.isEarly) {
         settling.begin();
     }
