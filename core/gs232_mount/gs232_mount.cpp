@@ -3,6 +3,7 @@
 
 #include "core/base/text.h"
 #include "core/gs232/box_command.h"
+#include "core/rotator_box/box_interlock.h"
 #include "core/units/degrees_text.h"
 
 namespace boresight::gs232 {

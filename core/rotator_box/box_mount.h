@@ -129,12 +129,4 @@ private:
     SteadyTime m_now{};    // of the current or last tick
 };
 
-// The multiples of `step` inside the travel; min > max if there is none.
-[[nodiscard]] TravelRange stepsIn(const TravelRange& travel, Angle step);
-// "azimuth", "elevation": the table of an axis in the profile.
-[[nodiscard]] QString tableOf(Axis axis);
-// The rotator counts its angles itself, and its count is the angle of the axis. So a sign or an offset in the profile
-// would have no effect, and is refused.
-[[nodiscard]] Result<> countsAsTheRotator(const profile::Profile& profile, Axis axis);
-
 }  // namespace boresight

@@ -4,6 +4,7 @@
 #include "core/alarms/catalogue.h"
 #include "core/base/bus_name.h"
 #include "core/base/text.h"
+#include "core/rotator_box/box_interlock.h"
 #include "core/rotctl/rotctl_error.h"
 #include "core/units/degrees_text.h"
 
