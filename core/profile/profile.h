@@ -59,6 +59,25 @@ struct AxisSettings
     bool operator==(const AxisSettings&) const = default;
 };
 
+// Whether motors are only switched on and off. Boresight then starts them seldom.
+enum class RareStarts
+{
+    Auto,  // as it is usual for the driver
+    On,
+    Off
+};
+
+// Of motors that are only switched on and off. Zero stands for what Boresight computes or measures itself.
+struct RotatorSettings
+{
+    RareStarts rareStarts = RareStarts::Auto;
+    Angle deadBand{};
+    int mostStarts = 30;  // of each motor in a minute; 0: any number
+    Angle coast{};
+
+    bool operator==(const RotatorSettings&) const = default;
+};
+
 // What the drives are left doing when the program ends.
 enum class OnExit
 {
@@ -415,6 +434,7 @@ struct Profile
     std::vector<std::string> watchedBoards;  // on it, that turn no axis: "3 polarisation", see WatchedBoard
     AxisSettings azimuth = referenceAzimuth();
     AxisSettings elevation = referenceElevation();
+    RotatorSettings rotator;
     ControlSettings control;
     pointing::PointingTerms pointing;         // how the true direction differs from what the axes show
     std::vector<pointing::Antenna> antennas;  // besides the main one, which has the beam width of the mount
@@ -456,6 +476,8 @@ struct Profile
     {
         return pointing::termsFor(pointing, antenna, missing());
     }
+    // How far beside a moving target an axis may stand whose motor is only switched on and off.
+    [[nodiscard]] Angle deadBand(const pointing::Antenna& antenna) const;
     // The main antenna and all others, in the order of the file.
     [[nodiscard]] std::vector<pointing::Antenna> allAntennas() const;
     bool operator==(const Profile&) const = default;

@@ -19,6 +19,13 @@ QString tableOf(Axis axis)
     return axis == Axis::Azimuth ? QStringLiteral("azimuth") : QStringLiteral("elevation");
 }
 
+AxisCapabilities withStarts(AxisCapabilities each, const profile::Profile& profile, bool usually)
+{
+    const profile::RareStarts wanted = profile.rotator.rareStarts;
+    each.rareStarts = wanted == profile::RareStarts::Auto ? usually : wanted == profile::RareStarts::On;
+    return each;
+}
+
 // A new profile still has the default sign and offset, which belong to another mount. They are accepted.
 Result<> countsAsTheRotator(const profile::Profile& profile, Axis axis)
 {

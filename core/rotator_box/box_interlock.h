@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/messages/capabilities.h"
 #include "core/profile/profile.h"
 #include "core/units/sky.h"
 
@@ -14,6 +15,8 @@ namespace boresight {
 [[nodiscard]] TravelRange stepsIn(const TravelRange& travel, Angle step);
 // "azimuth", "elevation": the table of an axis in the profile.
 [[nodiscard]] QString tableOf(Axis axis);
+// `usually`: the motors of this kind are only switched on and off. The profile may say otherwise.
+[[nodiscard]] AxisCapabilities withStarts(AxisCapabilities each, const profile::Profile& profile, bool usually);
 // The rotator counts its angles itself, and its count is the angle of the axis. So a sign or an offset in the profile
 // would have no effect, and is refused.
 [[nodiscard]] Result<> countsAsTheRotator(const profile::Profile& profile, Axis axis);

@@ -11,7 +11,8 @@
 namespace boresight::rotctl {
 namespace {
 
-// Finer steps would move a rotator with gears to and fro without use. Its accuracy is not known.
+// Finer steps would move a rotator with gears to and fro without use. Its accuracy is not known, nor whether its motors
+// have a speed control.
 constexpr AxisCapabilities kAxis{.step = Angle::fromDegrees(0.1),
                                  .miss = ObedienceWatch::kMet + 0.5 * RotctldMount::kGrain,
                                  .fastest = {},
@@ -48,7 +49,7 @@ Result<> axisFits(const profile::Profile& profile, const RotatorState& state, Ax
 }  // namespace
 
 RotctldMount::RotctldMount(const profile::InForce& profile, AlarmBoard& alarms, const AxisSet& axes)
-    : BoxMount(profile, alarms, axes, kAxis), m_interlock(fits())
+    : BoxMount(profile, alarms, axes, withStarts(kAxis, *profile, false), kGrain), m_interlock(fits())
 {}
 
 QString RotctldMount::kindInWords() const

@@ -203,6 +203,16 @@ TEST(Gs232Connection, AByteOfNoiseClosesNoLine)
     EXPECT_EQ(status.line.kind, QStringLiteral("GS-232A"));
 }
 
+// REQ-GS232-61: The status, the diagnostics and the window show how often each motor was started, and the coast.
+TEST(Gs232Connection, ReportsTheMotorStartsOfItsAxes)
+{
+    Rig rig;
+    StationStatus status;
+    rig.connection->describe(status);
+    EXPECT_EQ(status.azimuth.starts, MotorStarts{});
+    EXPECT_EQ(status.elevation.starts, MotorStarts{});
+}
+
 TEST(Gs232Connection, ALineThatIsGoneIsAnAlarmAndNotACommand)
 {
     Rig rig;
