@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
-// Which profile each station begins with, and which file its changes go to. For a simulated mount this is the
-// simulation's own file of that mount. Blocking file access: neither on the gui thread nor on the station thread.
+// Chooses the profile with which each station begins, and the file that gets its changes. For a simulated mount this is
+// the simulation's own file of that mount. Blocking file access: neither on the gui thread nor on the station thread.
 namespace boresight::app {
 
 class NextProfile

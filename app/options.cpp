@@ -58,11 +58,11 @@ void addOptions(QCommandLineParser& parser)
                       QStringLiteral("FILE")});
     parser.addOption({kBus, QStringLiteral("fdcanusb:PATH, socketcan:IFACE or simulated. Overrides the profile."),
                       QStringLiteral("BUS")});
-    parser.addOption({kSimulate, QStringLiteral("Drive the built-in simulated mount: the same as --bus simulated. "
-                                                "--simulate=DRIVER: turn every axis by this driver: %1. Nothing of "
-                                                "it is written to the profile of a real mount.")
-                                     .arg(simulatedDrivers())});
-    parser.addOption({kListen, QStringLiteral("Address of the rotctld server. Port 0 picks a free one."),
+    parser.addOption(
+        {kSimulate, QStringLiteral("Use the built-in simulated mount, as with --bus simulated. --simulate=DRIVER: turn "
+                                   "every axis by this driver: %1. Nothing is written to the profile of a real mount.")
+                        .arg(simulatedDrivers())});
+    parser.addOption({kListen, QStringLiteral("Address of the rotctld server. Port 0 picks a free port."),
                       QStringLiteral("HOST:PORT")});
     parser.addOption(
         {kElements,
@@ -73,10 +73,9 @@ void addOptions(QCommandLineParser& parser)
                       QStringLiteral("DIR")});
     parser.addOption(
         {kStandingAt,
-         QStringLiteral(
-             "You looked at the mount at this time, and the axes stood at this azimuth and elevation, in degrees "
-             "of the axes. Counts once, at most 10 minutes later, and only while neither drive nor position journal "
-             "knows the cable wrap. Example: 405,50@%1")
+         QStringLiteral("You looked at the mount at this time, and the axes stood at this azimuth and elevation, in "
+                        "degrees of the axes. Boresight uses this once, at most 10 minutes later, and only if neither "
+                        "drive nor position journal knows the cable wrap. Example: 405,50@%1")
              .arg(timeOfNow()),
          QStringLiteral("AZ,EL@UTC")});
 }
@@ -286,7 +285,7 @@ tl::expected<Options, NoStart> readOptions(const QStringList& arguments, const Q
     parser.process(*plain);
     if (!parser.positionalArguments().isEmpty()) {
         return tl::unexpected(byArguments(
-            {ErrorCode::InvalidInput, QStringLiteral("\"%1\" is no option. Options begin with --. See --help")
+            {ErrorCode::InvalidInput, QStringLiteral("\"%1\" is not an option. Options begin with --. See --help")
                                           .arg(parser.positionalArguments().constFirst())}));
     }
     return readProfile(options, parser)

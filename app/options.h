@@ -26,7 +26,7 @@ struct Options
     std::vector<std::string> overridden;      // keys that are overridden also in the simulation, and never written
     std::optional<EnteredPlace> standingAt;
 
-    // The simulation in which the profile of another mount runs.
+    // The simulation that runs with the profile `of` of another mount.
     [[nodiscard]] Simulation simulationFor(const profile::Profile& of) const { return simulationOf(simulation, of); }
     [[nodiscard]] bool isFirstStart() const { return profilePath.isEmpty(); }
     // The profile with which the window begins. Without any profile the directions of the axes are not confirmed.

@@ -96,12 +96,12 @@ void addOwnProblems(const FoundController& controller, QStringList& found)
     const moteus::Reply& known = controller.known;
     const std::optional<double> map = known.value(Register::RegisterMapVersion);
     if (map && *map != moteus::kRegisterMapVersion) {
-        found << QStringLiteral(
-                     "id %1: register map version %2 is not known here (%3 is): the values above may be "
-                     "wrong and Boresight will not move this controller. Install firmware with a register "
-                     "map of version %3.")
-                     .arg(QString::number(controller.id), toQString(formatFixed(*map, 0)),
-                          QString::number(moteus::kRegisterMapVersion));
+        found
+            << QStringLiteral(
+                   "id %1: register map version %2 is unknown. Boresight supports version %3. The values above may be "
+                   "wrong, and Boresight does not move this controller. Install firmware with register map version %3.")
+                   .arg(QString::number(controller.id), toQString(formatFixed(*map, 0)),
+                        QString::number(moteus::kRegisterMapVersion));
     }
     if (known.mode() == moteus::Mode::Fault) {
         const int code = known.fault().value_or(0);
@@ -112,8 +112,8 @@ void addOwnProblems(const FoundController& controller, QStringList& found)
     }
     if (!map || !known.mode()) {
         found << QStringLiteral(
-                     "id %1: it did not answer every question, each was put five times. Look at the plugs, "
-                     "the termination and the bit rates of the bus.")
+                     "id %1: some questions got no reply in five attempts. Check the plugs, the termination and the "
+                     "bit rates of the bus.")
                      .arg(controller.id);
     }
 }
@@ -145,8 +145,8 @@ QStringList problems(std::span<const FoundController> controllers)
     for (const FoundController& controller : controllers) {
         if (controller.isUnreadable()) {
             found << QStringLiteral(
-                         "id %1: a controller answers, but its UUID never arrives complete. Probably two controllers "
-                         "have this id, because all new controllers have the same id. Their answers collide. %2")
+                         "id %1: a controller replies, but its UUID never arrives complete. Probably two controllers "
+                         "have this id, because all new controllers have the same id. Their replies collide. %2")
                          .arg(QString::number(controller.id), kOneIdEach);
         } else {
             addOwnProblems(controller, found);
@@ -158,11 +158,10 @@ QStringList problems(std::span<const FoundController> controllers)
 QString silenceText(const QString& bus)
 {
     return QStringLiteral(
-               "no controller answered on %1. Check\n"
-               "  - that the controllers have power (10 to 44 V; their light is on),\n"
-               "  - that CAN H and CAN L are not swapped and that both ends of the bus have 120 Ω,\n"
-               "  - that the bus runs at 1 Mbit/s with 5 Mbit/s for the data,\n"
-               "  - with one controller at a time: two with the same id can destroy each other's answers.")
+               "no controller replied on %1. Check\n  - that the controllers have power (10 to 44 V, the light is "
+               "on),\n  - that CAN H and CAN L are not swapped and that both ends of the bus have 120 Ω,\n  - that the "
+               "bus runs at 1 Mbit/s with 5 Mbit/s for the data,\n  - with one controller at a time: the replies of "
+               "two controllers with the same id can collide.")
         .arg(bus);
 }
 

@@ -121,7 +121,7 @@ TEST(Rooms, TheWindowKnowsMessagesAndValuesOnly)
     Rooms panels = ui;
     panels.erase("ui/window");
     EXPECT_THAT(wrong(panels, joined(ui, kSeenByTheWindow)), IsEmpty());
-    // It writes the diagnostics, from values that it already has.
+    // This room writes the diagnostics, from values that it already has.
     EXPECT_THAT(wrong({"ui/window"}, joined(joined(ui, kSeenByTheWindow), {"core/diagnostics"})), IsEmpty());
 }
 

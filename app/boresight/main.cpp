@@ -271,9 +271,8 @@ int main(int argc, char** argv)
     }
     options->profile = options->startingProfile();
     if (!hasDisplay()) {
-        return complain(
-            QStringLiteral("there is no display (DISPLAY and WAYLAND_DISPLAY are empty); boresightd is the same "
-                           "without one"));
+        return complain(QStringLiteral(
+            "there is no display (DISPLAY and WAYLAND_DISPLAY are empty). Without a display run boresightd"));
     }
     QApplication application(argc, argv);
     ui::DeskStyle::install();

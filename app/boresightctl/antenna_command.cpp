@@ -68,16 +68,16 @@ const Subcommand kAntennaCommand{.name = "antenna",
                                  .arguments = "[NAME] [--station HOST:PORT] [--format text|json]",
                                  .summary = "List the antennas of a running station, or use one of them",
                                  .details = kWhichLocalStation +
-                                            R"(  --format text|json   of the list. text without it
+                                            R"(  --format text|json   form of the list. Default: text
 
-NAME is "main" or that of an [[antenna]] of the profile, with capital and small letters as there. Without NAME the
-antennas are listed.
+NAME is "main" or the name of an [[antenna]] of the profile, with the same capital and small letters. Without NAME
+the antennas are listed.
 )" + kLocalSocket + R"(
 Columns: name,beam_width_deg,offset_across_deg,offset_up_deg,in_use.
 
-All directions are those of the beam of the antenna in use. The axes stay where they are, unless the station tracks a
-target by itself: the other beam then goes to it. The station refuses another antenna while a client moves the mount, and
-while the mount is on its way. After a start of the station the antenna "main" is in use.
+All directions are those of the beam of the antenna in use. The axes stand still, unless the station tracks a target by
+itself. Then the beam of the chosen antenna moves to the target. The station refuses another antenna while a client
+moves the mount, and while the mount moves to a target. After a start of the station the antenna "main" is in use.
 )" + kExitStatus + R"(
 Example:
   boresightctl antenna

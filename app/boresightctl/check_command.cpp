@@ -54,11 +54,11 @@ ExitStatus runCheck(Arguments arguments)
 const Subcommand kCheckCommand{
     .name = "check",
     .arguments = "PROFILE",
-    .summary = "Read a profile as the program would and report every error in it",
+    .summary = "Check a profile as the program does, and report every error",
     .details =
-        R"(All errors come at once, one line each: FILE:LINE: KEY: reason. Nothing is changed. A file with a password that every
-user can read is a warning.
-What is permitted and hardly meant (brakes that are none) is reported as KEY: with its numbers.
+        R"(Prints each error as one line: FILE:LINE: KEY: reason. Changes nothing. Warns of a file with a password that every
+user can read. Warns of permitted values that are probably wrong, such as a very long braking distance, as KEY: with the
+numbers.
 Exit status: 0 no error, 1 there are errors or the file cannot be read.
 
 Example:

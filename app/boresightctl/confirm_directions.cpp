@@ -82,13 +82,13 @@ ExitStatus runConfirmDirections(Arguments arguments)
 const Subcommand kConfirmDirectionsCommand{
     .name = "confirm-directions",
     .arguments = "PROFILE",
-    .summary = "Write into a profile that each axis turns the way it says",
-    .details = R"(Before, Boresight moves a real mount at most 2° at 5 °/s. For a boresightd without a window:
+    .summary = "Confirm in a profile that each axis turns in the direction of the profile",
+    .details = R"(Before that, Boresight moves a real mount at most 2° at 5 °/s. With boresightd, which has no window:
   1. Start boresightd with this profile, and stand where you see the antenna.
   2. rotctl -m 2 -r localhost:4533, and in it: M 16 20 (right), M 2 20 (up). The mount stops by itself.
-  3. An axis that turned the other way: change its sign in the profile, and begin again.
-  4. Each turned as it should: this command, then start boresightd again.
-It asks before it writes. Comments and everything else in the file stay.
+  3. If an axis turned the wrong way, change its sign in the profile, and begin again.
+  4. If each axis turned the right way, run this command. Then start boresightd again.
+This command asks before it writes. It writes only mount.directions. Comments and all other lines stay.
 Exit status: 0 the directions are confirmed, 1 they are not: the file is unchanged.
 
 Example:

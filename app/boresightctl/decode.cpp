@@ -18,7 +18,7 @@ Result<std::uint32_t> readId(std::string_view text)
     const std::optional<std::int64_t> id = parseInteger(prefixed ? text.substr(2) : text, 16);
     if (!id) {
         return failure(ErrorCode::InvalidInput,
-                       QStringLiteral("\"%1\" is no CAN identifier: expected hexadecimal like 8001 or 0x8001")
+                       QStringLiteral("\"%1\" is not a CAN identifier: expected hexadecimal like 8001 or 0x8001")
                            .arg(toQString(text)));
     }
     if (*id < 0 || *id > kMaxExtendedId) {
@@ -33,13 +33,15 @@ Result<std::vector<std::uint8_t>> readBytes(const std::string& digits)
 {
     const auto* const isDigit = "0123456789abcdefABCDEF";
     if (const std::size_t bad = digits.find_first_not_of(isDigit); bad != std::string::npos) {
-        return failure(ErrorCode::InvalidInput, QStringLiteral("'%1' at place %2 of the data is no hexadecimal digit")
-                                                    .arg(toQString(digits.substr(bad, 1)), QString::number(bad + 1)));
+        return failure(ErrorCode::InvalidInput,
+                       QStringLiteral("'%1' at place %2 of the data is not a hexadecimal digit")
+                           .arg(toQString(digits.substr(bad, 1)), QString::number(bad + 1)));
     }
     const auto bytes = parseHex(digits);
     if (!bytes) {
-        return failure(ErrorCode::InvalidInput,
-                       QStringLiteral("the data has %1 digits, an odd number: a byte has two").arg(digits.size()));
+        return failure(
+            ErrorCode::InvalidInput,
+            QStringLiteral("the data has %1 digits, an odd number. Each byte has two digits").arg(digits.size()));
     }
     if (bytes->size() > kMaxCanPayload) {
         return failure(ErrorCode::OutOfRange,
@@ -68,7 +70,7 @@ Result<CanFrame> readFrame(Arguments arguments)
 ExitStatus runDecode(Arguments arguments)
 {
     if (arguments.empty()) {
-        return usageError(kDecodeCommand, QStringLiteral("which frame? Give its identifier and its data"));
+        return usageError(kDecodeCommand, QStringLiteral("give the identifier and the data of a frame"));
     }
     const Result<CanFrame> frame = readFrame(arguments);
     if (!frame) {
@@ -83,9 +85,9 @@ ExitStatus runDecode(Arguments arguments)
 const Subcommand kDecodeCommand{
     .name = "decode",
     .arguments = "ID [HEX …]",
-    .summary = "Say in words what a frame of the moteus protocol asks or answers",
-    .details = R"(ID is the CAN identifier in hexadecimal, with or without 0x; HEX the data, with or without blanks.
-The first line tells who speaks to whom, then one line for every register, error, tunnel packet and run of padding.
+    .summary = "Explain a frame of the moteus protocol in words",
+    .details = R"(ID is the CAN identifier in hexadecimal, with or without 0x. HEX is the data, with or without blanks.
+The first line shows sender and receiver. Then each register, error, tunnel packet and run of padding has one line.
 
 Example:
   boresightctl decode 8001 01 00 0a 0e 20 00 00 80 3e 00 00 00 00 11 00 1f 01

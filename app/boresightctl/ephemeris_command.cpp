@@ -85,7 +85,7 @@ SkyTimes timesOf(const QByteArray& bytes, const QString& path)
     }
     if (times.badLines > kMostBadLines) {
         app::printError(
-            QStringLiteral("%1: %2 further lines are no times").arg(path).arg(times.badLines - kMostBadLines));
+            QStringLiteral("%1: %2 further lines are not times").arg(path).arg(times.badLines - kMostBadLines));
     }
     return times;
 }
@@ -239,32 +239,33 @@ const Subcommand kEphemerisCommand{
     .summary =
         "Print where a satellite, a body, a radio source or the table of a file stands over a site at given times",
     .details =
-        R"(  --elements FILE      element sets: TLE, OMM as JSON, CSV, XML or KVN, or NUMBER.sat of Gpredict. A folder: its files,
-                       that of Gpredict its satdata. NAME.mod: the satellites of that module of Gpredict. An https
-                       address, or celestrak:GROUP: downloaded into the cache, at most every two hours. May be given
-                       again. The newest epoch of a number is used
-  --norad N            the number of the satellite in the catalogue
-  --body NAME          in place of both: sun, moon, mercury, venus, mars, jupiter, saturn, uranus, neptune, or a radio source:
-                       cas-a, cyg-a, tau-a, vir-a, sgr-a
-  --radec HOURS,DEGREES   a place among the stars in place of it: right ascension and declination of J2000, each as a number
-                       or like 12:30:49.4
-  --table FILE         the table of a file in place of it: each line a time, an azimuth and an elevation, or a CCSDS OEM as
-                       KVN or XML. What is wrong with it is reported as FILE:LINE: reason
+        R"(  --elements FILE      element sets: TLE, OMM as JSON, CSV, XML or KVN, or NUMBER.sat of Gpredict. A folder: all files
+                       in it. The folder of Gpredict: its satdata. NAME.mod: the satellites of this module of Gpredict. An
+                       https address, or celestrak:GROUP: downloaded into the cache, at most every two hours. May be
+                       given again. Of several sets of one satellite the newest epoch is used
+  --norad N            the number of the satellite in the catalogue of NORAD
+  --body NAME          in place of a satellite: sun, moon, mercury, venus, mars, jupiter, saturn, uranus, neptune, or a radio
+                       source: cas-a, cyg-a, tau-a, vir-a, sgr-a
+  --radec HOURS,DEGREES   in place of a satellite, a place among the stars: right ascension and declination of J2000, each
+                       as a number or like 12:30:49.4
+  --table FILE         in place of a satellite, the table of a file: each line a time, an azimuth and an elevation, or a
+                       CCSDS OEM as KVN or XML. Each error is reported as FILE:LINE: reason
   --site LAT,LON,ALT   degrees north, degrees east, metres above the ellipsoid of WGS-84. Or a NAME.qth of Gpredict
-  --times FILE         a time in each line, - is standard input. UTC like 2024-05-10T04:50:02.5Z, or Unix seconds. What
-                       follows a comma, blank lines, lines that begin with # and a first line of names are left out
+  --times FILE         a time in each line: UTC like 2024-05-10T04:50:02.5Z, or Unix seconds. - is standard input. Text
+                       after a comma, blank lines, lines that begin with # and a first line of names are left out
   --refraction none|light|radio   raise the elevation as the air bends light or radio waves, in an ordinary atmosphere
-                       (1010 hPa, 10 °C, half as moist as air can be). none without it
-  --doppler on|off     on: a satellite has a column doppler_factor behind all others. A frequency that it transmits arrives
-                       times this factor. off without it
-  --format csv|table|json   csv without it
+                       (1010 hPa, 10 °C, relative humidity 50 %). Default: none
+  --doppler on|off     on: a satellite has a last column doppler_factor. The received frequency is the transmitted
+                       frequency times this factor. Default: off
+  --format csv|table|json   default: csv
 
-Columns of a satellite: t_utc,az_deg,el_deg,range_km,range_rate_km_s. Of a table: t_utc,az_deg,el_deg,range_km. Of all
-else: t_utc,az_deg,el_deg,dist_km. Radio sources, --radec and tables of directions have no distance.
-Azimuth from true north through east. Elevation from the horizon, without air unless --refraction says so. The rate is
-above 0 while it recedes. A time for which the elements or the table have no answer has a row without numbers.
+Columns of a satellite: t_utc,az_deg,el_deg,range_km,range_rate_km_s. Of a table: t_utc,az_deg,el_deg,range_km. For all
+other targets: t_utc,az_deg,el_deg,dist_km. Radio sources, --radec and tables of directions have no distance.
+Azimuth counts from true north through east. Elevation counts from the horizon, without refraction unless --refraction
+is given. The rate is above 0 while the satellite recedes. A time outside the elements or the table has a row without
+numbers.
 Each bad element set and each bad time is reported as FILE:LINE: reason. The others are used.
-Exit status: 0 done, 1 a time without an answer, a line that is no time, or no usable element set.
+Exit status: 0 done, 1 a time without a result, a line that is not a time, or no usable element set.
 
 Example:
   boresightctl ephemeris --elements weather.tle --norad 33591 --site 38.757,-9.117,80 --times times.txt

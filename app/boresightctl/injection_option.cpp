@@ -20,32 +20,32 @@ constexpr auto kNeeded = NeedOfValue::Needed;
 constexpr auto kOptional = NeedOfValue::Optional;
 
 constexpr std::array<InjectionOption, 32> kOptions{{
-    {.name = "silence", .kind = FaultKind::Silence, .text = "receives and acts, but answers nothing"},
+    {.name = "silence", .kind = FaultKind::Silence, .text = "obeys commands but does not reply"},
     {.name = "late",
      .kind = FaultKind::LateReply,
      .need = kNeeded,
      .value = "TIME",
      .unit = "s",
      .max = 10.0,
-     .text = "answers # late"},
+     .text = "replies # late"},
     {.name = "lose",
      .kind = FaultKind::LostReply,
      .need = kNeeded,
      .value = "P",
      .max = 1.0,
-     .text = "its answers get lost with probability #"},
+     .text = "loses its replies with probability #"},
     {.name = "lose-command",
      .kind = FaultKind::LostCommand,
      .need = kNeeded,
      .value = "P",
      .max = 1.0,
-     .text = "does not hear a frame with probability # (1 is a cut cable)"},
+     .text = "does not receive a frame with probability # (1 is a cut cable)"},
     {.name = "corrupt",
      .kind = FaultKind::CorruptLine,
      .need = kNeeded,
      .value = "P",
      .max = 1.0,
-     .text = "its answers are damaged with probability #"},
+     .text = "damages its replies with probability #"},
     {.name = "duplicate-id", .kind = FaultKind::DuplicateId, .text = "has the id of the other drive"},
     {.name = "false-position",
      .kind = FaultKind::FalsePosition,
@@ -54,14 +54,14 @@ constexpr std::array<InjectionOption, 32> kOptions{{
      .unit = "deg",
      .min = -36000.0,
      .max = 36000.0,
-     .text = "the position in its answers is wrong by #"},
-    {.name = "position-nan", .kind = FaultKind::PositionNaN, .text = "the position in its answers is NaN"},
+     .text = "the position in its replies is wrong by #"},
+    {.name = "position-nan", .kind = FaultKind::PositionNaN, .text = "the position in its replies is NaN"},
     {.name = "position-infinite",
      .kind = FaultKind::PositionInfinite,
-     .text = "the position in its answers is infinite"},
-    {.name = "position-missing", .kind = FaultKind::PositionMissing, .text = "its answers end before the position"},
-    {.name = "supply-nan", .kind = FaultKind::SupplyNaN, .text = "the supply voltage in its answers is NaN"},
-    {.name = "temperature-nan", .kind = FaultKind::TemperatureNaN, .text = "the temperatures in its answers are NaN"},
+     .text = "the position in its replies is infinite"},
+    {.name = "position-missing", .kind = FaultKind::PositionMissing, .text = "its replies end before the position"},
+    {.name = "supply-nan", .kind = FaultKind::SupplyNaN, .text = "the supply voltage in its replies is NaN"},
+    {.name = "temperature-nan", .kind = FaultKind::TemperatureNaN, .text = "the temperatures in its replies are NaN"},
     {.name = "answer-as",
      .kind = FaultKind::ForeignId,
      .need = kNeeded,
@@ -69,22 +69,22 @@ constexpr std::array<InjectionOption, 32> kOptions{{
      .min = 0.0,
      .max = 127.0,
      .whole = true,
-     .text = "its answers carry the id #"},
-    {.name = "exchange", .kind = FaultKind::ExchangedReplies, .text = "its answers carry the id of the other drive"},
-    {.name = "double", .kind = FaultKind::DoubledReply, .text = "each of its answers comes twice"},
+     .text = "its replies carry the id #"},
+    {.name = "exchange", .kind = FaultKind::ExchangedReplies, .text = "its replies carry the id of the other drive"},
+    {.name = "double", .kind = FaultKind::DoubledReply, .text = "each of its replies comes twice"},
     {.name = "stale",
      .kind = FaultKind::StaleReply,
      .need = kNeeded,
      .value = "TIME",
      .unit = "s",
      .max = sim::kLongestStale.count(),
-     .text = "answers what it answered # ago"},
+     .text = "repeats its reply of # ago"},
     {.name = "edit",
      .kind = FaultKind::EditedReply,
      .need = kNeeded,
      .value = "P",
      .max = 1.0,
-     .text = "its answers are edited at random with probability #: false, missing, stale, doubled, under another id"},
+     .text = "changes its replies at random with probability #: false, missing, stale, doubled, under another id"},
     {.name = "slip",
      .kind = FaultKind::EncoderSlip,
      .need = kNeeded,
@@ -100,8 +100,8 @@ constexpr std::array<InjectionOption, 32> kOptions{{
      .min = 1.0,
      .max = 255.0,
      .whole = true,
-     .text = "drive fault #; cleared while it lasts, it returns when the drive is switched on. 96…105: limits it tells "
-             "while it works"},
+     .text = "drive fault #. If the fault is cleared before it ends, it returns when the drive is switched on. 96…105: "
+             "limits that the drive reports while it works"},
     {.name = "wind",
      .kind = FaultKind::Wind,
      .need = kNeeded,
@@ -117,15 +117,15 @@ constexpr std::array<InjectionOption, 32> kOptions{{
      .unit = "deg",
      .min = -720.0,
      .max = 720.0,
-     .text = "something is in the way at #"},
-    {.name = "stall", .kind = FaultKind::Stall, .text = "blocked where it is"},
+     .text = "blocked at #"},
+    {.name = "stall", .kind = FaultKind::Stall, .text = "blocked at its present place"},
     {.name = "register-map",
      .kind = FaultKind::RegisterMap,
      .need = kNeeded,
      .value = "VERSION",
      .max = 1000.0,
      .whole = true,
-     .text = "tells register map version #"},
+     .text = "reports register map version #"},
     {.name = "board-power-loss", .kind = FaultKind::BoardPowerLoss, .text = "the drive has no power"},
     {.name = "power-loss",
      .kind = FaultKind::PowerLoss,
@@ -134,7 +134,7 @@ constexpr std::array<InjectionOption, 32> kOptions{{
      .unit = "deg",
      .min = -720.0,
      .max = 720.0,
-     .text = "the mount has no power; by hand it is turned to #"},
+     .text = "the mount has no power. Somebody turns it to # by hand"},
     {.name = "supply",
      .kind = FaultKind::SupplyVoltage,
      .need = kNeeded,
@@ -162,11 +162,11 @@ constexpr std::array<InjectionOption, 32> kOptions{{
     {.name = "sensor-dead",
      .kind = FaultKind::SensorDead,
      .takesAxis = false,
-     .text = "the sensor's chip does not answer: it says zeros"},
+     .text = "the chip of the sensor does not answer, so the sensor sends zeros"},
     {.name = "sensor-frozen",
      .kind = FaultKind::SensorFrozen,
      .takesAxis = false,
-     .text = "the sensor says one value again and again"},
+     .text = "the sensor repeats one value"},
 }};
 
 std::string arguments(const InjectionOption& option)
@@ -253,7 +253,7 @@ Parts split(std::string_view text)
 QString takeAxis(const InjectionOption& option, const Parts& parts, Injection& injection)
 {
     injection.axis = parts.axis;
-    return parts.axis && !option.takesAxis ? QStringLiteral("concerns both axes, none can be named") : QString();
+    return parts.axis && !option.takesAxis ? QStringLiteral("concerns both axes. Leave out the axis") : QString();
 }
 
 QString takeValue(const InjectionOption& option, const Parts& parts, Injection& injection)
@@ -266,16 +266,16 @@ QString takeValue(const InjectionOption& option, const Parts& parts, Injection& 
         return option.need == kNeeded ? QStringLiteral("the value is missing") : QString();
     }
     if (option.need == NeedOfValue::None) {
-        return QStringLiteral("\"%1\" is no axis (az or el), and there is no value to give").arg(toQString(text));
+        return QStringLiteral("\"%1\" is not an axis. Write az or el. This option has no value").arg(toQString(text));
     }
     injection.value = readNumber(option, text);
     if (!injection.value) {
-        return (option.unit == "s" ? QStringLiteral("\"%1\" is no time") : QStringLiteral("\"%1\" is not a number"))
+        return (option.unit == "s" ? QStringLiteral("\"%1\" is not a time") : QStringLiteral("\"%1\" is not a number"))
             .arg(toQString(text));
     }
     if (*injection.value < option.min || *injection.value > option.max ||
         (option.whole && std::trunc(*injection.value) != *injection.value)) {
-        return (option.whole ? QStringLiteral("%1 is outside %2…%3 or no whole number")
+        return (option.whole ? QStringLiteral("%1 is not a whole number or is outside %2…%3")
                              : QStringLiteral("%1 is outside %2…%3"))
             .arg(toQString(text), toQString(numberText(option.min)), toQString(numberText(option.max)));
     }
@@ -287,14 +287,14 @@ QString takeTimes(const Parts& parts, Injection& injection)
     if (parts.start) {
         const std::optional<double> start = readTime(*parts.start);
         if (!start) {
-            return QStringLiteral("the start \"%1\" is no time").arg(toQString(*parts.start));
+            return QStringLiteral("the start \"%1\" is not a time").arg(toQString(*parts.start));
         }
         injection.at = Seconds(*start);
     }
     if (parts.duration) {
         const std::optional<double> duration = readTime(*parts.duration);
         if (!duration || *duration == 0.0) {
-            return QStringLiteral("the duration \"%1\" is no time above 0").arg(toQString(*parts.duration));
+            return QStringLiteral("the duration \"%1\" is not a time above 0").arg(toQString(*parts.duration));
         }
         injection.duration = Seconds(*duration);
     }
@@ -352,7 +352,7 @@ Result<Injection> parseInjection(const InjectionOption& option, std::string_view
     }
     if (!problem.isEmpty()) {
         return failure(ErrorCode::InvalidInput,
-                       QStringLiteral("--%1 %2: %3; expected %4")
+                       QStringLiteral("--%1 %2: %3. Expected %4")
                            .arg(toQString(option.name), toQString(text), problem, toQString(arguments(option))));
     }
     if (option.kind == FaultKind::DuplicateId && !injection.axis) {
@@ -366,12 +366,12 @@ std::string describe(const Injection& injection)
     const InjectionOption& option = optionOf(injection.kind);
     std::string text(option.text);
     if (option.need == kOptional && !injection.value) {
-        text.erase(text.find(';'));
+        text.erase(text.find('.'));
     } else if (const std::size_t place = text.find('#'); place != std::string::npos) {
         text.replace(place, 1, numberText(injection.value.value_or(0.0)) + unitText(option));
     }
     if (option.kind == FaultKind::DriveFault) {
-        text.erase(text.find(';'));
+        text.erase(text.find('.'));
         text += ", " + std::string(moteus::faultText(static_cast<int>(injection.value.value_or(0.0))).name);
     }
     return whom(option, injection) + text;

@@ -39,8 +39,9 @@ std::string overview()
                 std::string(one->summary) + '\n';
     }
     return text +
-           "\n\"boresightctl help SUBCOMMAND\" explains it. BUS is fdcanusb:PATH, socketcan:IFACE or simulated.\n"
-           "Exit status: 0 in order, 1 something is wrong, 2 the command line makes no sense,\n3 no station answers.\n";
+           "\n\"boresightctl help SUBCOMMAND\" explains one of them. BUS is fdcanusb:PATH, socketcan:IFACE or "
+           "simulated.\nExit status: 0 in order, 1 something is wrong, 2 the command line is wrong,\n3 no station "
+           "answers.\n";
 }
 
 std::string helpText(const Subcommand& subcommand)

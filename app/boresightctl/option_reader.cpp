@@ -14,7 +14,7 @@ Result<std::string> OptionReader::takeName()
     m_joined.reset();
     if (!argument.starts_with("--")) {
         return failure(ErrorCode::InvalidInput,
-                       QStringLiteral("\"%1\" is no option. Options begin with --").arg(toQString(argument)));
+                       QStringLiteral("\"%1\" is not an option. Options begin with --").arg(toQString(argument)));
     }
     const std::size_t equals = argument.find('=');
     if (equals != std::string::npos) {

@@ -107,7 +107,7 @@ void report(const orbit::ElementSet& set, const passes::PassList& list, const pa
                  QStringLiteral("%1: no passes after %2. %3")
                      .arg(satelliteText(set), toQString(timeCell(list.end->utc)), orbit::describe(list.end->fault)));
     } else if (list.passes.empty() && isAsked) {
-        complain(kPassesCommand, QStringLiteral("%1 does not come above %2 in this time")
+        complain(kPassesCommand, QStringLiteral("%1 does not rise above %2 in this time")
                                      .arg(satelliteText(set), degreesText(search.minimumElevation)));
     }
 }
@@ -160,26 +160,27 @@ const Subcommand kPassesCommand{
         "[--format FORMAT]",
     .summary = "List when satellites are up over a site",
     .details =
-        R"(  --elements FILE      element sets: TLE, OMM as JSON, CSV, XML or KVN, or NUMBER.sat of Gpredict. A folder: its files,
-                       that of Gpredict its satdata. NAME.mod: the satellites of that module of Gpredict. An https
-                       address, or celestrak:GROUP: downloaded into the cache, at most every two hours. May be given
-                       again. The newest epoch of a number is used
-  --norad N            one satellite, by its number in the catalogue. All of them without it
+        R"(  --elements FILE      element sets: TLE, OMM as JSON, CSV, XML or KVN, or NUMBER.sat of Gpredict. A folder: all files
+                       in it. The folder of Gpredict: its satdata. NAME.mod: the satellites of this module of Gpredict. An
+                       https address, or celestrak:GROUP: downloaded into the cache, at most every two hours. May be
+                       given again. Of several sets of one satellite the newest epoch is used
+  --norad N            one satellite, by its number in the catalogue of NORAD. Default: all satellites
   --site LAT,LON,ALT   degrees north, degrees east, metres above the ellipsoid of WGS-84. Or a NAME.qth of Gpredict
   --from UTC           like 2024-05-10T04:50:02Z, 2024-05-10, Unix seconds, or now
   --days D             up to 3660
-  --min-el DEG         0 without it
-  --profile FILE       of a mount, for the flags H, U and F. The site stays that of --site
-  --format csv|table|json   csv without it
+  --min-el DEG         lowest elevation. Default: 0
+  --profile FILE       profile of a mount, for the flags H, U and F. The site is still that of --site
+  --format csv|table|json   default: csv
 
-Columns: name,norad,aos_utc,aos_az,tca_utc,tca_az,max_el,los_utc,los_az,flags, in the order of AOS. AOS and LOS are where
-the satellite passes the minimum elevation, without air. TCA is its highest moment. Azimuth from true north through east.
+Columns: name,norad,aos_utc,aos_az,tca_utc,tca_az,max_el,los_utc,los_az,flags, in the order of AOS. At AOS and
+LOS the satellite passes the lowest elevation, without refraction. At TCA it is highest. Azimuth counts from true north
+through east.
 Flags: A already up at the beginning, L still up at the end, M several maxima, - none of these.
-With a profile also: H the mount does not see all of it, for its horizon, keep-outs and limits. U the cable of the azimuth
-ends during the pass, so Boresight unwraps it then and loses a part. F over the top the mount would lose nothing: only
-a client that sends elevations above 90 goes there.
-Each bad element set is reported as FILE:LINE: reason, and the others are used. So is a satellite that decays within the
-time.
+With a profile also: H horizon, keep-outs or limits hide a part of the pass. U the azimuth cable ends during the pass, so
+Boresight unwraps it and loses a part of the pass. F over the top the mount would lose nothing. Only a client that sends
+elevations above 90° uses this way.
+Each bad element set is reported as FILE:LINE: reason, and the others are used. A satellite that decays within the time is
+reported, too.
 Exit status: 0 done, also without any pass, 1 no usable element set, or a site that cannot be read.
 
 Example:

@@ -8,7 +8,7 @@ namespace {
 ExitStatus runProfile(Arguments arguments)
 {
     if (arguments.size() != 1 || arguments.front() != "--default") {
-        return usageError(kProfileCommand, QStringLiteral("which profile? --default is the only one there is"));
+        return usageError(kProfileCommand, QStringLiteral("write --default. There is no other profile to print"));
     }
     print(profile::toToml({}));
     return kDone;
@@ -20,8 +20,8 @@ const Subcommand kProfileCommand{
     .name = "profile",
     .arguments = "--default",
     .summary = "Print a profile with every setting, its meaning, unit, range and default",
-    .details = R"(The values are those the program has without a profile: the reference mount on the simulated bus.
-With another bus.name the directions of its axes are unconfirmed: see "help confirm-directions".
+    .details = R"(The values are the defaults of the program: the reference mount on the simulated bus.
+With another bus.name the directions of the axes are unconfirmed. See "boresightctl help confirm-directions".
 
 Example:
   boresightctl profile --default > mount.toml

@@ -72,15 +72,15 @@ ExitStatus runScan(Arguments arguments)
 const Subcommand kScanCommand{
     .name = "scan",
     .arguments = "BUS",
-    .summary = "List every moteus controller on a bus and what is wrong with it",
+    .summary = "List every moteus controller on a bus, with its faults",
     .details =
-        R"(BUS is fdcanusb:PATH, socketcan:IFACE or simulated. Takes a second or two. Only asks: nothing moves, no watchdog is
-fed, and a running station is not disturbed on a SocketCAN bus. Nothing is sent to a USB device that is not known to be
-an adapter. A serial port that does not answer as an adapter gets one question.
+        R"(BUS is fdcanusb:PATH, socketcan:IFACE or simulated. The scan takes up to two seconds. It only reads: nothing moves, and
+no watchdog is extended. On a SocketCAN bus it does not disturb a running station. It sends nothing to a USB device that is
+not a known adapter. A serial port that does not answer as an adapter receives one question.
 
-Columns: id on the bus; UUID of the board; firmware and register map (map) version; mode; fault; supply voltage; temperature
-of the board; position of the output in revolutions as the drive counts them; what that position is worth.
-Exit status: 0 all in order, 1 nothing found, two boards with one id, a fault, an unknown register map or silence.
+Columns: id on the bus, UUID of the board, version of firmware and register map (map), mode, fault, supply voltage,
+temperature of the board, position of the output in turns of the drive, and how well this position is known.
+Exit status: 0 all in order, 1 no board found, two boards with one id, a fault, an unknown register map or silence.
 
 Example:
   boresightctl scan fdcanusb:/dev/boresight/fdcanusb

@@ -186,24 +186,24 @@ const Subcommand kScheduleCommand{
     .arguments = "list|arm|disarm|report|rehearse [--station HOST:PORT] [--format text|json]",
     .summary = "List, arm, disarm or rehearse the schedule of passes of a running station, or show its report",
     .details =
-        R"(  list                 the passes that are chosen in the next 24 h, and those left out, with the reason
-  arm                  the station tracks each of these passes by itself. It takes the control from the clients
-  disarm               the pass that is tracked ends, and the mount holds
-  report               the passes so far: seconds tracked, within 1 and 3 dB of the beam, rms and peak error, how it ended
-  rehearse             runs the next 24 h in a few seconds on a copy of the mount, from where it stands: the report as it
-                       would be, the part of the cable that is used, and every warning. Nothing moves
-  --station HOST:PORT  the rotctld port of the station; 127.0.0.1:4533 without it
+        R"(  list                 shows the chosen passes of the next 24 h, and the passes left out with the reason
+  arm                  lets the station track each chosen pass by itself. The station takes control from the clients
+  disarm               ends the schedule and the tracking of the present pass. The mount holds
+  report               shows the passes so far: seconds tracked, within 1 and 3 dB of the beam, rms and peak error, and
+                       how each pass ended
+  rehearse             runs the next 24 h in seconds on a copy of the mount, from its present position. Shows the expected
+                       report, the used part of the cable, and every warning. Nothing moves
+  --station HOST:PORT  the rotctld port of the station. Default: 127.0.0.1:4533
                        HOST is localhost, 127.0.0.1 or ::1: the station runs on this computer
-  --format text|json   text without it
+  --format text|json   default: text
 
-The satellites, their priorities and lowest elevations are the list "watch" of the profile. After each start of the
-station the schedule is off until somebody arms it, unless schedule.unattended is "on" in the profile. Any other command
-to the mount, STOP and a fault disarm it.
+The list "watch" of the profile has the satellites with their priorities and lowest elevations. After each start of the
+station the schedule is off until somebody arms it, unless schedule.unattended is "on" in the profile. STOP, a fault and
+any other command to the mount disarm the schedule.
 
-The command goes through the local socket of the station, $XDG_RUNTIME_DIR/boresight/PORT.sock. It works on the computer
-of the station, for the user who started the station. The socket of the service is /run/boresight/PORT.sock, for root: use
-sudo.
-Exit status: 0 done, 1 the station refused it, 2 the command line makes no sense, 3 no station answered in 2 s.
+The command uses the local socket of the station, $XDG_RUNTIME_DIR/boresight/PORT.sock. It works on the computer of the
+station, for the user who started the station. The service has the socket /run/boresight/PORT.sock, for root: use sudo.
+Exit status: 0 done, 1 the station refused it, 2 the command line is wrong, 3 no station answered in 2 s.
 
 Example:
   boresightctl schedule arm && boresightctl schedule list

@@ -19,16 +19,16 @@ Angle degrees(double number)
     return Angle::fromDegrees(number);
 }
 
-constexpr std::array<SensorOption, 8> kSensorOptionOptions{{
+constexpr std::array<SensorOption, 9> kSensorOptionOptions{{
     {.name = "sensor-north",
      .values = "DEGREES",
-     .text = "true azimuth of the beam less the angle of its axis; 37.4 without it",
+     .text = "true azimuth of the beam minus the angle of the azimuth axis. Default 37.4",
      .min = -360.0,
      .max = 360.0,
      .set = [](SensorTruth& truth, const double* n) { truth.mount.azimuthOffset = degrees(n[0]); }},
     {.name = "sensor-tilt",
      .values = "NORTH,EAST",
-     .text = "degrees by which the azimuth axis leans; 0.4,-0.45 without it",
+     .text = "lean of the azimuth axis, in degrees. Default 0.4,-0.45",
      .min = -20.0,
      .max = 20.0,
      .set =
@@ -38,7 +38,7 @@ constexpr std::array<SensorOption, 8> kSensorOptionOptions{{
          }},
     {.name = "sensor-mounting",
      .values = "AZ,EL",
-     .text = "true direction of the beam where the sensor says 0 and 0, in degrees; 0,0 without it",
+     .text = "true direction of the beam when the sensor reports 0 and 0, in degrees. Default 0,0",
      .min = -360.0,
      .max = 360.0,
      .set =
@@ -48,14 +48,14 @@ constexpr std::array<SensorOption, 8> kSensorOptionOptions{{
          }},
     {.name = "sensor-declination",
      .values = "DEGREES",
-     .text = "of the site, east positive; 5.07, as in the firmware, without it",
+     .text = "declination of the site, east positive. Default 5.07, as in the firmware",
      .min = -180.0,
      .max = 180.0,
      .set = [](SensorTruth& truth, const double* n) { truth.declination = degrees(n[0]); }},
     {.name = "sensor-deviation",
      .values = "A1,B1,A2,B2",
-     .text = "degrees that iron leads its compass: A1 sin + B1 cos + A2 sin 2 + B2 cos 2 of the true azimuth; "
-             "6.4,-4.8,1.8,2.4 without it",
+     .text = "compass error by iron, in degrees: A1 sin + B1 cos + A2 sin 2 + B2 cos 2 of the true azimuth. Default "
+             "6.4,-4.8,1.8,2.4",
      .min = -90.0,
      .max = 90.0,
      .set =
@@ -65,21 +65,33 @@ constexpr std::array<SensorOption, 8> kSensorOptionOptions{{
              truth.a2 = degrees(n[2]);
              truth.b2 = degrees(n[3]);
          }},
+    {.name = "sensor-steel",
+     .values = "FROM,TO,DEGREES",
+     .text = "steel deflects the compass by DEGREES between these true azimuths, less than a full circle. Default: no "
+             "steel",
+     .min = -360.0,
+     .max = 360.0,
+     .set =
+         [](SensorTruth& truth, const double* n) {
+             truth.steelFrom = degrees(n[0]);
+             truth.steelTo = degrees(n[1]);
+             truth.steel = degrees(n[2]);
+         }},
     {.name = "sensor-per-ampere",
      .values = "DEGREES",
-     .text = "by which the motors' current turns its compass; 0 without it",
+     .text = "compass error in degrees for each ampere of the motors. Default 0",
      .min = -90.0,
      .max = 90.0,
      .set = [](SensorTruth& truth, const double* n) { truth.perAmpere = degrees(n[0]); }},
     {.name = "sensor-noise",
      .values = "DEGREES",
-     .text = "1 sigma of both angles; 0.5 without it",
+     .text = "noise of both angles, 1 sigma. Default 0.5",
      .min = 0.0,
      .max = 90.0,
      .set = [](SensorTruth& truth, const double* n) { truth.noise = degrees(n[0]); }},
     {.name = "sensor-calibration",
      .values = "SYS,GYR,ACC,MAG",
-     .text = "its own opinion of itself, 0 to 3 each; 3,3,3,3 without it",
+     .text = "calibration that the sensor reports, 0 to 3 each. Default 3,3,3,3",
      .min = 0.0,
      .max = 3.0,
      .set =

@@ -185,34 +185,36 @@ ExitStatus simulate(const SimulateOptions& options)
 }
 
 const std::string kDetails =
-    R"(  --pty PATH      be an fdcanusb adapter on a pseudo-terminal that PATH links to; clients may come and go
-  --can IFACE     answer on a CAN interface that is up, for instance vcan0
-  --sensor PATH   be its orientation sensor, too, on a pseudo-terminal that PATH links to: sensor.source = "serial",
-                  sensor.port = "PATH"
+    R"(  --pty PATH      simulate an fdcanusb adapter on a pseudo-terminal. PATH becomes a link to it. Programs may connect and
+                  disconnect
+  --can IFACE     reply on a CAN interface that is up, for example vcan0
+  --sensor PATH   simulate the orientation sensor, too, on a pseudo-terminal. PATH becomes a link to it. Set in the
+                  profile sensor.source = "serial", sensor.port = "PATH"
   --sensor-mqtt HOST[:PORT]
-                  and publish what it says at an MQTT broker, as its firmware does: without a user, nothing retained.
-                  sensor.source = "mqtt", mqtt.host = "HOST"; port 1883 without PORT. Its topics are those of the real
-                  sensor: whoever reads them at this broker, Boresight or a logger, takes it for the real sensor;
-                  --sensor-topics simulated/ keeps them apart (in the profile sensor.orientation_topic =
-                  "simulated/orientation", the other two alike)
-  --az-id N       id of the azimuth drive, 1…126; 1 without it
-  --el-id N       id of the elevation drive; 2 without it
-  --factory       boards fresh from the box: both with id 1, not referenced, bounds of ±0.01 turns; else a commissioned
-                  pair that can be driven at once
-  --print-truth   ten times a second how the axes really stand: seconds, degrees, °/s, mode and fault code of the drive
+                  publish the readings of the sensor at an MQTT broker, as its firmware does: without a user, and
+                  nothing retained. Default port: 1883. Set in the profile sensor.source = "mqtt", mqtt.host = "HOST".
+                  The topics are those of the real sensor, so every program that reads them at this broker uses the
+                  simulated sensor. To separate the two, add --sensor-topics simulated/ and set in the profile
+                  sensor.orientation_topic = "simulated/orientation", and the other two topics in the same way
+  --az-id N       id of the azimuth drive, 1…126. Default: 1
+  --el-id N       id of the elevation drive, 1…126. Default: 2
+  --factory       boards as delivered: both with id 1, not referenced, bounds of ±0.01 turns. Default: two commissioned
+                  drives
+  --print-truth   print the true state of the axes ten times a second: seconds, degrees, °/s, mode and fault code of the
+                  drive
 
-Prints "ready" when it answers and ends at SIGTERM or Ctrl-C. The mount starts at azimuth 0°, elevation 10°.
+Prints "ready" when it replies to commands. Ends at SIGTERM or Ctrl-C. The mount starts at azimuth 0°, elevation 10°.
 
-What the sensor and the mount below it hide, for the program to find:
+Errors of the sensor and the mount, for Boresight to find:
 )" + sensorHelp() +
     R"(  --sensor-topics PREFIX
-        its topics are PREFIXorientation, PREFIXcalibration and PREFIXstatus; antenna/ without it
+        topics PREFIXorientation, PREFIXcalibration and PREFIXstatus. Default: antenna/
   --sensor-orientation-only
-        publish only the first, as firmware since March 2026 does
+        publish only PREFIXorientation, as firmware since March 2026 does
 
-Faults to inject, each as often as you like. AXIS is az or el, both without it. START and DURATION are times like 5, 5s
-or 500ms on the mount's own clock; without them the fault is there from the beginning and for ever. Each is announced
-on standard error when it begins and ends.
+Faults to inject. Each option may be given several times. AXIS is az or el. Default: both axes. START and DURATION are
+times after the start of the simulation, like 5, 5s or 500ms. Without START a fault begins at once. Without DURATION it
+lasts until the end. Standard error shows when a fault begins and ends.
 )" + injectionHelp() +
     R"(
 Examples:
@@ -232,7 +234,7 @@ ExitStatus runSimulate(Arguments arguments)
 
 const Subcommand kSimulateCommand{.name = "simulate",
                                   .arguments = "--pty PATH | --can IFACE [OPTION …]",
-                                  .summary = "Be a mount: two simulated moteus controllers as a device of their own",
+                                  .summary = "Simulate a mount: two moteus controllers on a CAN bus",
                                   .details = kDetails,
                                   .run = runSimulate};
 

@@ -58,7 +58,7 @@ Result<> takeTopics(OptionReader& reader, SimulateOptions& options)
     return takeText("sensor-topics", reader, options.sensorTopics).and_then([&]() -> Result<> {
         return options.sensorTopics.find_first_of("+#") == std::string::npos
                    ? Result<>()
-                   : refuse(QStringLiteral("--sensor-topics \"%1\": + and # cannot be written to")
+                   : refuse(QStringLiteral("--sensor-topics \"%1\": a topic to write to must not have + or #")
                                 .arg(toQString(options.sensorTopics)));
     });
 }
@@ -132,9 +132,10 @@ Result<> check(const SimulateOptions& options)
     }
     const sim::PairSettings pair = options.pairSettings();
     if (!options.factory && pair.azimuth.config.id == pair.elevation.config.id) {
-        return refuse(QStringLiteral("both drives would have id %1: give --az-id or --el-id, or ask for it with "
-                                     "--duplicate-id")
-                          .arg(pair.azimuth.config.id));
+        return refuse(
+            QStringLiteral(
+                "both drives would have id %1: give --az-id or --el-id. To simulate this fault, use --duplicate-id")
+                .arg(pair.azimuth.config.id));
     }
     for (const sim::Injection& injection : options.injections) {
         if (isOfAdapter(injection.kind) && options.pty.empty()) {

@@ -240,12 +240,11 @@ Result<SkyOptions> parseEphemerisOptions(Arguments arguments)
             return failure(
                 ErrorCode::InvalidInput,
                 QStringLiteral(
-                    "--body and --radec need no elements: give either one of them, or --elements and --norad"));
+                    "--body and --radec need no elements: give only --body, only --radec, or --elements with --norad"));
         }
         if (!options.table.isEmpty() && (options.object || options.number || !options.elements.empty())) {
             return failure(ErrorCode::InvalidInput,
-                           QStringLiteral("--table stands for all else: leave out --elements, --norad, --body and "
-                                          "--radec"));
+                           QStringLiteral("--table is used alone: leave out --elements, --norad, --body and --radec"));
         }
         const bool isSatellite = !options.object && options.table.isEmpty();
         if (options.doppler && !isSatellite) {

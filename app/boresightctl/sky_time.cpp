@@ -20,7 +20,7 @@ Result<UtcTime> parseSkyTime(std::string_view text)
     const auto date = orbit::parseWrittenTime(text);
     if (!date) {
         return failure(ErrorCode::InvalidInput,
-                       QStringLiteral("\"%1\" is no time: expected UTC like 2024-05-10T04:50:02Z, or Unix seconds")
+                       QStringLiteral("\"%1\" is not a time: expected UTC like 2024-05-10T04:50:02Z, or Unix seconds")
                            .arg(orbit::quoted(text)));
     }
     return orbit::utcTime(*date);

@@ -32,13 +32,14 @@ QString doneText(local::LocalCommand command)
     switch (command) {
         case local::LocalCommand::Take:
             return QStringLiteral(
-                "The operator has the control. The station refuses motion commands of clients until release.");
+                "The operator has control. The station refuses motion commands of clients until release.");
         case local::LocalCommand::Release:
-            return QStringLiteral("The clients have the control. One of them may move the mount at once.");
+            return QStringLiteral("The clients have control. A client may move the mount at once.");
         case local::LocalCommand::ResetStop:
             return QStringLiteral("STOP is reset. Clients are refused until release.");
         case local::LocalCommand::OverrideWind:
-            return QStringLiteral("The mount may move in the wind for the time of the profile. Then it parks again.");
+            return QStringLiteral(
+                "The mount may move in the wind for the time of the profile. Then the mount parks again.");
         case local::LocalCommand::Stop:
         case local::LocalCommand::Track:
         case local::LocalCommand::Satellites:
@@ -161,10 +162,10 @@ const Subcommand kGotoCommand{.name = "goto",
                               .summary = "Send the mount of a running station to a direction",
                               .details = kWhichStation +
                                          R"(
-AZ and EL are true degrees. The command ends when the station has accepted the target. The motion goes on.
-The station treats it like the same command of any client. It refuses it while STOP is latched or while somebody else
-has the control. Of a direction outside the limits the profile says whether it is refused or the nearest permitted one
-is driven.
+AZ and EL are true directions in degrees. The command ends when the station has accepted the target. The motion goes on.
+The station treats the command like that of any client. It refuses the command while STOP is latched, and while the
+operator or another client has control. The profile sets what happens with a direction outside the limits: the station
+refuses it, or moves to the nearest permitted direction.
 )" + kExitStatus + R"(
 Example:
   boresightctl goto 113 10
@@ -176,14 +177,14 @@ const Subcommand kStopCommand{
     .arguments = "[--latched] [--station HOST:PORT]",
     .summary = "End the motion of the mount of a running station",
     .details = kWhichStation +
-               R"(  --latched            STOP as the button of the window: nothing moves the mount until reset-stop
+               R"(  --latched            STOP like the button of the window: nothing moves the mount until reset-stop
 
-The mount slows down and holds. Without --latched the next target of a client moves the mount again. With it the operator
-has the control afterwards. Switch off the power of the drives before you go to the mount.
+The mount slows down and holds. Without --latched the next target of a client moves the mount again. With --latched the
+operator has control afterwards. Switch off the power of the drives before you go to the mount.
 
-rotctld has no STOP that latches. So --latched goes through the local socket of the station,
-$XDG_RUNTIME_DIR/boresight/PORT.sock: on the computer of the station, for the user who started the station. The socket of
-the service is /run/boresight/PORT.sock, for root: use sudo.
+rotctld has no STOP that latches. So --latched uses the local socket of the station,
+$XDG_RUNTIME_DIR/boresight/PORT.sock. It works on the computer of the station, for the user who started the station. The
+service has the socket /run/boresight/PORT.sock, for root: use sudo.
 )" + kExitStatus +
                R"(
 Example:
@@ -196,7 +197,7 @@ const Subcommand kResetStopCommand{.name = "reset-stop",
                                    .summary = "Reset a latched STOP of a running station",
                                    .details = kWhichLocalStation + kLocalSocket +
                                               R"(
-It moves nothing, and it leaves the control with the operator. The station refuses it while the mount still slows down.
+This command moves nothing. The operator keeps control. The station refuses the command while the mount still slows down.
 )" + kExitStatus + R"(
 Example:
   boresightctl reset-stop && boresightctl release
@@ -209,7 +210,8 @@ const Subcommand kOverrideWindCommand{.name = "override-wind",
                                           "Let the operator move the mount of a running station in a strong wind",
                                       .details = kWhichLocalStation + kLocalSocket +
                                                  R"(
-It lasts for wind.override_min of the profile, and moves nothing. The station refuses it while the wind forbids nothing.
+The permission lasts for wind.override_min of the profile. This command moves nothing. The station refuses the command
+while the wind forbids nothing.
 )" + kExitStatus + R"(
 Example:
   boresightctl override-wind
@@ -218,11 +220,11 @@ Example:
 
 const Subcommand kTakeCommand{.name = "take",
                               .arguments = "[--station HOST:PORT]",
-                              .summary = "Take the control of a running station from its clients",
+                              .summary = "Take control of a running station from its clients",
                               .details = kWhichLocalStation + kLocalSocket +
                                          R"(
-The motion of a client ends, and the mount holds. The station refuses motion commands of clients until release: also goto
-and park of boresightctl.
+The motion of a client ends, and the mount holds. The station refuses motion commands of clients until release. This
+includes goto and park of boresightctl.
 )" + kExitStatus + R"(
 Example:
   boresightctl take
@@ -231,11 +233,11 @@ Example:
 
 const Subcommand kReleaseCommand{.name = "release",
                                  .arguments = "[--station HOST:PORT]",
-                                 .summary = "Give the control of a running station back to its clients",
+                                 .summary = "Give control of a running station back to its clients",
                                  .details = kWhichLocalStation + kLocalSocket +
                                             R"(
-It moves nothing by itself. A client that still sends its target moves the mount at once. The station refuses it while
-STOP is latched.
+This command moves nothing. A client that still sends its target moves the mount at once. The station refuses the command
+while STOP is latched.
 )" + kExitStatus + R"(
 Example:
   boresightctl release
@@ -247,7 +249,7 @@ const Subcommand kParkCommand{.name = "park",
                               .summary = "Send the mount of a running station to its park position",
                               .details = kWhichStation +
                                          R"(
-The command ends when the station has accepted it. The motion goes on.
+The command ends when the station has accepted the park position as its target. The motion goes on.
 )" + kExitStatus + R"(
 Example:
   boresightctl park --station mast.example:4533
@@ -258,12 +260,12 @@ const Subcommand kStatusCommand{.name = "status",
                                 .arguments = "[--station HOST:PORT] [--format text|json]",
                                 .summary = "Show what the mount of a running station does",
                                 .details = kWhichStation +
-                                           R"(  --format text|json   text without it
+                                           R"(  --format text|json   default: text
 
-Prints the station, its state, and where the mount points. A station of this user on this computer reports by its local
-socket the state that its window shows (TRACK, HOLD, …), the motion, the wind, and whether its transmit output is on.
-Of a station on another computer only rotctld reports. The state is then MOVING, or SLOW OR NOT MOVING: rotctld reports
-no motion below 0.02°/s, as while the mount tracks the Moon.
+Prints the station, its state, and where the mount points. A station of this user on this computer also reports by its
+local socket: the state that its window shows (TRACK, HOLD, …), the motion, the wind, and whether the transmit output is
+on. A station on another computer reports only by rotctld. Its state is MOVING, or SLOW OR NOT MOVING: rotctld reports no
+motion below 0.02°/s, for example while the mount tracks the Moon.
 )" + kExitStatus + R"(
 Example:
   boresightctl status --format json

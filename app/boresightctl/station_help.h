@@ -10,22 +10,21 @@
 namespace boresight::ctl {
 
 inline const std::string kExitStatus =
-    "Exit status: 0 done, 1 the station refused it, 2 the command line makes no sense, 3 no station answered in 2 s.\n";
+    "Exit status: 0 done, 1 the station refused it, 2 the command line is wrong, 3 no station answered in 2 s.\n";
 
 inline const std::string kWhichStation =
-    R"(  --station HOST:PORT  the rotctld port of the station; 127.0.0.1:4533 without it
+    R"(  --station HOST:PORT  the rotctld port of the station. Default: 127.0.0.1:4533
 )";
 
 inline const std::string kWhichLocalStation =
-    R"(  --station HOST:PORT  the rotctld port of the station; 127.0.0.1:4533 without it
+    R"(  --station HOST:PORT  the rotctld port of the station. Default: 127.0.0.1:4533
                        HOST is localhost, 127.0.0.1 or ::1: the station runs on this computer
 )";
 
 inline const std::string kLocalSocket =
     R"(
-The command goes through the local socket of the station, $XDG_RUNTIME_DIR/boresight/PORT.sock. It works on the computer
-of the station, for the user who started the station. The socket of the service is /run/boresight/PORT.sock, for root: use
-sudo.
+The command uses the local socket of the station, $XDG_RUNTIME_DIR/boresight/PORT.sock. It works on the computer of the
+station, for the user who started the station. The service has the socket /run/boresight/PORT.sock, for root: use sudo.
 )";
 
 // Prints why nothing was done: the station refused, or nobody answers.

@@ -27,7 +27,7 @@ void complain(const Subcommand& subcommand, const QString& text)
 ExitStatus usageError(const Subcommand& subcommand, const QString& text)
 {
     complain(subcommand, text);
-    app::printError(QStringLiteral("usage: boresightctl %1 %2\n\"boresightctl help %1\" explains it")
+    app::printError(QStringLiteral("usage: boresightctl %1 %2\n\"boresightctl help %1\" explains this command")
                         .arg(toQString(subcommand.name), toQString(subcommand.arguments)));
     return kUsage;
 }

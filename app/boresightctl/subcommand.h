@@ -56,7 +56,7 @@ void print(const std::string& text);
 void printLine(const QString& line);
 // Prints "boresightctl scan: TEXT" to standard error.
 void complain(const Subcommand& subcommand, const QString& text);
-// The same, followed by where to read about the usage.
+// The same, followed by how to get the usage.
 ExitStatus usageError(const Subcommand& subcommand, const QString& text);
 
 }  // namespace boresight::ctl

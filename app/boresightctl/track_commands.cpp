@@ -56,7 +56,7 @@ ExitStatus runTrack(Arguments arguments)
     if (!answer) {
         return failedBy(kTrackCommand, answer.error());
     }
-    printLine(QStringLiteral("The station tracks %1. The operator has the control: clients are refused until release.")
+    printLine(QStringLiteral("The station tracks %1. The operator has control: clients are refused until release.")
                   .arg(QString::fromUtf8(answer->trimmed())));
     return kDone;
 }
@@ -99,28 +99,29 @@ const Subcommand kTrackCommand{.name = "track",
                                .details = kWhichLocalStation +
                                           R"(
 TARGET is one of these. Capital and small letters are the same.
-  25544, noaa 19, iss         a satellite that the station knows: its number, its name, or words that only its name has
+  25544, noaa 19, iss         a satellite that the station knows: its number, its name, or words found only in its name
   sun, moon, mercury, venus, mars, jupiter, saturn, uranus, neptune
   cas-a, cyg-a, tau-a, vir-a, sgr-a   radio sources
   radec HOURS,DEGREES         a place among the stars: J2000, each as a number or like 12:30:49.4
-  azel AZIMUTH,ELEVATION      a direction that stays, in degrees
-  IM58kr                      a Maidenhead locator: the bearing to it. "IM58kr long": the long path
+  azel AZIMUTH,ELEVATION      a fixed direction, in degrees
+  IM58kr                      the bearing to a Maidenhead locator. "IM58kr long": the long path
   place NORTH,EAST,HEIGHT     a position in degrees and metres above the ellipsoid of WGS-84
-  table FILE, oem FILE        the way that a file describes: a tracking table with a time, an azimuth and an elevation in each
-                              line, or a CCSDS OEM as KVN or XML. The station reads the file, as the user that it runs as.
-                              "ephemeris --table FILE" shows where it leads
+  table FILE, oem FILE        the path in a file: a tracking table with a time, an azimuth and an elevation in each line, or a
+                              CCSDS OEM as KVN or XML. The user of the station must be able to read the file.
+                              "ephemeris --table FILE" shows the path
   rotctld:HOST:PORT           where another rotator points, as its rotctld reports
   azel.dat                    the Moon of WSJT-X, MAP65 or QMAP (settings of azel)
   position                    the balloon or rocket whose positions the station receives (settings of position)
 )" + kLocalSocket +
                                           R"(
-The command ends when the station has accepted the target. The motion goes on. What rises and sets is followed until it
-sets, and then the mount holds. A table rises and sets with its ends, too. A target that rises within 30 minutes is
-waited for. Of all others that are below the horizon the station says when they rise. To a direction and to a place the mount goes and stays.
+The command ends when the station has accepted the target. The motion goes on. The mount tracks a target that rises and
+sets until the target sets. Then the mount holds. A table rises and sets with its ends, too. The mount waits for a target
+that rises within 30 minutes. For any other target below the horizon the station reports when it rises. The mount goes to
+a direction or a place and stays there.
 
-The station refuses it while STOP is latched, and while a client has the control: take comes first then. The operator has
-the control afterwards. release gives it back and ends the tracking. The Sun is refused while the profile keeps the beam
-away from it.
+The station refuses the command while STOP is latched, and while a client has control. In that case use take first. The
+operator has control afterwards. The command release gives control back to the clients and ends the tracking. The Sun is
+refused while the profile keeps the beam away from the Sun.
 )" + kExitStatus +
                                           R"(
 Example:
@@ -133,10 +134,10 @@ const Subcommand kSatellitesCommand{.name = "satellites",
                                     .arguments = "[--station HOST:PORT] [--format FORMAT]",
                                     .summary = "List the satellites that a running station knows",
                                     .details = kWhichLocalStation +
-                                               R"(  --format csv|table|json   csv without it
+                                               R"(  --format csv|table|json   default: csv
 )" + kLocalSocket + R"(
-Columns: name,norad,epoch_utc,age_days, in the order of the numbers. The age is that of the elements now, by the clock of
-this computer. Which files the station reads says the setting elements of its profile.
+Columns: name,norad,epoch_utc,age_days, in the order of the numbers. The age is the present age of the elements,
+by the clock of this computer. The setting elements of the profile names the files that the station reads.
 )" + kExitStatus + R"(
 Example:
   boresightctl satellites --format table

@@ -35,7 +35,7 @@ void announce(const QString& listening)
 Result<app::Options> readOptions()
 {
     return app::readOptions(QCoreApplication::arguments(),
-                            QStringLiteral("Boresight without a screen: rotctld server for a moteus antenna mount."))
+                            QStringLiteral("Boresight without a window: rotctld server for an antenna mount."))
         .map_error([](const app::NoStart& problem) { return problem.error; });
 }
 
@@ -46,7 +46,7 @@ Result<profile::Profile> readAgain(const app::Options& started)
         if (!started.isFirstStart() && QFileInfo(now.profilePath) != QFileInfo(started.profilePath)) {
             return failure(
                 ErrorCode::Refused,
-                QStringLiteral("boresightd runs with %1, which is not the current mount any more: restart it")
+                QStringLiteral("boresightd runs with %1. The current mount is another one: restart boresightd")
                     .arg(started.profilePath));
         }
         return now.profile;

@@ -142,7 +142,7 @@ inline constexpr std::array kAxisAlarms{
                .what = "%1",
                .action = QT_TRANSLATE_NOOP("Text", "Boresight does not stop the mount"),
                .remedy = QT_TRANSLATE_NOOP(
-                   "Text", "Check the supply, the battery and the cable. Lower the acceleration if they are right."),
+                   "Text", "Check the supply, the battery and the cable. If they are right, lower the acceleration."),
                .kin = AlarmKin::Drive,
                .examples = {"the supply of the azimuth fell to 20.5 V, below 21.0 V"}},
     AlarmEntry{.id = "axis.supply-low.stop",
@@ -151,7 +151,7 @@ inline constexpr std::array kAxisAlarms{
                .what = "%1",
                .action = QT_TRANSLATE_NOOP("Text", "Boresight stopped the mount and holds it"),
                .remedy = QT_TRANSLATE_NOOP(
-                   "Text", "Check the supply, the battery and the cable. Lower the acceleration if they are right."),
+                   "Text", "Check the supply, the battery and the cable. If they are right, lower the acceleration."),
                .thenRearm = true,
                .help = AlarmHelp::Rearm,
                .kin = AlarmKin::Drive,

@@ -29,7 +29,7 @@ inline constexpr std::array kDriveAlarms{
         .severity = Severity::Alarm,
         .what = QT_TRANSLATE_NOOP("Text", "The %1 is in fault without a fault code"),
         .action = QT_TRANSLATE_NOOP("Text", "The drive switched its output off. The other axis holds if its drive can"),
-        .remedy = QT_TRANSLATE_NOOP("Text", "Read its fault with boresightctl scan."),
+        .remedy = QT_TRANSLATE_NOOP("Text", "Read the fault of the drive with boresightctl scan."),
         .brief = QT_TRANSLATE_NOOP("Text", "in fault without a fault code"),
         .thenRearm = true,
         .help = AlarmHelp::Rearm,
@@ -68,7 +68,8 @@ inline constexpr std::array kDriveAlarms{
         .severity = Severity::Alarm,
         .what = QT_TRANSLATE_NOOP("Text", "The %1 switched itself off"),
         .action = QT_TRANSLATE_NOOP("Text", "Boresight ended the motion. Each axis holds if its drive still can"),
-        .remedy = QT_TRANSLATE_NOOP("Text", "Check its supply. Look for another program that stopped the drive."),
+        .remedy = QT_TRANSLATE_NOOP("Text",
+                                    "Check the supply of the drive. Look for another program that stopped the drive."),
         .thenRearm = true,
         .help = AlarmHelp::Rearm,
         .kin = AlarmKin::Drive,
@@ -80,25 +81,26 @@ inline constexpr std::array kDriveAlarms{
                .what = QT_TRANSLATE_NOOP("Text", "The %1 reports no credible position"),
                .action = QT_TRANSLATE_NOOP(
                    "Text", "Boresight ended the motion of the mount and commanded this drive to brake and hold"),
-               .remedy = QT_TRANSLATE_NOOP("Text", "Check its encoder and the CAN cable."),
+               .remedy = QT_TRANSLATE_NOOP("Text", "Check the encoder of the drive and the CAN cable."),
                .thenRearm = true,
                .help = AlarmHelp::Rearm,
                .kin = AlarmKin::Drive,
                .examples = {"azimuth drive"},
                .placeOf = "drive.fault"},
-    AlarmEntry{.id = "drive.disobeys",
-               .source = "%1 drive",
-               .severity = Severity::Alarm,
-               .what = QT_TRANSLATE_NOOP("Text", "The %1 answers but does not follow its commands"),
-               .action = QT_TRANSLATE_NOOP(
-                   "Text", "Boresight sends no more motion commands. The other axis holds if its drive can"),
-               .remedy = QT_TRANSLATE_NOOP(
-                   "Text", "Check its mode and fault. Look for another program that commands the drive."),
-               .thenRearm = true,
-               .help = AlarmHelp::Rearm,
-               .kin = AlarmKin::Drive,
-               .examples = {"azimuth drive"},
-               .placeOf = "drive.fault"},
+    AlarmEntry{
+        .id = "drive.disobeys",
+        .source = "%1 drive",
+        .severity = Severity::Alarm,
+        .what = QT_TRANSLATE_NOOP("Text", "The %1 answers but does not follow its commands"),
+        .action =
+            QT_TRANSLATE_NOOP("Text", "Boresight sends no more motion commands. The other axis holds if its drive can"),
+        .remedy = QT_TRANSLATE_NOOP(
+            "Text", "Check the mode and the fault of the drive. Look for another program that commands the drive."),
+        .thenRearm = true,
+        .help = AlarmHelp::Rearm,
+        .kin = AlarmKin::Drive,
+        .examples = {"azimuth drive"},
+        .placeOf = "drive.fault"},
     AlarmEntry{
         .id = "drive.silent",
         .source = "%1 drive",
@@ -133,7 +135,7 @@ inline constexpr std::array kDriveAlarms{
         .thenRearm = true,
         .help = AlarmHelp::Rearm,
         .kin = AlarmKin::Silence,
-        .examples = {"azimuth drive", "8 s", "The axis moved 0.4° while no reply came. Its position is continuous"},
+        .examples = {"azimuth drive", "8 s", "The axis moved 0.4° while no reply came. Its position is still known"},
         .identifying = 1,
         .placeOf = "drive.silent"},
     AlarmEntry{
@@ -188,8 +190,9 @@ inline constexpr std::array kDriveAlarms{
         .source = "%1 drive",
         .severity = Severity::Warning,
         .what = QT_TRANSLATE_NOOP("Text", "The %1 is active (mode: %2) without a command from Boresight"),
-        .action = QT_TRANSLATE_NOOP(
-            "Text", "Boresight leaves it alone until the first motion. STOP takes it over and holds it"),
+        .action = QT_TRANSLATE_NOOP("Text",
+                                    "Boresight commands this drive only from the first motion on. STOP takes the drive "
+                                    "over and holds its axis"),
         .remedy = QT_TRANSLATE_NOOP("Text", "End the program that commands the drive. If there is none, press STOP"),
         .examples = {"azimuth drive", "position"}},
     AlarmEntry{

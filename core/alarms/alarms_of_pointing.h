@@ -17,14 +17,15 @@ inline constexpr std::array kPointingAlarms{
                .what = QT_TRANSLATE_NOOP("Text", "The orientation sensor (%1) sends no data"),
                .action = QT_TRANSLATE_NOOP("Text", "Pointing continues, because the sensor is only a cross-check"),
                .remedy = "%2",
-               .examples = {"mqtt sensor/orientation", "Check its power, WiFi and cable"}},
+               .examples = {"mqtt sensor/orientation", "Check the power, WiFi and cable of the sensor"}},
     AlarmEntry{.id = "sensor.dead",
                .source = "sensor",
                .severity = Severity::Warning,
                .what = QT_TRANSLATE_NOOP("Text", "The orientation sensor sends only zeros"),
                .action = QT_TRANSLATE_NOOP("Text", "Pointing continues, because the sensor is only a cross-check"),
                .remedy = QT_TRANSLATE_NOOP(
-                   "Text", "Check the wires between its BNO055 and its board. Then switch the sensor off and on"),
+                   "Text",
+                   "Check the wires between the BNO055 of the sensor and its board. Then switch the sensor off and on"),
                .placeOf = "sensor.silent"},
     AlarmEntry{
         .id = "sensor.disagrees-azimuth",
@@ -64,15 +65,16 @@ inline constexpr std::array kPointingAlarms{
         .help = AlarmHelp::OpenNorth,
         .examples = {"40.3°"},
         .identifying = 0},
-    AlarmEntry{
-        .id = "limits.outside",
-        .source = "station",
-        .severity = Severity::Warning,
-        .what = QT_TRANSLATE_NOOP("Text", "The antenna stands in a forbidden direction: %1"),
-        .action = QT_TRANSLATE_NOOP("Text", "Boresight allows only motions that lead out. It starts none by itself"),
-        .remedy = QT_TRANSLATE_NOOP("Text", "Move the antenna out on the page Jog, or change the limits"),
-        .help = AlarmHelp::OpenLimits,
-        .examples = {"the keep-out \"mast\""}},
+    AlarmEntry{.id = "limits.outside",
+               .source = "station",
+               .severity = Severity::Warning,
+               .what = QT_TRANSLATE_NOOP("Text", "The antenna stands in a forbidden direction: %1"),
+               .action = QT_TRANSLATE_NOOP(
+                   "Text", "Boresight allows only motions that lead out. Boresight starts no motion by itself"),
+               .remedy = QT_TRANSLATE_NOOP(
+                   "Text", "Jog the antenna out of this direction on the page Jog, or change the limits"),
+               .help = AlarmHelp::OpenLimits,
+               .examples = {"the keep-out \"mast\""}},
     AlarmEntry{.id = "schedule.disarmed",
                .source = "schedule",
                .severity = Severity::Warning,
@@ -141,7 +143,7 @@ inline constexpr std::array kPointingAlarms{
                .what = QT_TRANSLATE_NOOP("Text", "The mount no longer follows another rotator: %1"),
                .action = QT_TRANSLATE_NOOP("Text", "Boresight ended the tracking. The mount holds"),
                .remedy = QT_TRANSLATE_NOOP(
-                   "Text", "Check that rotctld, its rotator and the limits of this mount. Then follow it again"),
+                   "Text", "Check rotctld, its rotator and the limits of this mount. Then track the rotator again"),
                .examples = {"rotctld:10.0.0.7:4533 does not answer"},
                .identifying = 0},
     AlarmEntry{.id = "azel.differs",
@@ -231,8 +233,8 @@ inline constexpr std::array kPointingAlarms{
                .what = QT_TRANSLATE_NOOP("Text", "The points on the page Sun/Moon were taken with another drive"),
                .action = QT_TRANSLATE_NOOP("Text", "Boresight no longer uses any of them"),
                .remedy = QT_TRANSLATE_NOOP("Text",
-                                           "Open the page North, drop the points and take new ones. On its page Model "
-                                           "you can use a point again that is still right"),
+                                           "Open the page North, drop the points and take new points. To keep a point "
+                                           "that is still right, press Use again on the page Model"),
                .help = AlarmHelp::OpenNorth},
     AlarmEntry{.id = "points.other-site",
                .source = "calibration",
@@ -240,8 +242,8 @@ inline constexpr std::array kPointingAlarms{
                .what = QT_TRANSLATE_NOOP("Text", "The points on the page Sun/Moon were taken at another site"),
                .action = QT_TRANSLATE_NOOP("Text", "Boresight no longer uses any of them"),
                .remedy = QT_TRANSLATE_NOOP("Text",
-                                           "Open the page North, drop the points and take new ones. On its page Model "
-                                           "you can use a point again that is still right"),
+                                           "Open the page North, drop the points and take new points. To keep a point "
+                                           "that is still right, press Use again on the page Model"),
                .help = AlarmHelp::OpenNorth,
                .placeOf = "points.other-drive"},
 };

@@ -45,15 +45,15 @@ inline constexpr std::array kRotatorAlarms{
         .remedy = "%1",
         .help = AlarmHelp::OpenProfile,
         .kin = AlarmKin::Silence,
-        .examples = {"Check its power, the cable, and its speed (bus.baud, 9600)"},
+        .examples = {"Check the power of the rotator, the cable, and the speed (bus.baud, 9600)"},
         .identifying = 0},
     AlarmEntry{.id = "rotator.silent",
                .source = "rotator",
                .severity = Severity::Alarm,
                .what = QT_TRANSLATE_NOOP("Text", "The rotator fell silent in motion"),
                .action = QT_TRANSLATE_NOOP("Text",
-                                           "Boresight sent a stop. Boresight sends another one as soon as an answer "
-                                           "comes. Until then the rotator may run to where it was sent last"),
+                                           "Boresight sent a stop, and sends another stop as soon as an answer comes. "
+                                           "Until then the rotator may run to its last target"),
                .remedy = QT_TRANSLATE_NOOP("Text", "Look at the mount. Check the power of the box and the cable."),
                .thenRearm = true,
                .help = AlarmHelp::Rearm,

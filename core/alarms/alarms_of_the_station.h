@@ -124,9 +124,9 @@ inline constexpr std::array kStationAlarms{
         .severity = Severity::Advisory,
         .what = QT_TRANSLATE_NOOP("Text", "Everybody who reaches the MQTT broker %1 can move the mount"),
         .action = QT_TRANSLATE_NOOP("Text", "Boresight obeys the commands of the broker"),
-        .remedy = QT_TRANSLATE_NOOP("Text",
-                                    "Give the broker users and passwords, and enter those of Boresight on the page "
-                                    "Profile (mqtt.user)"),
+        .remedy = QT_TRANSLATE_NOOP(
+            "Text",
+            "Set users and passwords at the broker. Enter the user of Boresight on the page Profile (mqtt.user)"),
         .help = AlarmHelp::OpenProfile,
         .examples = {"broker.lan:1883"}},
     AlarmEntry{
@@ -136,7 +136,8 @@ inline constexpr std::array kStationAlarms{
         .what = "%1",
         .action = QT_TRANSLATE_NOOP("Text", "Boresight commands nothing and accepts no client"),
         .remedy = QT_TRANSLATE_NOOP(
-            "Text", "End the other program, then press Reconnect. If it is another mount, give this one another name"),
+            "Text",
+            "End the other program, then press Reconnect. If it controls another mount, give this mount another name"),
         .help = AlarmHelp::Reconnect,
         .examples = {"another program controls this mount"}},
     AlarmEntry{
@@ -163,7 +164,7 @@ inline constexpr std::array kStationAlarms{
         .source = "transmit",
         .severity = Severity::Warning,
         .what = QT_TRANSLATE_NOOP("Text", "The transmit output %1 does not work: %2"),
-        .action = QT_TRANSLATE_NOOP("Text", "Boresight counts it as off and tries to switch it again"),
+        .action = QT_TRANSLATE_NOOP("Text", "Boresight counts the output as off and tries to switch it again"),
         .remedy = QT_TRANSLATE_NOOP("Text",
                                     "Do not transmit: the output may still be on. Check it, or choose another one "
                                     "(transmit.output on the page Profile)"),
@@ -211,8 +212,8 @@ inline constexpr std::array kStationAlarms{
         .id = "wind.silent",
         .source = "wind",
         .severity = Severity::Warning,
-        .what = QT_TRANSLATE_NOOP("Text", "The wind is unknown. No reading came since %1"),
-        .action = QT_TRANSLATE_NOOP("Text", "Boresight does not park the mount because of that"),
+        .what = QT_TRANSLATE_NOOP("Text", "The wind is unknown. No reading has come since %1"),
+        .action = QT_TRANSLATE_NOOP("Text", "Boresight does not park the mount"),
         .remedy = QT_TRANSLATE_NOOP("Text",
                                     "Check the anemometer and its program, and wind.source on the page Profile. Park "
                                     "the mount if a strong wind is possible"),

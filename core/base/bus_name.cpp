@@ -21,7 +21,7 @@ Result<BusName> parseInterface(std::string_view name)
     constexpr std::size_t kMaxLength = 15;  // IFNAMSIZ without the terminating zero
     if (name.empty()) {
         return failure(ErrorCode::InvalidInput,
-                       Text::tr("bus 'socketcan:' names no interface; write for example socketcan:can0"));
+                       Text::tr("bus 'socketcan:' names no interface. Write for example socketcan:can0"));
     }
     if (name.size() > kMaxLength || name.find_first_of("/ ") != std::string_view::npos || hasControlCharacters(name)) {
         return failure(ErrorCode::InvalidInput,
@@ -35,10 +35,10 @@ Result<BusName> parsePath(BusKind kind, std::string_view path, const char* examp
 {
     if (path.empty()) {
         return failure(ErrorCode::InvalidInput,
-                       Text::tr("the bus names no port; write for example %1").arg(QLatin1String(example)));
+                       Text::tr("the bus names no port. Write for example %1").arg(QLatin1String(example)));
     }
     if (hasControlCharacters(path)) {
-        return failure(ErrorCode::InvalidInput, Text::tr("a port's path has no control characters"));
+        return failure(ErrorCode::InvalidInput, Text::tr("the path of a port must not have control characters"));
     }
     return BusName{.kind = kind, .target = std::string(path)};
 }
@@ -58,7 +58,7 @@ Result<BusName> parseHost(BusKind kind, std::string_view text, const char* examp
                      host.find_first_of(" []/") != std::string_view::npos || hasControlCharacters(host);
     if (odd || !port || *port < 1 || *port > 65535) {
         return failure(ErrorCode::InvalidInput,
-                       Text::tr("'%1' is no address with a port; write for example %2")
+                       Text::tr("'%1' is not an address with a port. Write for example %2")
                            .arg(toQString(printable(std::string(text))), QLatin1String(example)));
     }
     return BusName{.kind = kind, .target = std::string(host), .port = static_cast<std::uint16_t>(*port)};

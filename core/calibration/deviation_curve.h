@@ -20,7 +20,7 @@
 // (withNorthMoved()), not to a heading, because a heading may count counter-clockwise. Pure values.
 namespace boresight::calibration {
 
-// Which way the sensor's angle grows when the mount turns clockwise, seen from above.
+// The direction in which the sensor's angle grows, seen from above, when the mount turns clockwise.
 using AzimuthSense = orientation::Sense;
 
 // An arc of true headings, clockwise from `from` to `to` (the whole circle if both are equal), in which iron disturbs
@@ -61,7 +61,7 @@ struct DeviationCurve
     [[nodiscard]] Angle sigmaAt(Angle otherElevation) const;
     [[nodiscard]] Angle firstAmplitude() const;
     [[nodiscard]] Angle secondAmplitude() const;
-    // Each reading has exactly one heading: the curve nowhere falls nearly as fast as the heading grows.
+    // Each reading has exactly one heading. That holds while the curve never falls nearly as fast as the heading grows.
     [[nodiscard]] bool isInvertible() const;
 
     // The curve for the same readings after true north was corrected: the heading ψ becomes ψ + correction.

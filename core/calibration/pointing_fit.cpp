@@ -101,7 +101,7 @@ private:
                        : Text::tr("kept at its known value until there are %1 points").arg(fewest);
         }
         return state == TermState::Held ? Text::tr("its known value counts as much as the points")
-                                        : Text::tr("the points do not need it");
+                                        : Text::tr("the points fit without this term");
     }
 
     void takeResiduals(const TermChoice& choice)
@@ -140,7 +140,7 @@ private:
             }
             const auto& leftOut = m_fit.points[i].leftOut;
             if (choice.chances[place++] < kUnlikely && leftOut) {
-                say(Text::tr("Point %1 is %2 away from where the other points put it.")
+                say(Text::tr("Point %1 is %2 away from the fit of the other points.")
                         .arg(i + 1)
                         .arg(inWords(leftOut->size(), 2)));
             }
@@ -157,7 +157,7 @@ private:
         if (m_used.size() > 1 && lever(*high) - lever(*low) < kLeastLever) {
             say(
                 Text::tr("All points have nearly the same elevation, so azimuth offset and collimation cannot be "
-                         "separated. Take one point much higher or lower, or one over the top."));
+                         "separated. Take a point much higher or lower, or a point over the top."));
         }
         if (m_used.size() >= fewestPoints(Term::TiltNorth) && arc() < Angle::fromDegrees(kPointingFitLeastArc)) {
             say(Text::tr("All points lie within %1 of azimuth. They show the tilt from one side only.")

@@ -40,7 +40,7 @@ inline constexpr std::array<Term, kTerms> kAllTerms = {
 [[nodiscard]] std::string_view nameOf(Term term);
 [[nodiscard]] std::optional<Term> termOfName(std::string_view name);
 
-// What is known before a point was taken. The azimuth offset may be unknown.
+// The knowledge about a term before any point was taken. The azimuth offset may be unknown.
 struct TermKnowledge
 {
     std::array<std::optional<Estimate>, kTerms> terms;

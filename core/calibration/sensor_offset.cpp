@@ -44,7 +44,7 @@ Result<> isCalibrated(std::optional<int> magnetometer, std::optional<int> system
     }
     if (system.value_or(needed) < needed) {
         return failure(ErrorCode::Refused, Text::tr("System calibration of the sensor is %1 of 3, but %2 is needed. "
-                                                    "Its heading is not tied to magnetic north yet.")
+                                                    "Its heading is not referred to magnetic north yet.")
                                                .arg(*system)
                                                .arg(needed));
     }

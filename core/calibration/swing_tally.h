@@ -13,7 +13,7 @@
 // Which readings of a swing are used, and what they show while the mount still turns. Pure.
 namespace boresight::calibration {
 
-// How many readings had which fate.
+// Counts how many readings of a swing were used or left out, and why.
 class SwingTally
 {
 public:

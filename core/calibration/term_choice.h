@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-// Which terms of the pointing model the points require. A step of fitPointing(); pure.
+// Chooses the terms of the pointing model that the points require. A step of fitPointing(); pure.
 namespace boresight::calibration {
 
 struct TermChoice
@@ -17,8 +17,8 @@ struct TermChoice
     pointing::PointingTerms terms;
     std::array<Angle, kTerms> sigmas;               // with all terms uncertain
     std::vector<std::optional<SkyOffset>> leftOut;  // of each point, by a fit without it
-    // Of each point: the probability that a good point is this far from where the others expect it. 1 if the points are
-    // too few.
+    // For each point: the probability that a good point is this far from where the other points expect it. 1 if there
+    // are too few points.
     std::vector<double> chances;
     double chiSquare = 0.0;
     double degreesOfFreedom = 0.0;

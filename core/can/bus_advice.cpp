@@ -55,7 +55,7 @@ QString silenceAdvice(const BusName& bus)
                                   "which drives answer.");
     const QStringList sentences{
         Text::tr(
-            "Are the drives powered, is the cable plugged in at both ends, is there 120 ohm at both ends of the bus?"),
+            "Are the drives powered? Is the cable plugged in at both ends? Does the bus have 120 ohm at both ends?"),
         timingAdvice(bus), who.arg(toQString(toString(bus)))};
     return sentences.join(QLatin1Char(' '));
 }

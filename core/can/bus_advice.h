@@ -14,8 +14,8 @@ namespace boresight {
 // For frames that are damaged on the bus.
 [[nodiscard]] QString errorAdvice();
 
-// For a bus that is up while the drives are silent: everything that keeps a drive from receiving or answering, the most
-// likely reason first, with the command that shows the settings. Whole sentences.
+// For a bus that is up although the drives are silent. Lists everything that keeps a drive from receiving or answering,
+// the most likely reason first, with the command that shows the settings. Complete sentences.
 [[nodiscard]] QString silenceAdvice(const BusName& bus);
 
 }  // namespace boresight

@@ -21,7 +21,7 @@ namespace boresight {
 class AntennaChoice
 {
 public:
-    // What the station tracks by itself.
+    // A target that the station tracks by itself.
     struct Tracked
     {
         std::optional<std::int64_t> satellite;  // its own antenna is used; empty: the chosen one is
@@ -51,7 +51,7 @@ public:
     Result<> choose(const std::string& name);
     void track(const std::optional<Tracked>& tracked);
     void endTracking();
-    // The mount stands still. A target whose tracking is over chooses the antenna no more.
+    // The mount stands still. If the tracking of a satellite has ended, its antenna is not used any more.
     void release();
     // The antenna may have another name or another beam in `after`. If it is gone, the main antenna is in use.
     void profileChanged(const profile::Profile& before, const profile::Profile& after);

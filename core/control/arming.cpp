@@ -16,7 +16,7 @@ constexpr std::chrono::seconds kQuietAfterReturn{1};
 Result<> operatorOnly(const Source& source)
 {
     if (source.kind != SourceKind::Operator) {
-        return failure(ErrorCode::Refused, Text::tr("only the operator does this"));
+        return failure(ErrorCode::Refused, Text::tr("only the operator may do this"));
     }
     return {};
 }

@@ -61,7 +61,7 @@ public:
     [[nodiscard]] std::optional<QString> turnBackText() const;
 
 private:
-    // What the alarm says.
+    // The present content of the alarm.
     struct Told
     {
         Severity severity;

@@ -117,8 +117,8 @@ Result<> ClientControl::admits(const Rules& rules, const Source& client, SteadyT
 {
     return mayAct(rules, client, now).and_then([&]() -> Result<> {
         if (waits(client.clientId)) {
-            return failure(ErrorCode::Refused, Text::tr("Another client re-armed the drives while this one kept "
-                                                        "sending. Pause it for %1 s, or send R 1.")
+            return failure(ErrorCode::Refused, Text::tr("Another client re-armed the drives while this client kept "
+                                                        "sending. Pause this client for %1 s, or send R 1.")
                                                    .arg(kRelease.count()));
         }
         return {};

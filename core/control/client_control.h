@@ -12,9 +12,9 @@
 #include <optional>
 #include <string>
 
-// Which of several clients may move the mount. The rule in the profile is one of three. "First": the first client has
-// control until it leaves or has asked for no motion during kRelease. "Last": the client that asked last. "Locked":
-// only the host that the mount is locked to. The operator can give control to a client, and can make a client
+// Decides which of several clients may move the mount. The rule in the profile is one of three. "First": the first
+// client has control until it leaves or has asked for no motion during kRelease. "Last": the client that asked last.
+// "Locked": only the host that the mount is locked to. The operator can give control to a client, and can make a client
 // read-only for as long as it is connected. This class does not decide about reading and stopping. StationControl asks
 // it: it starts no motion and ends none. The caller gives the time. Station thread only.
 namespace boresight {
@@ -63,8 +63,9 @@ public:
     // The operator takes control from the clients. Returns the name of the client that had it. Empty: no client had
     // it.
     QString taken(SteadyTime now);
-    // A connected client would move the mount if the operator gave control back: it asks for motions, or it had
-    // control and continues to read the position. A program that connects for each command counts once it asks again.
+    // A connected client would move the mount if the operator gave control back: it asks for motions, or it had control
+    // and continues to read the position. A program that connects for each command counts only after it has asked
+    // again.
     [[nodiscard]] bool isWanted(const Rules& rules, SteadyTime now) const;
     // Clients may move the mount again. The client that had control before the operator continues with it.
     void resume(SteadyTime now);

@@ -114,7 +114,7 @@ QString ClientDesk::controlObstacle(const ClientStatus& client) const
     if (view.profile.rotctld.control == profile::ControlRule::Last) {
         return Text::tr("the client that sent last has control");
     }
-    return client.inControl ? Text::tr("it has control") : QString();
+    return client.inControl ? Text::tr("this client has control") : QString();
 }
 
 void ClientDesk::describe(ClientStatus& client, const std::optional<SteadyTime>& lastMotion) const
@@ -129,7 +129,7 @@ void ClientDesk::describe(ClientStatus& client, const std::optional<SteadyTime>&
     client.controlObstacle = controlObstacle(client);
     if (const QString reason = StatusReport(view).limitedReason(); client.driving && !reason.isEmpty()) {
         client.advice =
-            Text::tr("asks for a position outside the limits (%1). The mount goes to the nearest permitted one")
+            Text::tr("asks for a position outside the limits (%1). The mount goes to the nearest permitted position")
                 .arg(reason);
     }
 }

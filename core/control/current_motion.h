@@ -9,8 +9,8 @@
 #include <cstdint>
 #include <optional>
 
-// What the mount does now, for which source, and how the log and the screen describe it. Decides nothing. Motion has
-// the set-points. Pure, one thread.
+// The present motion of the mount: its kind, its source, and its description for the log and the screen. Decides
+// nothing. Motion has the set-points. Pure, one thread.
 namespace boresight {
 
 enum class Activity

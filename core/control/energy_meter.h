@@ -18,7 +18,7 @@ namespace boresight {
 class EnergyMeter
 {
 public:
-    // Once per tick. A new `motion id` (motion id) begins a new motion.
+    // Once per tick. Another motion id begins a new motion.
     void look(const MountDriver& mount, bool moves, std::uint64_t motionId, SteadyTime now);
 
     [[nodiscard]] PowerStatus status() const;
@@ -38,7 +38,7 @@ private:
 
     std::optional<double> m_total;
     std::array<std::optional<SteadyTime>, 2> m_heard;
-    std::optional<Course> m_running;      // with the energy since the mount stood
+    std::optional<Course> m_running;      // also counts the energy after the mount last moved
     std::optional<MotionEnergy> m_shown;  // m_running as it was when the mount last moved
     std::optional<MotionEnergy> m_last;
 };

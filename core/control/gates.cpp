@@ -12,7 +12,7 @@
 
 namespace boresight {
 
-// The obstacles that also concern parking are named before the wind.
+// The wind is checked last, because the other reasons also forbid parking.
 Result<> Gates::isWindFine() const
 {
     return m_of.arming.isReady().and_then([this] { return m_of.wind.admits(); });
@@ -48,9 +48,10 @@ Result<> Gates::mayHold(const Source& source) const
 Result<> Gates::isPlaced(Axis axis) const
 {
     if (!m_of.mount.report(axis).wrapKnown) {
-        return failure(ErrorCode::Refused,
-                       Text::tr("The cable wrap of the %1 is unknown. Enter where the axis is. Only slow jog works.")
-                           .arg(m_of.mount.label(axis)));
+        return failure(
+            ErrorCode::Refused,
+            Text::tr("The cable wrap of the %1 is unknown. Enter the position of the axis. Only slow jog works.")
+                .arg(m_of.mount.label(axis)));
     }
     return {};
 }
@@ -296,7 +297,7 @@ Result<> Gates::hasService() const
 {
     return m_of.mount.service() != nullptr
                ? Result<>{}
-               : failure(ErrorCode::NotAvailable, Text::tr("this rotator does not offer this"));
+               : failure(ErrorCode::NotAvailable, Text::tr("this rotator does not have this function"));
 }
 
 Result<> Gates::drivesAnswer() const
@@ -411,7 +412,7 @@ bool Gates::isInSunBand(const AxisPosition& place) const
     return m_of.mount.wrapsKnown() && m_of.sun.mayBeAt(m_of.model.toSky(place), m_of.model.missing());
 }
 
-// Nobody knows where in the band the Sun is. So no way out of the band is known to be safe.
+// The Sun may be anywhere in the band, so no way out of the band is known to be safe.
 Result<> Gates::mayLeaveSunBand(const AxisRates& rates, const Source& source) const
 {
     const AngularRate fastest = m_of.profile.jog.unwind;
@@ -442,7 +443,8 @@ Result<> Gates::mayGiveControl() const
     }
     for (const Axis axis : kAxes) {
         if (m_of.mount.report(axis).wrapAsked) {
-            return isPlaced(axis);  // the operator has to answer first, and clients could not move the mount
+            // The operator must answer which wrap the axis is on. Before that, clients could not move the mount.
+            return isPlaced(axis);
         }
     }
     return {};
@@ -453,18 +455,18 @@ Result<> Gates::mayGiveControlTo(std::uint64_t clientId) const
     return mayGiveControl().and_then([&] { return m_of.clientControl.mayBeGiven(m_of.profile.rotctld, clientId); });
 }
 
-// The axes that belong to a direction are others then: what follows directions would set off for them, and what is on
-// its way to one would arrive beside it.
+// The change gives other axis angles to a direction. A tracking mount would leave its target, and a mount on its way to
+// a direction would arrive beside it.
 Result<> Gates::mayChangePointing() const
 {
     if (m_of.current.is(Activity::Streaming)) {
         return failure(ErrorCode::Refused,
-                       Text::tr("The mount tracks a target, and the change would move it. Press Hold first."));
+                       Text::tr("The mount tracks a target, and the change would move the mount. Press Hold first."));
     }
     const bool goes = m_of.current.is(Activity::Pointing) || m_of.current.is(Activity::Placing);
     if (goes && !StatusReport(m_of).arrived()) {
-        return failure(ErrorCode::Refused, Text::tr("The mount is on its way to a target, and the change would move "
-                                                    "it. Wait until it is there, or press Hold."));
+        return failure(ErrorCode::Refused, Text::tr("The mount moves to a target, and the change would move the mount "
+                                                    "elsewhere. Wait until it stands still, or press Hold."));
     }
     return {};
 }
@@ -473,9 +475,9 @@ Result<> Gates::usesMainAntenna() const
 {
     const pointing::Antenna& antenna = m_of.antenna.inUse();
     return antenna.isMain() ? Result<>{}
-                            : failure(ErrorCode::Refused, Text::tr("Antenna \"%1\" is in use. North is found with "
-                                                                   "the antenna \"main\". Use that one first.")
-                                                              .arg(toQString(antenna.name)));
+                            : failure(ErrorCode::Refused,
+                                      Text::tr("Antenna \"%1\" is in use. Use the antenna \"main\" to find north.")
+                                          .arg(toQString(antenna.name)));
 }
 
 Result<> Gates::mayUseAntenna() const

@@ -8,8 +8,8 @@
 #include <chrono>
 #include <cstdint>
 
-// Whether the mount may move now, for every source of motion. Each gate returns the reason of a refusal in words.
-// Reads the parts of the control and changes nothing. Station thread only.
+// Decides for every source of motion whether the mount may move now. Each gate returns the reason of a refusal in
+// words. Reads the parts of the control and changes nothing. Station thread only.
 namespace boresight {
 
 // A measured position older than this does not count.
@@ -20,68 +20,74 @@ class Gates
 public:
     explicit Gates(const ControlParts& parts) : m_of(parts) {}
 
-    // Whether this source has the control, as far as the operator and the other clients are concerned.
+    // This source may command the mount now: neither the operator nor another client has control instead.
     [[nodiscard]] Result<> mayCommand(const Source& source) const;
-    // A shell of this computer may move the mount as a client could: no client loses the control by it.
+    // A shell of this computer may move the mount when a client of this computer could. No client loses control by
+    // this.
     [[nodiscard]] Result<> mayShellCommand() const;
-    // Armed, no proof is running, and the wind permits it.
+    // The mount is armed, no crash-stop test is running, and the wind permits the motion.
     [[nodiscard]] Result<> mayMove(const Source& source) const;
-    // Something goes on that Hold ends, or could begin.
+    // Hold is useful: the mount moves, or it could be moved.
     [[nodiscard]] Result<> mayHold(const Source& source) const;
-    [[nodiscard]] Result<> mayPoint(const Source& source) const;                        // anywhere
-    [[nodiscard]] Result<> mayPark(const Source& source) const;                         // also in a strong wind
-    [[nodiscard]] Result<> mayJog(const AxisRates& rates, const Source& source) const;  // or is jogged slowly
-    [[nodiscard]] Result<> axesPlaced() const;  // each on a wrap that is known, and not far outside its travel
-    // While the clock is doubted: from where the Sun can be only the operator's slow jog leads out.
+    [[nodiscard]] Result<> mayPoint(const Source& source) const;  // to any place
+    [[nodiscard]] Result<> mayPark(const Source& source) const;   // to the park position, also in a strong wind
+    [[nodiscard]] Result<> mayJog(const AxisRates& rates, const Source& source) const;  // where necessary only slowly
+    [[nodiscard]] Result<> axesPlaced() const;  // on known wraps and not far outside the travel
+    // While the clock is not trusted, the Sun may be anywhere in its band. If the mount stands in the band, only the
+    // operator may jog it, and slowly.
     [[nodiscard]] Result<> mayLeaveSunBand(const AxisRates& rates, const Source& source) const;
     [[nodiscard]] bool isInSunBand(const AxisPosition& place) const;
-    // The profile lets the beam at the Sun itself.
+    // The profile permits pointing the beam at the Sun.
     [[nodiscard]] Result<> mayFaceSun() const;
-    // At most this fast by hand, whatever the direction.
+    // The fastest jog by hand that is permitted now, in any direction.
     [[nodiscard]] AngularRate fastestJog() const;
-    // The axis is not at the end of its travel, as measured. On an unknown wrap the angles do not show that.
+    // The measured axis is not at the end of its travel in this direction. While the wrap is unknown, the angles do not
+    // show the end, so the gate is open.
     [[nodiscard]] Result<> isWayOn(Axis axis, bool upwards) const;
-    [[nodiscard]] Result<> mayBeAt(const AxisPosition& place) const;  // travel, limits, horizon and keep-outs
+    [[nodiscard]] Result<> mayBeAt(const AxisPosition& place) const;  // inside travel, limits, horizon and keep-outs
     [[nodiscard]] AxisPosition home() const;
-    [[nodiscard]] AxisPosition park() const;  // in a strong wind the place for that
-    [[nodiscard]] bool isAtPark() const;      // the axes stand there, as measured
-    // The same direction, where the azimuth cable is wound least.
+    [[nodiscard]] AxisPosition park() const;  // in a strong wind: the stow position
+    [[nodiscard]] bool isAtPark() const;      // as measured
+    // The same direction on the wrap on which the azimuth cable is wound least.
     [[nodiscard]] Result<AxisPosition> unwound() const;
-    // To a client 95° is the equal direction behind the zenith; an operator who asks for it has slipped.
+    // A client may send 95° for the same direction behind the zenith. For an operator 95° is a typing error, so it is
+    // refused unless the axis can go there.
     [[nodiscard]] Result<> isElevation(Angle elevation) const;
     [[nodiscard]] Result<> hasAxis(Axis axis) const;
-    [[nodiscard]] Result<> isFresh(Axis axis) const;  // measured within kOldestPosition
-    // It stands still at an angle that is known and fresh, which may be given another number.
+    [[nodiscard]] Result<> isFresh(Axis axis) const;  // its position is not older than kOldestPosition
+    // The angle of the axis may be set to another number: the axis stands still, and its angle is known and fresh.
     [[nodiscard]] Result<> maySet(Axis axis) const;
 
-    [[nodiscard]] Result<> drivesRest() const;  // for what is done to the drives themselves
+    [[nodiscard]] Result<> drivesRest() const;  // required for work on the drives themselves
     [[nodiscard]] Result<> mayReadDrives() const;
     [[nodiscard]] Result<> mayFixDrives() const;
-    [[nodiscard]] Result<> mayChangeBoards() const;  // an id or a gear; also where not every drive answers
+    [[nodiscard]] Result<> mayChangeBoards() const;  // an id or a gear ratio; some drives may be silent
     [[nodiscard]] Result<> maySwitchOff() const;
     [[nodiscard]] Result<> maySwitchOff(Axis axis) const;
     [[nodiscard]] Result<> mayLeaveBus() const;
-    [[nodiscard]] Result<> mayTune(Axis axis) const;              // its gains, while it stands
-    [[nodiscard]] Result<> mayTuneOff(Axis axis) const;           // and those for which the drives must be off
-    [[nodiscard]] Result<> hasService() const;                    // something can be done to the mount itself
-    [[nodiscard]] Result<> mayProve(const Source& source) const;  // how the axes stop
+    [[nodiscard]] Result<> mayTune(Axis axis) const;              // those gains that a drive takes while it is on
+    [[nodiscard]] Result<> mayTuneOff(Axis axis) const;           // those gains that need the drive off
+    [[nodiscard]] Result<> hasService() const;                    // the mount has functions for its drives
+    [[nodiscard]] Result<> mayProve(const Source& source) const;  // run the crash-stop test
     [[nodiscard]] Result<> mayEndProof() const;
     [[nodiscard]] Result<> mayTakeBus() const;
-    [[nodiscard]] Result<> mayChooseTurn(Axis axis) const;  // answer which wrap it is on
+    [[nodiscard]] Result<> mayChooseTurn(Axis axis) const;  // the operator may answer which wrap the axis is on
     [[nodiscard]] Result<> mayResetStop() const;
-    [[nodiscard]] Result<> mayHoldAtEnd() const;  // instead of the unwrapping that is ahead
-    [[nodiscard]] Result<> mayClearTrim() const;  // there is one
+    [[nodiscard]] Result<> mayHoldAtEnd() const;  // wait at the cable end instead of unwrapping
+    [[nodiscard]] Result<> mayClearTrim() const;  // there is a trim
     [[nodiscard]] Result<> mayGiveControl() const;
     [[nodiscard]] Result<> mayGiveControlTo(std::uint64_t clientId) const;
-    // Whether other terms of the pointing model would leave the motion what it is.
+    // A change of the pointing model would not change the running motion.
     [[nodiscard]] Result<> mayChangePointing() const;
-    // What Boresight tracks itself goes on with the beam of the other antenna.
+    // The antenna may be changed. A target that Boresight tracks by itself is then tracked with the beam of the new
+    // antenna.
     [[nodiscard]] Result<> mayUseAntenna() const;
-    // Whether the beam in use, by its terms or by another choice of the antenna, may be that of this profile.
+    // The profile `after` may be applied, although it gives the beam other terms or selects another antenna.
     [[nodiscard]] Result<> mayTurnBeam(const profile::Profile& after) const;
     [[nodiscard]] Result<> usesMainAntenna() const;
 
-    // Outside its travel by more than the drives' own bounds allow: 1 above, -1 below; 0 inside, or nobody knows.
+    // 1 or -1 if the axis is above or below its travel by more than the own bounds of the drives permit. 0 if it is
+    // not, or if its position is unknown.
     [[nodiscard]] int farOutside(Axis axis) const;
 
 private:

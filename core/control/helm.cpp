@@ -72,8 +72,9 @@ Result<> Helm::reaches(const SkyPointing& direction) const
     return placeOf(direction).and_then([&](const AxisPosition& place) -> Result<> {
         constexpr Angle kZenith = Angle::fromDegrees(90.0);
         if (direction.elevation > kZenith && place.elevation <= kZenith) {
-            return failure(ErrorCode::OutOfRange,
-                           Text::tr("The travel and the limits of the axes do not reach it over the top."));
+            return failure(
+                ErrorCode::OutOfRange,
+                Text::tr("The travel and the limits of the axes do not permit this direction over the top."));
         }
         return mayGoTo(place);
     });

@@ -22,7 +22,7 @@ namespace boresight {
 class Helm
 {
 public:
-    // The parts that a motion changes when it starts or ends.
+    // The parts that change when a motion starts or ends.
     struct Parts
     {
         Motion& motion;
@@ -37,88 +37,90 @@ public:
         AntennaChoice& antenna;
     };
 
-    // `view` is asked each time, because the time of the tick is a part of what it gives.
+    // `view` is called for each access, because it contains the time of the tick.
     Helm(const Parts& parts, std::function<ControlParts()> view) : m_of(parts), m_view(std::move(view)) {}
 
-    // To read from.
+    // For reading only.
     [[nodiscard]] ControlParts view() const { return m_view(); }
     [[nodiscard]] const CurrentMotion& current() const { return m_of.current; }
     [[nodiscard]] SteadyTime now() const { return view().now; }
     [[nodiscard]] AxisPosition standing() const { return view().standing(); }
     [[nodiscard]] AxisPosition heading() const { return view().heading(); }
-    // The direction that the beam has there, in words: an azimuth from 0° to 360°.
+    // The direction of the beam at this position of the axes, as text with an azimuth from 0° to 360°.
     [[nodiscard]] QString directionText(const AxisPosition& place) const;
 
-    // May this source send the mount anywhere? Every goTo and streamTo asks it, too.
+    // This source may send the mount to some place. Each goTo() and streamTo() checks this, too.
     [[nodiscard]] Result<> mayPoint(const Source& by) const { return Gates(view()).mayPoint(by); }
-    // A place is permitted, and there is a way.
+    // The place is permitted, and a permitted route leads to it.
     [[nodiscard]] Result<> mayGoTo(const AxisPosition& place) const;
-    // The axes of a direction, on the wrap nearest to where they are going; an error when they do not reach it.
+    // The position of the axes for a direction, on the wrap nearest to the position that they are moving to. An error
+    // if the axes do not reach the direction.
     [[nodiscard]] Result<AxisPosition> placeOf(const SkyPointing& direction) const;
-    // The same for a direction that the operator asks for.
+    // The same for a direction that the operator enters. An elevation beyond the travel over the top is refused.
     [[nodiscard]] Result<AxisPosition> aimOf(const SkyPointing& direction) const;
-    // The same for an azimuth or an elevation alone: the other axis stays where it is in `from`.
+    // The same for an azimuth or an elevation alone. The other axis stays where it is in `from`.
     [[nodiscard]] Result<AxisPosition> placeAlong(Axis axis, Angle angle, const AxisPosition& from) const;
-    // Whether the beam can be pointed there from where it is.
+    // The beam can be pointed to this direction, and a permitted route leads there from where it is.
     [[nodiscard]] Result<> reaches(const SkyPointing& direction) const;
-    // Whether a go-to of the operator to this direction would be refused, whatever stands in the way of any motion.
+    // Whether this direction would be refused as a go-to of the operator. Reasons that forbid any motion are left out.
     [[nodiscard]] DirectionVerdict judge(const SkyPointing& direction) const;
 
-    // `what` is shown and logged while the motion goes on.
+    // `what` is shown and logged during the motion.
     Result<> goTo(const AxisPosition& place, Activity activity, const Source& by, const QString& what);
-    // The same, on whichever wrap there is a way to.
+    // The same, but on any wrap that a permitted route leads to.
     Result<> goToAnyTurn(const AxisPosition& place, Activity activity, const Source& by, const QString& what);
-    // One point of a stream. A direction out of reach is followed at the nearest permitted place, or refused, as the
-    // profile says. `anew`: this point does not continue the points before. An empty `what` names the direction.
+    // One point of a stream. If the direction is out of reach, the mount goes to the nearest permitted place, or the
+    // point is refused, as the profile sets. `anew`: this point does not continue the earlier points. If `what` is
+    // empty, the text names the direction.
     Result<> streamTo(const SkyPointing& direction, const Source& by, const QString& what = {}, bool anew = false);
     Result<> streamTo(const AxisPosition& place, const Source& by);
-    // What is followed goes from one direction to another in this time, and is in the first one now. A direction out of
-    // reach is followed at the nearest permitted place.
+    // A target that is in the direction `now` and will be in the direction `soon` after the time `apart`.
     struct Lead
     {
         SkyPointing now;
         SkyPointing soon;
         Seconds apart;
-        std::optional<AxisPosition> near;  // chooses the turn; empty: where the axes are going
+        std::optional<AxisPosition> near;  // determines the wrap; empty: where the axes are moving to
     };
-    // The place of the axes for it.
+    // Follows the target and returns the position of the axes for `lead.now`. If the direction is out of reach, the
+    // mount follows at the nearest permitted place.
     Result<AxisPosition> lead(const Lead& lead, const Source& by, const QString& what);
-    // At these rates until somebody ends it. A jog is slow where nothing else is permitted.
+    // Moves at these rates until the motion is ended. Where only a slow jog is permitted, a faster one is refused.
     Result<> runAt(const AxisRates& rates, Activity activity, const Source& by, const QString& what);
 
-    // The motion that has just begun was by hand: the source that moved the mount continues afterwards.
+    // Gives the motion that has just begun this earlier id. So a source that moved the mount before goes on afterwards.
     void keepMotionId(std::uint64_t motionId) { m_of.current.setMotionId(motionId); }
-    // Control was given away: the motion of its source ends, although no other motion begins.
+    // Ends the motion of a source that has lost control, although no other motion begins.
     void nextMotionId() { m_of.current.setMotionId(current().motionId() + 1); }
-    // What is tracked now stays on its wrap: at the end of the cable the mount waits there.
+    // The tracked target is followed on this wrap only. At the end of the cable the mount waits.
     void keepWrap(const Source& by);
-    // What is added to the points of streams.
+    // The offset that is added to every point of a stream.
     void setTrim(const AxisPosition& trim, const Source& by);
-    // If the stream of this source is followed, it stops at its last point.
+    // If the mount follows the stream of this source, it stops at the last point.
     void settleStream(const Source& by);
-    // This client has read the position. If its stream is followed, its last point still holds.
+    // This client has read the position. If the mount follows its stream, the last point stays valid.
     void confirmStream(std::uint64_t clientId);
 
-    // The station tracks this by itself: a satellite may have an antenna of its own.
+    // The target that the station tracks by itself. A satellite may have an antenna of its own.
     void useAntennaFor(const std::optional<AntennaChoice::Tracked>& tracked) { m_of.antenna.track(tracked); }
     void endTracking() { m_of.antenna.endTracking(); }
 
-    // A motion that makes its own set-points, as the crash-stop proof does: it starts.
+    // Starts a motion that makes its own set-points, for example the crash-stop test.
     Result<> beginOwn(Activity activity, const Source& by, const QString& what);
 
-    // Ends what goes on: the axes brake and stay. None or Holding is left.
+    // Ends the motion: the axes brake and stay where they stop. `left` is the activity afterwards: None or Holding.
     void hold(Activity left);
-    // The same, and logs why in the name of whoever moved the mount. This line is never left out.
+    // The same. Logs the reason in the name of the source that moved the mount. The log never drops this line.
     void end(Severity severity, const QString& why);
-    // Logged in the name of whoever moves the mount.
+    // Logged in the name of the source that moves the mount.
     void note(Severity severity, const QString& what) { m_of.log.insist(severity, current().commander(), what); }
     void raiseAlarm(const AlarmEntry& entry, const QStringList& arguments) { m_of.alarms.raise(entry, arguments); }
     void clearAlarm(const AlarmEntry& entry) { m_of.alarms.clear(entry); }
-    // The operator who asks has the authority from now on. Clients lose it never without a line in the log.
+    // The operator takes control. If clients had it, the log has a line about it.
     void takeOver(const Source& by, Taking how = Taking::ByAct);
 
 private:
-    // `detail` is logged besides `what`, and not shown.
+    // `detail` is only logged, together with `what`.
     void begin(Activity activity, const Source& by, const QString& what, const QString& detail = {});
     [[nodiscard]] QString arrivalText(const AxisPosition& place) const;
     [[nodiscard]] Result<> mayRun(const AxisRates& rates, Activity activity, const Source& by) const;

@@ -115,7 +115,7 @@ void PermissionReport::judgeGains(Permissions& may) const
     }
 }
 
-// Who has the control, and what rearms the mount. The operator may take the control at any time.
+// Judges taking and giving control, and what makes the mount ready to move again. Taking control is always permitted.
 void PermissionReport::judgeControl(Permissions& may) const
 {
     const Gates gates(m_of);

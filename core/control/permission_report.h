@@ -4,8 +4,8 @@
 #include "core/control/control_parts.h"
 #include "core/messages/permissions.h"
 
-// What the operator may ask of the control now: asks its gates about every action, without doing any of them. Computed
-// anew for each call. Station thread only.
+// Asks the gates for every action whether the operator may request it now. Requests nothing. Computed again for each
+// call. Station thread only.
 namespace boresight {
 
 class PermissionReport

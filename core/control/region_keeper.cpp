@@ -12,7 +12,7 @@
 namespace boresight {
 namespace {
 
-// An axis that rests at a limit is now and then a little beyond it.
+// An axis that stands at a limit may be measured slightly beyond it.
 constexpr Angle kAtTheEdge = Angle::fromDegrees(0.5);
 
 // The distance on the sky.
@@ -129,8 +129,8 @@ void RegionKeeper::enforce()
     Motion& motion = m_of.motion;
     const CurrentMotion& current = m_of.helm.current();
     const SteadyTime now = m_of.helm.now();
-    // A client's last point is a place as well when the client sends no more points, unless the mount holds at the
-    // nearest permitted place for it.
+    // If a client sends no more points, its last point also counts as a place. It does not if the mount holds at the
+    // nearest permitted place instead.
     const bool standing = current.is(Activity::Streaming) && !motion.streaming(now) && !motion.limited();
     m_of.model.setPointing(pointing::PointingModel(m_of.antenna.terms()));
     motion.setRegion(pointing::withSun(m_of.profile->limits, m_sun.keepOuts()), m_of.model.pointing());

@@ -398,12 +398,12 @@ void StationControl::tick()
     }
     // Before every source, because an axis that was lost in this tick must not move on.
     superviseMount();
-    // After the supervision, which finds a drive that is back. A drive that moves in spite of STOP is stopped again.
-    // Before the sources, which must find it stopped.
+    // After the supervision, because only then it is known which drives are back. A drive that moves in spite of STOP
+    // is stopped again. This is before the sources, so that they find the drive stopped.
     keepStopped();
     // Before the sources: in a strong wind one source parks the mount, and the others are refused.
     m_wind.step();
-    // After STOP and faults, which refuse the next motion of a source.
+    // After STOP and faults are known, so that no source begins a motion which they forbid.
     stepSources();
     // After the sources, because a source may have ended its tracking.
     releaseAntenna();

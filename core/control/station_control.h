@@ -81,7 +81,7 @@ public:
     [[nodiscard]] bool shutDownDone() const { return m_end.done(); }
 
     [[nodiscard]] StationState state() const { return report().state(); }
-    // Everything that this class knows. The Station adds bus, clients and server.
+    // The status of all parts of this class. The Station adds bus, clients and server.
     [[nodiscard]] StationStatus status() const;
     // The set-points of the last tick and the replies of the drives to them. Empty before the first tick.
     [[nodiscard]] std::optional<TickSample> sample() const { return report().sample(); }

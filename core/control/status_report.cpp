@@ -54,7 +54,7 @@ bool StatusReport::arrived() const
     return m_of.motion.atRest() && onTarget(kArrived);
 }
 
-// The target is not permitted, or only the target with the operator's trim is not.
+// Either the target itself is not permitted, or the sum of the target and the operator's trim is not.
 QString StatusReport::limitedReason() const
 {
     return m_of.current.limitedReason().isEmpty() && m_of.motion.limited()

@@ -94,8 +94,8 @@ void WindGuard::profileChanged(const profile::Profile& before, const profile::Pr
 QString WindGuard::causeText() const
 {
     if (m_watch.cause() == wind::WindWatch::Cause::Silence) {
-        return (m_isSilent ? Text::tr("The wind is unknown. No reading came since %1")
-                           : Text::tr("The wind was unknown. No reading came after %1, until now"))
+        return (m_isSilent ? Text::tr("The wind is unknown. No reading has come since %1")
+                           : Text::tr("The wind was unknown. No reading came after %1"))
             .arg(m_lastHeard);
     }
     return Text::tr("The wind reached %1 m/s. The limit is %2 m/s")

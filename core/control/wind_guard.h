@@ -35,7 +35,7 @@ public:
     [[nodiscard]] bool forbids() const { return m_forbids; }
     // Why only Park may move the mount, in one or two sentences. Empty: the wind forbids nothing.
     [[nodiscard]] QString obstacle() const { return m_forbids ? causeText() + QLatin1Char('.') : QString(); }
-    // The same as a refusal, and when it ends.
+    // The obstacle as a refusal, which also says when the obstacle ends.
     [[nodiscard]] Result<> admits() const;
     // Counts how often the mount had to be parked because of the wind.
     [[nodiscard]] std::uint64_t onsets() const { return m_onsets; }

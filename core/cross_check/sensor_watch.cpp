@@ -153,7 +153,8 @@ QString SensorWatch::doubtOf(const orientation::Orientation& value) const
     const SkyPointing direction = m_inForce.directionOf(value);
     return m_inForce.toSky().isReliable(direction)
                ? doubtOfCalibration(value)
-               : Text::tr("steel disturbs its compass near %1, as the swing found").arg(azimuthText(direction.azimuth));
+               : Text::tr("steel disturbs its compass near %1 (result of the swing)")
+                     .arg(azimuthText(direction.azimuth));
 }
 
 void SensorWatch::note(const orientation::Orientation& value)
@@ -214,9 +215,10 @@ void SensorWatch::raiseAbsence()
         m_alarms.raise(alarmEntry("sensor.dead"));
         return;
     }
-    m_alarms.raise(alarmEntry("sensor.silent"),
-                   {m_source.name, m_source.status.problem.isEmpty() ? Text::tr("Check its power, WiFi and cable")
-                                                                     : m_source.status.problem});
+    m_alarms.raise(
+        alarmEntry("sensor.silent"),
+        {m_source.name, m_source.status.problem.isEmpty() ? Text::tr("Check the power, WiFi and cable of the sensor")
+                                                          : m_source.status.problem});
 }
 
 bool SensorWatch::isNorthUnknown() const
@@ -234,7 +236,7 @@ bool SensorWatch::disagrees(Axis axis) const
     return m_inForce.difference(axis).lasts && !expected && !explained;
 }
 
-// An advisory without sound: a new user is shown the way.
+// Only an advisory, which makes no sound: it shows a new user what to do.
 void SensorWatch::tellNorth()
 {
     const SensorCheck::Difference& azimuth = m_inForce.difference(Axis::Azimuth);
@@ -251,8 +253,8 @@ void SensorWatch::tellDisagreement()
 {
     tellNorth();
     const bool disagrees = this->disagrees();
-    // That the difference follows the current becomes visible only after some motions. Then the alarm is raised again
-    // and names the current as its cause.
+    // Only after some motions it becomes visible that the difference follows the current. Then the alarm is raised
+    // again and names the current as its cause.
     const bool byCurrent = this->disagrees(Axis::Azimuth) && m_currentLink.correlation();
     if (disagrees && (!m_told.stands || (byCurrent && !m_told.currentNamed) || hasChanged())) {
         raiseDisagreement();
@@ -298,15 +300,15 @@ QString SensorWatch::causes(Axis axis) const
     }
     if (const auto link = m_currentLink.correlation()) {
         return Text::tr(
-                   "It follows the motor current, %1 per ampere (correlation %2). Move the sensor away from motors and "
-                   "their cables, or twist these")
+                   "The difference follows the motor current, %1 per ampere (correlation %2). Move the sensor away "
+                   "from motors and their cables, or twist the cables")
             .arg(degreesText(link->perAmpere))
             .arg(link->coefficient, 0, 'f', 2);
     }
     return m_inForce.difference(axis).beganMoving
                ? Text::tr(
-                     "It began while the mount moved. Check the motor current, iron near the compass, the azimuth "
-                     "sense of the sensor and the coupling")
+                     "The difference began while the mount moved. Check the motor current, iron near the compass, the "
+                     "azimuth direction of the sensor and the coupling")
                : Text::tr(
                      "Check the azimuth offset and mounting of the sensor, iron or a motor current near the compass, "
                      "and the azimuth zero");

@@ -115,7 +115,8 @@ private:
     SensorComparison m_afterApply;  // the comparison as it would be after Apply
     SourceInUse m_source;
     AmpereLink m_currentLink;
-    std::uint64_t m_breaks = 0;  // of the course, in addition to those in the judge
+    // How often the course could not be followed, not including the breaks that the judge counts.
+    std::uint64_t m_breaks = 0;
     Told m_told;
     std::optional<Angle> m_northTold;  // difference that the advice to set north shows
 };

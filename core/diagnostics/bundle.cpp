@@ -43,12 +43,12 @@ QString profileText(const profile::Profile& profile)
 
 QString readme(const std::vector<BundleFile>& files, UtcTime when)
 {
-    QString text = QStringLiteral(
-                       "Diagnostics of Boresight %1, saved %2 (UTC).\n\n"
-                       "For a bug report. There are no passwords in it; the logs name the addresses of the\n"
-                       "rotctld clients, and the profile says where the mount stands. Read it before you\n"
-                       "give it away. What happened, and what was expected, is for you to add.\n\n")
-                       .arg(QString::fromUtf8(kVersion.data(), int(kVersion.size())), utcText(when));
+    QString text =
+        QStringLiteral(
+            "Diagnostics of Boresight %1, saved %2 (UTC).\n\nSend this archive with a bug report. It contains no "
+            "passwords. The logs name the\naddresses of the rotctld clients. The profile has the site of the mount. "
+            "Check the\nfiles before you send them. Add what happened, and what you expected.\n\n")
+            .arg(QString::fromUtf8(kVersion.data(), int(kVersion.size())), utcText(when));
     for (const BundleFile& one : files) {
         text += QStringLiteral("%1\n    %2\n").arg(one.file.name, one.about);
     }
@@ -69,22 +69,23 @@ std::vector<BundleFile> collect(const Snapshot& snapshot)
     addText(files, QStringLiteral("versions.txt"), versionsText(snapshot.status),
             QStringLiteral("Versions of the program, its libraries, the system and the drives' firmware."));
     addText(files, QStringLiteral("station.txt"), stationText(snapshot.status),
-            QStringLiteral("State of the station, its axes, clients and alarms at that moment."));
+            QStringLiteral("State of the station, its axes, clients and alarms."));
     addText(files, QStringLiteral("drives.txt"), drivesText(snapshot.status),
-            QStringLiteral("Configuration of the drives as the drive check read it, and the last crash-stop proofs."));
+            QStringLiteral("Settings of the drives as the drive check read them, and the last crash-stop tests."));
     addText(files, QStringLiteral("profile.toml"), profileText(inForce),
-            QStringLiteral("The mount's settings that were in force."));
+            QStringLiteral("The settings of the mount that were in force."));
     if (!snapshot.status.waitingKeys.empty()) {
         addText(files, QStringLiteral("profile-waiting.toml"), profileText(snapshot.applied),
-                QStringLiteral("The same with what waits for a reconnect."));
+                QStringLiteral("The settings of the mount, with those that wait for a reconnect."));
     }
     const QString folder = snapshot.stateDir + QLatin1Char('/');
     const QString memory =
         folder + safeFileName(QString::fromStdString(inForce.mount.name)) + QStringLiteral(".memory.json");
-    addFile(files, memory, QStringLiteral("The position journal and the crash-stop proofs."));
-    addFile(files, memory + QStringLiteral(".previous"), QStringLiteral("The version before it."));
+    addFile(files, memory, QStringLiteral("The position journal and the results of the crash-stop tests."));
+    addFile(files, memory + QStringLiteral(".previous"),
+            QStringLiteral("The previous version of the position journal."));
     addFile(files, folder + QStringLiteral("events.log"), QStringLiteral("The log, times in UTC."));
-    addFile(files, folder + QStringLiteral("events.log.1"), QStringLiteral("The log before that."));
+    addFile(files, folder + QStringLiteral("events.log.1"), QStringLiteral("The log before events.log began."));
     return files;
 }
 

@@ -71,14 +71,14 @@ QStringList driveLines(const char* axis, const DriveStatus& drive, bool turnKnow
         return {driveVersion(axis, drive), QString()};
     }
     QStringList lines{driveVersion(axis, drive),
-                      turnKnown ? QStringLiteral("turn: known") : QStringLiteral("turn: not known")};
-    lines << (drive.crashStop ? QStringLiteral("crash stop proven %1: from %2°/s stood after %3° and %4 ms (drive %5)")
+                      turnKnown ? QStringLiteral("cable wrap: known") : QStringLiteral("cable wrap: unknown")};
+    lines << (drive.crashStop ? QStringLiteral("crash-stop test %1: stopped from %2°/s after %3° and %4 ms (drive %5)")
                                     .arg(utcText(drive.crashStop->when))
                                     .arg(drive.crashStop->rate.degrees(), 0, 'f', 2)
                                     .arg(drive.crashStop->angle.degrees(), 0, 'f', 2)
                                     .arg(drive.crashStop->time.count())
                                     .arg(drive.crashStop->drive)
-                              : QStringLiteral("crash stop: not proven"));
+                              : QStringLiteral("crash-stop test: not run"));
     for (const ProtectionLine& line : drive.protections) {
         lines << QStringLiteral("%1  %2  found %3  wanted %4")
                      .arg(verdictText(line.verdict), line.key, orUnknown(line.found), line.wanted);
@@ -170,7 +170,7 @@ QString stationText(const StationStatus& status)
                       QStringLiteral("target: %1 by %2").arg(orUnknown(status.targetText), status.commander.name),
                       QStringLiteral("bus: %1%2")
                           .arg(status.line.name, status.simulated ? QStringLiteral(" (simulated)") : QString()),
-                      QStringLiteral("control ticks late: median %1 ms, p99 %2 ms, worst %3 ms. %4")
+                      QStringLiteral("delay of the control ticks: median %1 ms, p99 %2 ms, largest %3 ms. %4")
                           .arg(status.timing.lateP50.count() * 1e3, 0, 'f', 1)
                           .arg(status.timing.lateP99.count() * 1e3, 0, 'f', 1)
                           .arg(status.timing.lateWorst.count() * 1e3, 0, 'f', 1)

@@ -19,7 +19,7 @@ struct FoundController
     int id = 0;           // the id with which it answers
     moteus::Reply known;  // the values of all its answers
 
-    // It has reported neither its UUID nor an error for it.
+    // The board has reported neither its UUID nor an error for it.
     [[nodiscard]] bool isUnreadable() const;
 };
 

@@ -100,7 +100,7 @@ Result<> DriveCheck::mayFix() const
     return failure(
         ErrorCode::NotAvailable,
         right ? Text::tr("every setting is right")
-              : Text::tr("Fix has nothing to write. Change the marked settings by hand, as each line explains"));
+              : Text::tr("Fix has nothing to write. Change the marked settings by hand. Each line explains how"));
 }
 
 Result<> DriveCheck::fix(SteadyTime)
@@ -261,11 +261,12 @@ void DriveCheck::collectFindings()
     m_findings = identityFindings(*m_profile, m_known, m_scan.controllers(), m_axes);
     for (const Side& side : m_sides) {
         if (!side.drive.trouble().isEmpty()) {
-            m_findings.push_back({.kind = FindingKind::Unread,
-                                  .about = axisName(side.axis),
-                                  .weight = FindingWeight::Blocking,
-                                  .what = side.drive.trouble(),
-                                  .remedy = Text::tr("Check its power, its plugs and the bus cable.")});
+            m_findings.push_back(
+                {.kind = FindingKind::Unread,
+                 .about = axisName(side.axis),
+                 .weight = FindingWeight::Blocking,
+                 .what = side.drive.trouble(),
+                 .remedy = Text::tr("Check the power and the plugs of the board, and the bus cable.")});
         }
         if (!side.drive.fixTrouble().isEmpty()) {
             m_findings.push_back({.kind = FindingKind::NotStored,

@@ -42,7 +42,7 @@ private:
     int m_drive;
     moteus::Uuid m_board{};
     std::optional<Observation> m_last;
-    // Does not continue m_last. It is a power-up if the next observation continues it.
+    // An observation that does not continue m_last. If the next observation continues this one, there was a power-up.
     std::optional<Observation> m_doubted;
     SteadyTime m_bootedAt{};
     std::optional<SteadyTime> m_sent;

@@ -81,8 +81,8 @@ void IdentityJudge::judgeUnknownBoards()
                  .what = Text::tr("a board with the id %1 (%2) is not in the profile")
                              .arg(board.id)
                              .arg(uuidOf(board).isEmpty() ? Text::tr("UUID unread") : uuidOf(board)),
-                 .remedy = Text::tr("Take it off the bus. If it drives an axis, enter its id in the profile. If it "
-                                    "does something else, name it in bus.watched.")});
+                 .remedy = Text::tr("Take the board off the bus. If the board drives an axis, enter its id in the "
+                                    "profile. If it does something else, name it in bus.watched.")});
         }
     }
 }
@@ -111,13 +111,12 @@ void IdentityJudge::judgeAxis(Axis axis)
 {
     const int id = idOf(axis);
     if (countOf(id) == 0) {
-        findings.push_back(
-            {.kind = FindingKind::Missing,
-             .about = axisName(axis),
-             .weight = FindingWeight::Blocking,
-             .what = Text::tr("the board of %1 (id %2) does not answer").arg(axisText(axis)).arg(id),
-             .remedy = Text::tr(
-                 "Check its power, its plugs and the bus cable. If it has another id, enter that in the profile.")});
+        findings.push_back({.kind = FindingKind::Missing,
+                            .about = axisName(axis),
+                            .weight = FindingWeight::Blocking,
+                            .what = Text::tr("the board of %1 (id %2) does not answer").arg(axisText(axis)).arg(id),
+                            .remedy = Text::tr("Check the power and the plugs of the board, and the bus cable. If the "
+                                               "board has another id, enter this id in the profile.")});
         return;
     }
     const FoundController* board = onlyBoard(found, id);
@@ -133,7 +132,7 @@ void IdentityJudge::judgeAxis(Axis axis)
                             .about = axisName(axis),
                             .weight = FindingWeight::Warning,
                             .what = Text::tr("%1 has another board than before (%2)").arg(axisText(axis), uuid),
-                            .remedy = Text::tr("If you exchanged it, check calibration and gains. If not, check "
+                            .remedy = Text::tr("If you exchanged the board, check calibration and gains. If not, check "
                                                "whether another mount is connected.")});
     }
 }

@@ -17,7 +17,7 @@ namespace boresight::drive_check {
 // The UUIDs of the boards in the journal, azimuth and elevation. Empty for an axis without a known board.
 using KnownBoards = std::array<QString, 2>;
 
-// `axes`: the axes that have a drive. A board with the id of another axis is as unknown as any other.
+// `axes`: the axes that have a drive. A board with the id of an axis without a drive counts as unknown.
 [[nodiscard]] std::vector<Finding> identityFindings(const profile::Profile& profile, const KnownBoards& known,
                                                     std::span<const FoundController> found, AxisSet axes = kAxes);
 

@@ -112,11 +112,10 @@ QString boundConsequence(double found, bool narrow)
     if (std::abs(std::abs(found) - kFactoryBound) < 1e-6) {
         return Text::tr("With the factory's ±3.6° every move ends in fault 39.");
     }
-    return narrow
-               ? Text::tr(
-                     "The limit lies inside the travel. The drive stops with fault 39 where the profile permits a "
-                     "move.")
-               : Text::tr("The limit lies too far out. The cable or the frame stops the axis before the drive does.");
+    return narrow ? Text::tr(
+                        "The limit lies inside the travel. The drive stops with fault 39 where the profile permits a "
+                        "move.")
+                  : Text::tr("The limit is too far out. The cable or the frame stops the axis before the drive does.");
 }
 
 // `outwards`: +1 for the upper bound. At least half the margin, so that the axis can settle at the end of its travel.
@@ -251,16 +250,17 @@ void addLimits(List& list, const profile::AxisSettings& axis, const DriveScale& 
                          .isAngle = true});
     const double braking = scale.turns(Angle::fromDegrees(tracking::emergencyBraking(axis.limits).degrees()));
     const double lowest = 0.8 * braking;  // stops within 0.1 s from full speed
-    addWithRemedy(list, {.key = "servo.default_accel_limit",
-                         .unit = Text::tr("turns/s²"),
-                         .wanted = scale.range(lowest, 2.0 * braking, Text::tr("turns/s²"), QStringLiteral("°/s²")),
-                         .wantedBrief = scale.angles(lowest, 2.0 * braking, QStringLiteral("°/s²")),
-                         .isRight = [=](double found) { return isWithin(found, lowest, 2.0 * braking); },
-                         .remedy = braking,
-                         .reason = Text::tr("Without commands the drive brakes with this. Too low: the axis runs on. "
-                                            "Too high (factory: 50 turns/s²): the stop shakes the mount."),
-                         .explain = scale.asSpan(QStringLiteral("°/s²")),
-                         .isAngle = true});
+    addWithRemedy(list,
+                  {.key = "servo.default_accel_limit",
+                   .unit = Text::tr("turns/s²"),
+                   .wanted = scale.range(lowest, 2.0 * braking, Text::tr("turns/s²"), QStringLiteral("°/s²")),
+                   .wantedBrief = scale.angles(lowest, 2.0 * braking, QStringLiteral("°/s²")),
+                   .isRight = [=](double found) { return isWithin(found, lowest, 2.0 * braking); },
+                   .remedy = braking,
+                   .reason = Text::tr("Without commands the drive brakes with this deceleration. Too low: the axis "
+                                      "runs on. Too high (factory: 50 turns/s²): the stop shakes the mount."),
+                   .explain = scale.asSpan(QStringLiteral("°/s²")),
+                   .isAngle = true});
 }
 
 void addGear(List& list, const profile::AxisSettings& axis)

@@ -155,7 +155,7 @@ Result<std::string> EasycommController::done(const Result<>& outcome)
 Result<std::string> EasycommController::carryOut(const NotForARotator&, rotctld::LineOutcome& outcome)
 {
     if (outcome.became.isEmpty() && !outcome.motion) {
-        outcome.became = Text::tr("nothing for a rotator");
+        outcome.became = Text::tr("the line has no command for a rotator");
     }
     return std::string();
 }

@@ -79,7 +79,7 @@ std::vector<std::string_view> wordsOf(std::string_view line)
 
 tl::unexpected<Error> unknown(std::string_view word)
 {
-    return failure(ErrorCode::InvalidInput, Text::tr("\"%1\" is no EasyComm command").arg(shownText(word)));
+    return failure(ErrorCode::InvalidInput, Text::tr("\"%1\" is not an EasyComm command").arg(shownText(word)));
 }
 
 // "123.4", "-5", "+7.25". Also "123,4", from a program that writes numbers in the language of its user.

@@ -33,7 +33,7 @@ QString sayingOf(const QNetworkReply& reply, const QByteArray& content)
     const QByteArray line = content.left(content.indexOf('\n')).trimmed();
     const bool isPlain = reply.header(QNetworkRequest::ContentTypeHeader).toString().startsWith(u"text/plain");
     return isPlain && !line.isEmpty()
-               ? Text::tr("The server says: \"%1\".").arg(orbit::quoted(line.toStdString(), kLongestShown))
+               ? Text::tr("The server sent: \"%1\".").arg(orbit::quoted(line.toStdString(), kLongestShown))
                : QString();
 }
 

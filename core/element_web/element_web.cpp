@@ -227,7 +227,7 @@ QString ElementWeb::problemOf(const Source& source) const
     }
     sentences << (state.fetched
                       ? Text::tr("Elements of %1 from the cache are used.").arg(dayAndTimeText(*state.fetched))
-                      : Text::tr("The cache has no elements of it."));
+                      : Text::tr("The cache has no elements of this source."));
     const UtcTime next = state.lastTry.value_or(UtcTime()) + pauseAfter(state.failures);
     if (source.cacheProblem.isEmpty() && next > m_clock.utc()) {
         sentences << Text::tr("Next download: %1.").arg(dayAndTimeText(next));

@@ -80,7 +80,7 @@ Result<ElementAddress> parseElementAddress(std::string_view entry)
     }
     QUrl url(toQString(entry), QUrl::StrictMode);
     if (entry.size() > kLongestAddress || !url.isValid() || url.host().isEmpty()) {
-        return failure(ErrorCode::InvalidInput, Text::tr("\"%1\" is no address").arg(quoted(entry)));
+        return failure(ErrorCode::InvalidInput, Text::tr("\"%1\" is not an address").arg(quoted(entry)));
     }
     if (!isPermittedAddress(url)) {
         return failure(
@@ -89,7 +89,7 @@ Result<ElementAddress> parseElementAddress(std::string_view entry)
                 .arg(quoted(entry)));
     }
     if (!url.userInfo().isEmpty()) {
-        return failure(ErrorCode::InvalidInput, Text::tr("the address must not hold a user name or a password"));
+        return failure(ErrorCode::InvalidInput, Text::tr("the address must not contain a user name or a password"));
     }
     url.setFragment({});
     const QString query = url.hasQuery() ? QStringLiteral("?…") : QString();

@@ -12,7 +12,7 @@
 // The checks that the readers of all formats share. Pure.
 namespace boresight::orbit {
 
-// Why readable numbers are not a valid orbit. Empty if they are.
+// Why these numbers are not a valid orbit. Empty: the orbit is valid.
 [[nodiscard]] QString elementProblem(const ElementSet& elements);
 
 // A text from a file as a message quotes it: printable, and shortened to fit into a message.

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-// What the operator stores about a satellite: whether it is a favourite, a note of one line, and the antenna to track
-// it with. Pure values.
+// The marks of the operator on a satellite: whether it is a favourite, a note of one line, and the antenna to track it
+// with. Pure values.
 namespace boresight::orbit {
 
 enum class Favourite

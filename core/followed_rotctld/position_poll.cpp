@@ -54,7 +54,7 @@ void PositionPoll::takeLine(std::string_view line)
             break;
         case ReplyReader::Progress::Strange:
             m_answer =
-                failure(ErrorCode::Refused, Text::tr("The answer \"%1\" is not that of a rotctld")
+                failure(ErrorCode::Refused, Text::tr("The answer \"%1\" is not from a rotctld")
                                                 .arg(toQString(printable(std::string(line.substr(0, kShownOfLine))))));
             break;
     }

@@ -12,7 +12,7 @@
 #include <optional>
 #include <vector>
 
-// What Gpredict on this computer already knows: the location of the station, and its satellites. Gpredict keeps one
+// Reads the settings of Gpredict on this computer: the location of the station, and the satellites. Gpredict keeps one
 // NAME.qth per station (a key file: [QTH] with LAT and LON in degrees, north and east positive, ALT in metres,
 // LOCATION). gpredict.cfg names the one in use ([GLOBAL] DEFAULT_QTH; sample.qth if none was chosen). Blocking file
 // access: neither on the gui thread nor on the station thread.

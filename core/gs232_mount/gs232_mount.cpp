@@ -86,7 +86,7 @@ QString Gs232Mount::remedyOfNoAnswer() const
             "The rotator refuses the question for both axes. If it has no elevation, set "
             "elevation.driver to \"none\"");
     }
-    return Text::tr("Check its power, the cable, and its speed (bus.baud, %1)").arg(profile()->baud);
+    return Text::tr("Check the power of the rotator, the cable, and the speed (bus.baud, %1)").arg(profile()->baud);
 }
 
 }  // namespace boresight::gs232

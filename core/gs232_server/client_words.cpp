@@ -27,7 +27,7 @@ std::string upper(std::string_view line)
 
 tl::unexpected<Error> unknown()
 {
-    return failure(ErrorCode::InvalidInput, Text::tr("this is no GS-232 command"));
+    return failure(ErrorCode::InvalidInput, Text::tr("this is not a GS-232 command"));
 }
 
 // "123" is 123°. Exactly three digits, as in the box.

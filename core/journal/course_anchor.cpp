@@ -39,7 +39,7 @@ void addSensorTurning(TurnQuestion& question, Angle bySensor)
     } else if (question.proposed) {
         sentence += Text::tr(" This agrees with the proposal.");
     } else if (!question.candidates.empty() && !possible) {
-        sentence += Text::tr(" None of the places is near that.");
+        sentence += Text::tr(" None of the possible places is near this angle.");
     }
     question.evidence.insert(question.evidence.empty() ? question.evidence.end() : std::prev(question.evidence.end()),
                              sentence);

@@ -177,7 +177,7 @@ LoadedJournal JournalFile::load()
                 turn->proveNothing();  // the lost file may have contained a doubt
             }
         }
-        problems.push_back(Text::tr("Boresight uses the version before it: %1").arg(previous));
+        problems.push_back(Text::tr("Boresight uses the previous version: %1").arg(previous));
     } else if (found.error().code != ErrorCode::NoDevice) {
         problems.push_back(whatIsWrong(previous, found.error()));
     }

@@ -15,9 +15,9 @@
 #include <cstdint>
 #include <optional>
 
-// What must survive the end of the program and a power cut of the drives: the wrap of each axis, the identity of its
-// drive, and how it stopped when the commands were cut. One file per mount (journal_file.h). Plain values; mechanical
-// angles. Arrays are in the order azimuth, elevation.
+// The facts that must survive the end of the program and a power cut of the drives: the wrap of each axis, the identity
+// of its drive, and how it stopped when the commands were cut. One file per mount (journal_file.h). Plain values;
+// mechanical angles. Arrays are in the order azimuth, elevation.
 namespace boresight::journal {
 
 // The state of one axis at one moment.

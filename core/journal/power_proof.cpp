@@ -91,7 +91,7 @@ std::optional<Obstacle> obstacleInOrigin(const DriveFrame& frame, const TurnReco
                                          const pointing::AxisGeometry& axis)
 {
     if (!frame.origin || !record.origin) {
-        return Obstacle{.why = Text::tr("The drive did not report whether its position was set after that")};
+        return Obstacle{.why = Text::tr("The drive did not report whether its position was set since then")};
     }
     if (record.origin->beginning != frame.origin->beginning) {
         return Obstacle{.why = Text::tr("The encoder settings of the drive were changed. It counts from a new zero"),

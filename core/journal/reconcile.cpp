@@ -137,13 +137,13 @@ private:
             return Text::tr("The drive does not know the position of the axis. Enter the angle");
         }
         if (m_candidates.empty()) {
-            return Text::tr("The drive reports %1. No cable wrap of it lies within %2° of the travel. Enter the angle")
-                .arg(inWords(m_axis.toAxis(m_frame.reported)))
-                .arg(kBeyondTravel.degrees());
+            return Text::
+                tr("The drive reports %1. No cable wrap of this angle lies within %2° of the travel. Enter the angle")
+                    .arg(inWords(m_axis.toAxis(m_frame.reported)))
+                    .arg(kBeyondTravel.degrees());
         }
         if (m_candidates.size() == 1) {
-            return Text::tr("The position that the drive reports is possible only at %1")
-                .arg(inWords(m_candidates.front()));
+            return Text::tr("The position that the drive reports fits only %1").arg(inWords(m_candidates.front()));
         }
         if (m_candidates.size() > kNamedCandidates) {
             return Text::tr("The angle is known only to a multiple of %1. %2 places from %3 to %4 are possible")
@@ -207,12 +207,12 @@ private:
             return;
         }
         if (!agrees(*place)) {
-            all.push_back(Text::tr("The nearest possible position is %1 from the one in the journal. The axis was "
+            all.push_back(Text::tr("The nearest possible position is %1 from the position in the journal. The axis "
                                    "moved while Boresight did not watch it")
                               .arg(inWords(abs(*place - m_evidence.record->angle))));
         } else if (journalIsVague()) {
-            all.push_back(Text::tr("The axis may have moved after that. Places %1 apart look the same to the drive, so "
-                                   "the journal does not show which is right")
+            all.push_back(Text::tr("The axis may have moved since then. The drive cannot distinguish places %1 apart, "
+                                   "so the journal does not show which place is right")
                               .arg(inWords(m_frame.period)));
         }
     }

@@ -16,7 +16,7 @@
 // Certain only if that can be proved; README.md gives the reasons. Pure. Mechanical angles.
 namespace boresight::journal {
 
-// What the drive reports now.
+// The present report of the drive.
 struct DriveFrame
 {
     QString drive;  // its UUID, 8-4-4-4-12 digits
@@ -28,7 +28,7 @@ struct DriveFrame
     Angle period;                                 // between two angles that the drive cannot distinguish: ambiguity()
 };
 
-// Everything else that indicates where the axis is.
+// All other facts that indicate where the axis is.
 struct Evidence
 {
     std::optional<TurnRecord> record;

@@ -95,9 +95,10 @@ Result<> readPlace(std::string_view word, Listener& listener)
                                   : word.starts_with(kUnix) ? word.substr(kUnix.size())
                                                             : std::string_view();
     if (!path.starts_with('/') || path.ends_with('/')) {
-        return failure(ErrorCode::InvalidInput,
-                       Text::tr("\"%1\" is no place to listen. tcp:ADDRESS:PORT, pty:/PATH or unix:/PATH is expected")
-                           .arg(toQString(word)));
+        return failure(
+            ErrorCode::InvalidInput,
+            Text::tr("\"%1\" is not a place to listen. tcp:ADDRESS:PORT, pty:/PATH or unix:/PATH is expected")
+                .arg(toQString(word)));
     }
     (terminal ? listener.pty : listener.unixPath) = std::string(path);
     return {};
@@ -109,7 +110,7 @@ Result<> readAllowed(std::string_view word, Listener& listener)
     const QString shown = toQString(word);
     const bool network = word.find('/') != std::string_view::npos;
     if (network ? QHostAddress::parseSubnet(shown).first.isNull() : QHostAddress(shown).isNull()) {
-        return failure(ErrorCode::InvalidInput, Text::tr("\"%1\" is no IP address and no network").arg(shown));
+        return failure(ErrorCode::InvalidInput, Text::tr("\"%1\" is neither an IP address nor a network").arg(shown));
     }
     listener.allow.push_back(entry);
     return {};
@@ -143,7 +144,7 @@ Result<Listener> parseListener(std::string_view text)
     }
     if (!isTcp(listener) && words.size() > 3) {
         return failure(ErrorCode::InvalidInput,
-                       Text::tr("a path takes no addresses, here \"%1\". Only programs of this computer reach it")
+                       Text::tr("\"%1\" must not follow a path. Only programs of this computer reach a path")
                            .arg(toQString(words[3])));
     }
     for (std::size_t i = 3; i < words.size(); ++i) {

@@ -115,8 +115,9 @@ Result<LocalRequest> parseRequest(const QByteArray& line)
     if (found == kWords.end() || hasTarget == (word == text)) {
         return failure(
             ErrorCode::InvalidInput,
-            Text::tr("This is not a command. The commands are take, release, stop, reset-stop, override-wind, "
-                     "satellites, status, transmit, track TARGET, antennas, antenna NAME and those of the schedule."));
+            Text::tr(
+                "This is not a command. The commands are take, release, stop, reset-stop, override-wind, satellites, "
+                "status, transmit, track TARGET, antennas, antenna NAME and the commands of the schedule."));
     }
     return LocalRequest{.command = found->first, .target = hasTarget ? text.mid(word.size()).trimmed() : QByteArray()};
 }

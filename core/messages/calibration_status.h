@@ -36,7 +36,7 @@ enum class CalibrationRun
     CrossScan
 };
 
-// What runs now, and how the last run ended.
+// The present run, and how the last run ended.
 struct CalibrationProgress
 {
     CalibrationRun run = CalibrationRun::None;
@@ -127,7 +127,7 @@ struct ProposalResiduals
     std::size_t points = 0;
 };
 
-// What Apply would do.
+// The changes that Apply would make.
 struct CalibrationProposal
 {
     std::uint64_t number = 0;  // ApplyCalibration repeats it, so that only the proposal on the screen is applied

@@ -7,8 +7,8 @@
 #include <array>
 #include <optional>
 
-// What a rotator can do. Control requests nothing else, and the screen offers nothing else. Constant for the life of a
-// driver. Plain values.
+// The capabilities of a rotator. Control requests nothing else, and the screen offers nothing else. Constant for the
+// life of a driver. Plain values.
 namespace boresight {
 
 struct AxisCapabilities

@@ -3,7 +3,7 @@
 
 #include <QString>
 
-// What identifies a drive on the bus. Plain values.
+// The identity of a drive on the bus. Plain values.
 namespace boresight {
 
 struct DriveIdentity

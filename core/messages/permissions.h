@@ -25,13 +25,13 @@ enum class JogDirection
 
 enum class Action
 {
-    Move,   // anything at all
-    Hold,   // also leaves PARKED; where nothing is left to hold the screen does not offer it, but it is never refused
-    Point,  // to an angle: needs the wrap of both axes
+    Move,   // any motion
+    Hold,   // also leaves PARKED. Never refused, but not offered if nothing moves and nothing is held
+    Point,  // to a direction or angles: the wrap of both axes must be known
     Track,
-    TrackSun,        // the profile may keep the beam away from it
+    TrackSun,        // the profile may forbid the Sun
     FollowAzel,      // the Moon of WSJT-X
-    FollowPosition,  // what reports its position
+    FollowPosition,  // a balloon or rocket that reports its position
     ArmSchedule,     // of passes
     Park,
     OverrideWind,
@@ -47,16 +47,16 @@ enum class Action
     StepDown,
     StepLeft,
     StepRight,
-    SetAzimuth,  // the axis stands at a known angle, which may be given another number
+    SetAzimuth,  // gives the present angle another number; the axis must stand at a known angle
     SetElevation,
     ReadDrives,
     FixDrives,
-    AssignAzimuthBoard,  // the board that is connected alone gets the id of the axis
+    AssignAzimuthBoard,  // gives the only connected board the id of this axis
     AssignElevationBoard,
-    SetAzimuthGear,  // the ratio of the profile is written into the drive
+    SetAzimuthGear,  // writes the gear ratio of the profile into the drive
     SetElevationGear,
     SwitchOff,
-    SwitchOffAzimuth,  // this drive alone
+    SwitchOffAzimuth,  // only this drive
     SwitchOffElevation,
     ReleaseBus,
     ProveCrashStop,
@@ -81,18 +81,18 @@ enum class Action
     RedoCalibration,
     Rearm,
     ResetStop,
-    ClearTrim,  // where the target has no trim the screen does not offer it, but it is never refused
+    ClearTrim,  // never refused, but not offered if the target has no trim
     TakeAuthority,
     GiveAuthority,
-    ChooseAzimuthTurn,  // the answer to the question which wrap the axis is on
+    ChooseAzimuthTurn,  // answers which wrap the axis is on
     ChooseElevationTurn,
     TakeBus,
     EndProof,
-    ReadAzimuthGains,  // of the drive of the axis
+    ReadAzimuthGains,  // of this drive
     ReadElevationGains,
-    SetAzimuthGains,  // those that the drive takes while it is on
+    SetAzimuthGains,  // gains that the drive takes while it is on
     SetElevationGains,
-    SetAzimuthFilter,  // those for which it must be off
+    SetAzimuthFilter,  // gains for which the drive must be off
     SetElevationFilter,
     PutAzimuthGainsBack,
     PutElevationGainsBack,
@@ -104,7 +104,7 @@ enum class Action
     Count
 };
 
-// The action of a row that belongs to one of several.
+// Finds an action in a row of similar ones, such as one for each axis or direction: `first` is the first of the row.
 template <class Which>
 [[nodiscard]] constexpr Action actionOf(Action first, Which which)
 {
@@ -154,9 +154,9 @@ template <class Which>
 class Permissions
 {
 public:
-    // Nothing is allowed, because the gates have not been asked yet.
+    // Nothing is allowed: the state before the gates were asked.
     Permissions();
-    // Everything is allowed, but fastestJog is 0: what the gates begin with.
+    // Everything is allowed, but fastestJog is 0: the state from which the gates refuse actions.
     [[nodiscard]] static Permissions all() { return Permissions(QString()); }
 
     // Why the action is refused; empty: it is allowed.

@@ -11,12 +11,12 @@
 #include <optional>
 #include <vector>
 
-// The schedule as it was run ahead of time on a simulated copy of the mount. Plain values. Angles of the axis.
+// The result of running the schedule ahead of time on a simulated copy of the mount. Plain values. Mechanical angles.
 namespace boresight {
 
 struct RehearsedNight
 {
-    // What the station would log as a warning, at the time at which it would.
+    // A warning that the station would log, and the time of it.
     struct Remark
     {
         UtcTime utc{};
@@ -26,22 +26,22 @@ struct RehearsedNight
     };
 
     UtcTime from{};
-    UtcTime to{};  // when the last pass is over, or when the schedule would be disarmed
+    UtcTime to{};  // the end of the last pass, or when the schedule would be disarmed
     schedule::NightPlan plan;
     schedule::NightReport report;
-    Angle leastAzimuth;  // between these the cable is used
+    Angle leastAzimuth;  // smallest and largest azimuth of the axis
     Angle mostAzimuth;
-    std::vector<Remark> remarks;  // in their order
-    QString disarmed;             // why the schedule would end before its last pass; empty: it would not
+    std::vector<Remark> remarks;  // in the order of time
+    QString disarmed;             // why the schedule would be disarmed before its last pass; empty: it would not
 
     bool operator==(const RehearsedNight&) const = default;
 };
 
 struct RehearsalStatus
 {
-    std::optional<double> progress;               // 0 to 1; empty: none runs
-    QString problem;                              // why the last one came to nothing
-    std::shared_ptr<const RehearsedNight> night;  // the last one; nullptr: none was made, or it came to nothing
+    std::optional<double> progress;               // 0 to 1; empty: no rehearsal is running
+    QString problem;                              // why the last rehearsal has no result
+    std::shared_ptr<const RehearsedNight> night;  // the last result; null: there is none
 };
 
 }  // namespace boresight

@@ -19,8 +19,8 @@
 #include <string>
 #include <variant>
 
-// Everything anybody may ask of the station, as values: they cross threads by queued signals. The station accepts or
-// refuses each with a reason; the effect is seen in the next status.
+// All requests to the station, as values: they cross threads by queued signals. The station accepts each one, or
+// refuses it with a reason. The effect is visible in the next status.
 namespace boresight::request {
 
 struct PointSky  // go to a direction, on the nearest permitted wrap

@@ -12,7 +12,7 @@ namespace boresight {
 struct RotatorModel
 {
     int number = 0;
-    QString name;  // with its maker
+    QString name;  // maker and model
 
     bool operator==(const RotatorModel&) const = default;
 };
@@ -20,7 +20,7 @@ struct RotatorModel
 struct RotatorModels
 {
     std::vector<RotatorModel> list;
-    QString problem;  // why there is none, and what to do
+    QString problem;  // why there is no list, and what to do
 
     bool operator==(const RotatorModels&) const = default;
 };

@@ -24,13 +24,13 @@ struct RotatorOffer
     QString place;  // label of the field for the address
     QString placeHelp;
     QString example;
-    QStringList usualPlaces;    // offered besides what is found
-    bool onSerialPort = false;  // an entered path is a serial port, which has a speed
-    std::string network;        // the kind of bus of an entered HOST:PORT, or of each model
-    int usualPort = 0;          // where only a host is entered; 0: none is usual
+    QStringList usualPlaces;    // offered in addition to the places that were found
+    bool onSerialPort = false;  // a path that a person enters is a serial port and has a speed
+    std::string network;        // kind of bus for an entered HOST:PORT, and for a model
+    int usualPort = 0;          // used if only a host is entered; 0: none
 
-    QStringList promise;  // what Connect asks there, and what it leaves alone
-    QStringList checks;   // in this order, when nothing answers
+    QStringList promise;  // what Connect asks there, and what it does not change
+    QStringList checks;   // what to check if nothing answers, in this order
 
     bool operator==(const RotatorOffer&) const = default;
 };

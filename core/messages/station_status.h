@@ -94,7 +94,7 @@ struct CableEnd
     std::optional<Seconds> lostByHolding = {};
 };
 
-// Who may move the mount.
+// Whether the clients or the operator may move the mount.
 enum class Authority
 {
     Clients,
@@ -108,8 +108,8 @@ enum class SourceKind
     Station
 };
 
-// Who sent a request. The log and the screen show `name`: "operator", "rotctld 127.0.0.1:51234".
-// A client that speaks another protocol is "client PROTOCOL ADDRESS".
+// The sender of a request. The log and the screen show `name`: "operator", "rotctld 127.0.0.1:51234". A client that
+// speaks another protocol is "client PROTOCOL ADDRESS".
 struct Source
 {
     SourceKind kind = SourceKind::Station;
@@ -131,14 +131,14 @@ struct BeamAngles
 struct AxisStatus
 {
     AxisState state = AxisState::NoData;
-    std::optional<Angle> actual;                   // last measured, whatever its age
+    std::optional<Angle> actual;                   // last measured, of any age
     std::optional<AngularRate> rate;               // last measured
-    std::optional<std::chrono::milliseconds> age;  // of `actual`, else of the last reply; empty: never one
+    std::optional<std::chrono::milliseconds> age;  // of `actual`, or else of the last reply; empty: no reply yet
     std::optional<Angle> commanded;                // the set-point sent now
     std::optional<AngularRate> commandedRate;      // of the set-point
-    std::optional<Angle> target;                   // where the set-point is heading
+    std::optional<Angle> target;                   // where the set-point is moving to
     TravelRange travel;
-    BeamAngles beam;                         // the same three of the beam
+    BeamAngles beam;                         // of the beam
     std::optional<double> busVoltage;        // V
     std::optional<double> boardTemperature;  // °C
     std::optional<double> motorTemperature;  // °C, empty without a sensor
@@ -161,7 +161,7 @@ struct ClientStatus
     bool inControl = false;          // its motion commands are accepted, other clients' are not
     bool readOnly = false;
     bool locked = false;      // the profile names this client as the only one that may move the mount
-    bool wanting = false;     // waiting for control: its motion commands are refused because another client has it
+    bool wanting = false;     // requests control: its motion commands are refused because another client has it
     QString advice;           // what would make the client work better; may be empty
     QString controlObstacle;  // why control cannot or need not be given to it now; empty: it can be given
 };
@@ -172,7 +172,7 @@ struct BrokerStatus
     bool wanted = false;
     bool connected = false;
     QString name;                    // "broker.example:1883"
-    QString problem;                 // one line: what, where, what to do; empty while all is well
+    QString problem;                 // one line: what, where, what to do; empty: no problem
     std::optional<Seconds> retryIn;  // empty while there is a connection or an attempt at one
 };
 
@@ -219,21 +219,22 @@ struct SlewProgress
     double done = 0.0;  // 0 to 1 of the time that the whole way takes
 };
 
-// The target that the station follows by itself, or waits for: a satellite, a body, a direction, a position.
+// The target that the station tracks by itself, or for whose rise it waits: a satellite, a body, a direction, a
+// position.
 struct TrackedTarget
 {
     QString name;
     std::optional<std::int64_t> number = {};  // of a satellite
     bool isUp = false;
-    std::optional<UtcTime> next = {};  // it sets, or rises; empty: it never sets
-    // From its rise, or from when it was chosen, until it sets, at most for a day. Null: not known.
+    std::optional<UtcTime> next = {};  // the next set or rise; empty: it never sets
+    // From its rise, or from when it was selected, until it sets, but at most for a day. Null: unknown.
     targets::SkyWay way = {};
-    // The angular rate across the sky now, or at the rise. A clock that is wrong by 1 s makes the beam miss the
-    // target by the angle of 1 s at this rate. Empty: its direction does not depend on the clock of this computer.
+    // The angular rate across the sky now, or at the rise. If the clock is wrong by 1 s, the beam is wrong by the angle
+    // that the target moves in 1 s. Empty: the direction does not depend on the clock of this computer.
     std::optional<AngularRate> skyRate = {};
 };
 
-// A body in the sky over the site, also below the horizon.
+// The direction of a body in the sky of the site, also below the horizon.
 struct BodyPlace
 {
     ephemeris::Body body = ephemeris::Body::Sun;
@@ -246,52 +247,52 @@ struct TimingStatus
     Seconds lateP50{0.0};
     Seconds lateP99{0.0};
     Seconds lateWorst{0.0};
-    QString scheduling;  // one line; empty where it was not asked for
+    QString scheduling;  // one line; empty: nobody has requested real-time scheduling
 };
 
-// The clock of this computer, by which satellites, Sun and Moon are computed.
+// The clock of this computer. Satellites, Sun and Moon are computed with it.
 struct ClockStatus
 {
     bool synchronised = true;      // a time source sets it
-    std::optional<Seconds> error;  // as that source reports it
+    std::optional<Seconds> error;  // as reported by the time source
 };
 
 struct StationStatus
 {
     StationState state = StationState::Disconnected;
-    QString stateReason;       // one line: why this state, for the tool tip and the log
-    bool stopLatched = false;  // also while the state says DISCONNECTED or FAULT
+    QString stateReason;       // one line: why it is in this state, for the tool tip and the log
+    bool stopLatched = false;  // also while the state is DISCONNECTED or FAULT
     AxisStatus azimuth;
     AxisStatus elevation;
     std::optional<SkyPointing> actual;
     std::optional<SkyPointing> commanded;
     std::optional<SkyPointing> target;
-    QString targetText;                // "P 339.50 57.00", "go to 113.0° 10.0°", "park"; empty without a target
-    Source commander;                  // whose target it is
-    bool aimed = false;                // it is sent to a target: no jog, no place of the mount itself, no calibration
-    bool limited = false;              // the target was outside the limits; the nearest permitted point is driven
-    QString limitedReason;             // then why: "elevation -5.0° below limit 0.0°"
-    std::vector<SkyPointing> route;    // of the beam around what is forbidden, from `commanded` to the target
-    std::optional<SlewProgress> slew;  // empty: it is not on its way to a fixed target
-    std::optional<SkyPointing> trim;   // what the operator's nudges add to a client's targets
-    std::optional<CableEnd> cableEnd;  // told in time: at least 30° or 30 s ahead
+    QString targetText;     // "P 339.50 57.00", "go to 113.0° 10.0°", "park"; empty: no target
+    Source commander;       // the source of the target
+    bool aimed = false;     // the target is a direction, not a jog, a place of the mount itself or a calibration
+    bool limited = false;   // the target is outside the limits, and the mount goes to the nearest permitted place
+    QString limitedReason;  // why it is limited: "elevation -5.0° below limit 0.0°"
+    std::vector<SkyPointing> route;    // the beam goes around forbidden places, from `commanded` to the target
+    std::optional<SlewProgress> slew;  // empty: the mount is not on its way to a fixed target
+    std::optional<SkyPointing> trim;   // the sum of the operator's nudges, added to each point of a stream
+    std::optional<CableEnd> cableEnd;  // reported at least 30° or 30 s ahead
     Authority authority = Authority::Clients;
-    // An act of the operator other than "Take control" took the control from clients, and they have not got it back.
+    // The operator took control by something other than "Take control", and clients have not got it back since.
     bool tookControl = false;
     std::optional<TrackedTarget> tracked;
-    std::string antenna = pointing::kMainAntenna;        // in use, by its name: see antennaOf()
-    std::string chosenAntenna = pointing::kMainAntenna;  // by hand: of what has no antenna of its own
-    // Whose elements are known, in the order of their numbers. Never null.
+    std::string antenna = pointing::kMainAntenna;        // name of the antenna in use: see antennaOf()
+    std::string chosenAntenna = pointing::kMainAntenna;  // by the operator, for targets without one of their own
+    // Satellites with known elements, sorted by number. Never null.
     std::shared_ptr<const std::vector<orbit::ElementSet>> satellites =
         std::make_shared<const std::vector<orbit::ElementSet>>();
-    QStringList elementProblems;  // of element files and downloads: what cannot be used, and why. The first ones
+    QStringList elementProblems;  // the first problems of element files and downloads
     AzelStatus azel;
     PositionStatus position;
     WindStatus wind;
-    std::vector<BodyPlace> bodies;       // empty: the site is not set
+    std::vector<BodyPlace> bodies;       // empty: the site is unknown
     Permissions permissions;             // of the operator
     Capabilities capabilities;           // of the mount
-    std::optional<DrivesStatus> drives;  // empty: the mount has no drives that can be read or set
+    std::optional<DrivesStatus> drives;  // empty: the drives cannot be read or set
     MountLine line;
     bool simulated = false;
     QString listening;  // "127.0.0.1:4533", empty when the server could not listen
@@ -303,33 +304,34 @@ struct StationStatus
     std::vector<Alarm> alarms;  // active or unacknowledged, worst first
     UtcTime utc;
     std::uint64_t tick = 0;
-    // What is in force: the object that is drawn and edited is the object that is obeyed. Never null.
+    // The profile in force. The screen draws and edits the same object that the station obeys. Never null.
     std::shared_ptr<const profile::Profile> profile = fresh<profile::Profile>();
-    std::vector<pointing::KeepOut> sunKeepOuts;  // obeyed besides the profile's keep-outs, while the Sun is up
-    std::vector<std::string> waitingKeys;        // applied, and in force after Reconnect
-    // What the calibration desk does and has found; never null.
+    std::vector<pointing::KeepOut> sunKeepOuts;  // added to the keep-outs of the profile while the Sun is up
+    std::vector<std::string> waitingKeys;        // settings that apply after Reconnect
+    // The state and the results of the calibrations. Never null.
     std::shared_ptr<const CalibrationStatus> calibration = fresh<CalibrationStatus>();
-    // What the tuning desk does and has measured; never null.
+    // The state and the results of tuning. Never null.
     std::shared_ptr<const TuningStatus> tuning = fresh<TuningStatus>();
-    // The passes that are tracked by themselves; never null.
+    // The passes that Boresight tracks by itself. Never null.
     std::shared_ptr<const ScheduleStatus> schedule = fresh<ScheduleStatus>();
     RehearsalStatus rehearsal;
     TransmitStatus transmit;
     ClockStatus clock;
 };
 
-// Directions are those of its beam, and what a pointing error costs goes by its beam width.
+// The antenna in use. Directions in the status are those of its beam, and its beam width shows how much a pointing
+// error matters.
 [[nodiscard]] inline pointing::Antenna antennaOf(const StationStatus& status)
 {
     return status.profile->antenna(status.antenna);
 }
-// How that beam differs from what the axes show.
+// How the beam in use differs from what the axes show.
 [[nodiscard]] inline pointing::PointingTerms termsOf(const StationStatus& status)
 {
     return status.profile->termsOf(antennaOf(status));
 }
 
-// What an axis did in one tick, for the charts. Unknown is empty.
+// The values of an axis in one tick, for the charts. Empty: unknown.
 struct AxisSample
 {
     std::optional<Angle> commanded;
@@ -347,11 +349,11 @@ struct TickSample
     std::array<AxisSample, 2> axes;  // azimuth, elevation
 };
 
-// What a line of the log reports.
+// The kind of event that a line of the log reports.
 enum class LogKind
 {
     Event,
-    MotionStart,  // who moved the mount, and why
+    MotionStart,  // which source moved the mount, and why
     Alarm
 };
 
@@ -380,12 +382,12 @@ struct LogEntry
 struct DirectionVerdict
 {
     QString whyNot = {};                      // empty: it may
-    std::optional<SkyPointing> nearest = {};  // the nearest direction that is allowed, where this one is not
+    std::optional<SkyPointing> nearest = {};  // the nearest permitted direction, if this one is not permitted
 
     bool operator==(const DirectionVerdict&) const = default;
 };
 
-// The answer to one request of the screen; `error` empty means accepted.
+// The answer to one request of the screen. An empty `error` means that the request was accepted.
 struct Answer
 {
     std::uint64_t requestId = 0;
@@ -400,7 +402,7 @@ struct StationUpdate
     StationStatus status;
     std::vector<LogEntry> log;
     std::vector<Answer> answers;
-    std::vector<TickSample> samples;  // of the ticks since the last update, the newest of them if there were many
+    std::vector<TickSample> samples;  // of the ticks since the last update; if there were too many, only the newest
 };
 
 // The words of ui.md and of every log line: "TRACK", "NO DATA".

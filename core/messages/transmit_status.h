@@ -12,12 +12,12 @@ namespace boresight {
 
 struct TransmitStatus
 {
-    QString output;                   // as the profile names it; empty: it names none
-    bool on = false;                  // by the last word of the output
-    QString whyOff;                   // what keeps it off; empty: nothing
-    QString problem;                  // of the output; empty: it works
-    Angle within;                     // the largest error with which it is on
-    std::optional<Angle> error = {};  // of the beam, on the sky
+    QString output;                   // its name in the profile; empty: the profile names none
+    bool on = false;                  // as last reported by the output
+    QString whyOff;                   // what keeps the output off; empty: nothing
+    QString problem;                  // of the output; empty: none
+    Angle within;                     // the output is on only while the error is smaller
+    std::optional<Angle> error = {};  // angle on the sky between beam and target
 };
 
 }  // namespace boresight

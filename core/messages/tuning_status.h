@@ -16,8 +16,8 @@
 #include <optional>
 #include <vector>
 
-// What the tuning desk tells the screen: what runs, where a run would move, and what the runs have measured. One
-// immutable snapshot, made again when something changed. Sentences are translated; angles of the axes are mechanical.
+// The report of the tuning desk to the screen: the present run, the planned motion of each run, and the results. An
+// immutable snapshot, replaced when something has changed. Sentences are translated. Angles of the axes are mechanical.
 namespace boresight {
 
 enum class TuningRun
@@ -30,14 +30,14 @@ enum class TuningRun
 
 inline constexpr std::array kTuningRuns{TuningRun::Step, TuningRun::Ramp, TuningRun::Sweep, TuningRun::Backlash};
 
-// Where a run will move, told before it starts.
+// The motion of a run, reported before the run starts.
 struct TuningPlan
 {
-    Angle from;  // it begins and ends here
-    Angle to;    // the farthest place
+    Angle from;  // where the run begins and ends
+    Angle to;    // the place farthest from `from`
     Seconds duration{0.0};
-    QString text;      // both, in a sentence
-    QString obstacle;  // why it has not the room; empty: it has
+    QString text;      // the motion and its duration, as a sentence
+    QString obstacle;  // why the axis has not enough free travel; empty: it has
 };
 
 struct TuningResult
@@ -45,16 +45,16 @@ struct TuningResult
     Axis axis = Axis::Azimuth;
     TuningRun run = TuningRun::Step;
     UtcTime when{};
-    // The gains of the drive in force meanwhile, in their own order; empty: not read.
+    // The gains of the drive during the run, in the order of DriveGains. Empty: they could not be read.
     std::vector<std::optional<double>> gains{};
-    bool asFound = true;                          // they are those that were found first
-    std::optional<response::StepFigures> step{};  // the worse of both ways, in each figure
-    std::optional<response::RampFigures> ramp{};  // the same
+    bool asFound = true;                          // the gains are those that Boresight found first
+    std::optional<response::StepFigures> step{};  // each figure is the worse one of both directions
+    std::optional<response::RampFigures> ramp{};  // as in `step`
     std::vector<response::SweepPoint> sweep{};
     std::optional<response::BacklashFigures> backlash{};
-    bool good = false;                        // nothing needs to be tuned for it
+    bool good = false;                        // the axis needs no tuning for this result
     QStringList verdict{};                    // in plain words, one fact a sentence
-    std::vector<response::Sample> samples{};  // of the whole run
+    std::vector<response::Sample> samples{};  // of the whole run, thinned
 };
 
 // How a run ended.
@@ -69,12 +69,12 @@ struct TuningOutcome
 struct TuningStatus
 {
     std::optional<TuningRun> running;
-    Axis axis = Axis::Azimuth;  // of the run
-    double done = 0.0;          // 0…1
+    Axis axis = Axis::Azimuth;  // axis of the run
+    double done = 0.0;          // progress of the run, 0…1
     Seconds left{0.0};
-    std::optional<TuningOutcome> outcome;                             // of the last run; empty before the first
+    std::optional<TuningOutcome> outcome;                             // of the last run; empty before the first run
     std::array<std::array<TuningPlan, kTuningRuns.size()>, 2> plans;  // by axis and run
-    // Of each axis and run the newest with the gains as found and the newest with others: before and after.
+    // For each axis and run: the newest result with the gains as found, and the newest with changed gains.
     std::vector<TuningResult> results;
 };
 

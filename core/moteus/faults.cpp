@@ -101,7 +101,7 @@ constexpr std::array kRows{
               QT_TRANSLATE_NOOP("Text", "Check supply, fuse and cable")}},
     FaultRow{
         41,
-        {"configuration changed", QT_TRANSLATE_NOOP("Text", "A setting was changed while driving that requires a stop"),
+        {"configuration changed", QT_TRANSLATE_NOOP("Text", "A setting that requires a stop was changed while driving"),
          QT_TRANSLATE_NOOP("Text", "Another program wrote to the drive"),
          QT_TRANSLATE_NOOP("Text", "Close the other program, then re-arm"), true}},
     FaultRow{42,
@@ -189,7 +189,7 @@ static_assert(std::ranges::is_sorted(kRows, {}, &FaultRow::code));
 
 constexpr FaultText kUndefined{
     "undefined code", QT_TRANSLATE_NOOP("Text", "The drive reports a code that register map 5 does not define"),
-    QT_TRANSLATE_NOOP("Text", "Firmware other than the one that Boresight was made for"),
+    QT_TRANSLATE_NOOP("Text", "Firmware that Boresight does not support"),
     QT_TRANSLATE_NOOP("Text",
                       "Compare the firmware version of the drive with the version that this program was made for")};
 

@@ -196,7 +196,8 @@ bool Drive::answering(SteadyTime now) const
     return m_report && now - m_heard < kSilence;
 }
 
-// Replies that waited during the stall are stamped when they are read. So the excuse must not reach beyond now.
+// The stall does not count as silence of the drive. Replies that arrived during the stall are read after it and have
+// that later time. So no time may be moved beyond `now`.
 void Drive::excuse(Seconds stall, SteadyTime now)
 {
     const auto excused = std::chrono::duration_cast<SteadyTime::duration>(stall);

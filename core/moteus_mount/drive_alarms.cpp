@@ -100,8 +100,8 @@ AlarmCase answersAgain(const QString& drive, Seconds silent, const std::optional
 {
     const QString how = !moved ? nothingMoves()
                         : !isWorthAWord(*moved)
-                            ? Text::tr("The axis did not move while no reply came. Its position is continuous")
-                            : Text::tr("The axis moved %1 while no reply came. Its position is continuous")
+                            ? Text::tr("The axis did not move while no reply came. Its position is still known")
+                            : Text::tr("The axis moved %1 while no reply came. Its position is still known")
                                   .arg(degreesText(abs(*moved)));
     return {alarmEntry("drive.answers-again"), {drive, durationText(silent), how}};
 }
@@ -126,9 +126,9 @@ AlarmCase bothAnswerAgain(Seconds silent, const std::optional<Angle>& azimuth, c
             return nothingMoves();
         }
         if (!isWorthAWord(*azimuth) && !isWorthAWord(*elevation)) {
-            return Text::tr("The mount did not move while no reply came. Its position is continuous");
+            return Text::tr("The mount did not move while no reply came. Its position is still known");
         }
-        return Text::tr("Azimuth moved %1 and elevation %2 while no reply came. The position is continuous")
+        return Text::tr("Azimuth moved %1 and elevation %2 while no reply came. The position is still known")
             .arg(degreesText(abs(*azimuth)), degreesText(abs(*elevation)));
     };
     return {alarmEntry("drives.answer-again"), {durationText(silent), how()}};

@@ -245,10 +245,11 @@ Result<> DriveCare::mayTouch() const
         return failure(ErrorCode::Busy, Text::tr("Boresight is changing a board. Wait a moment."));
     }
     if (m_driveCheck.state() == DriveCheckState::Fixing) {
-        return failure(ErrorCode::Refused, Text::tr("the drives' settings are being written: wait until that is done"));
+        return failure(ErrorCode::Refused,
+                       Text::tr("Boresight is writing the settings of the drives. Wait until this ends."));
     }
     if (std::ranges::any_of(m_gains, &drive_check::AxisGains::isBusy)) {
-        return failure(ErrorCode::Busy, Text::tr("Boresight is reading or writing the gains. Wait until that ends."));
+        return failure(ErrorCode::Busy, Text::tr("Boresight is reading or writing the gains. Wait until this ends."));
     }
     return {};
 }

@@ -19,7 +19,7 @@ namespace boresight {
 class DriveWatch
 {
 public:
-    // What the station knows and the drive does not report.
+    // Facts that the station knows and the drive does not report.
     struct Context
     {
         SteadyTime now{};
@@ -86,7 +86,7 @@ private:
     supervision::AxisSupervisor m_supervisor;
     SilenceAlarms& m_silences;
     std::optional<Silent> m_silent;
-    // The symptoms that have an alarm, and the weight that was reported. An empty weight was reported before the last
+    // The symptoms that have an alarm, each with the weight that was reported. Empty: it was reported before the last
     // re-arm.
     std::map<supervision::Symptom, std::optional<supervision::Weight>> m_told;
     std::set<supervision::Symptom> m_stops;   // the symptoms that are dangerous now

@@ -44,7 +44,7 @@ Result<std::unique_ptr<CanLink>> makeLinkTo(const std::string& busName, const Cl
             case BusKind::Rotctld:
             case BusKind::Hamlib:
                 return failure(ErrorCode::InvalidInput,
-                               Text::tr("%1 is no CAN bus. A moteus needs fdcanusb:PATH or socketcan:INTERFACE")
+                               Text::tr("%1 is not a CAN bus. A moteus needs fdcanusb:PATH or socketcan:INTERFACE")
                                    .arg(toQString(busName)));
             case BusKind::Simulated:
                 break;

@@ -12,9 +12,9 @@
 #include <optional>
 #include <utility>
 
-// What a stall of this computer means for the drives. Excuses the drives for replies that they could not give, and
-// captures the drives again that their own watchdogs stopped. The motion was not cancelled, so it continues. Station
-// thread only. Mechanical angles.
+// Handles the effect of a stall of this computer on the drives. Excuses the drives for replies that they could not
+// give, and captures the drives again that their own watchdogs stopped. The motion was not cancelled, so it continues.
+// Station thread only. Mechanical angles.
 namespace boresight {
 
 class StallGuard

@@ -22,8 +22,8 @@ constexpr Angle kWorthNoting = Angle::fromDegrees(0.1);
 constexpr Angle kEyeSight = Angle::fromDegrees(20.0);
 // The millisecond counter of the drive starts again at 0 after this time.
 constexpr Seconds kCounterSpan{4294967.296};
-// What is known about the drive may be from before its restart. The heartbeat of the drive check detects a restart
-// within a second.
+// The facts about the drive may be from before its restart. The heartbeat of the drive check detects a restart within a
+// second.
 constexpr std::chrono::milliseconds kHeartbeat{1500};
 // Each reading takes half a dozen frames.
 constexpr std::chrono::seconds kOriginPeriod{5};
@@ -236,14 +236,16 @@ Result<> TurnKeeper::enteredPlaceCounts() const
 {
     const auto age = std::chrono::floor<std::chrono::minutes>(m_clock.utc() - m_start.looked);
     if (m_placeUsedBefore) {
-        return failure(ErrorCode::Refused, Text::tr("An earlier start has used it. It counts once."));
+        return failure(ErrorCode::Refused, Text::tr("An earlier start has used this position. It counts once."));
     }
     if (age >= kPlaceAge) {
-        return failure(ErrorCode::Refused,
-                       Text::tr("It is %1 min old. It is valid for %2 min.").arg(age.count()).arg(kPlaceAge.count()));
+        return failure(ErrorCode::Refused, Text::tr("The entered position is %1 min old. It is valid for %2 min.")
+                                               .arg(age.count())
+                                               .arg(kPlaceAge.count()));
     }
     if (age < -kClockError) {
-        return failure(ErrorCode::Refused, Text::tr("Its time is in the future. Check the clock of this computer."));
+        return failure(ErrorCode::Refused,
+                       Text::tr("The entered time is in the future. Check the clock of this computer."));
     }
     return {};
 }
@@ -337,7 +339,7 @@ Result<> TurnKeeper::mayChoose(Axis axis, const Drive& drive) const
 {
     if (!question(axis, drive)) {
         return failure(ErrorCode::Refused,
-                       Text::tr("Boresight did not ask where the axis of the %1 is.").arg(drive.label()));
+                       Text::tr("Boresight did not ask for the axis position of the %1.").arg(drive.label()));
     }
     if (!drive.canBeReferenced()) {
         return failure(ErrorCode::Refused, Text::tr("The drive is busy. Try again in a second."));

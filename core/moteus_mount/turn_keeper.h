@@ -85,8 +85,8 @@ private:
     {
         Phase phase = Phase::Unjudged;
         std::optional<QString> doubt{};
-        // What was read from the drive before this time is not valid any more: the drive was silent, or its position
-        // was set.
+        // Values that were read from the drive before this time are not valid any more: the drive was silent, or its
+        // position was set.
         SteadyTime since = SteadyTime::min();
         TurnQuestion question{};
         MotorTurns reportedWhenAsked{};

@@ -23,7 +23,7 @@ public:
         : m_turns(turns), m_drives(drives), m_watches(watches), m_alarms(alarms)
     {}
 
-    // What the drive check knows about a drive. Empty: nothing, and the wrap is then judged again later.
+    // The facts that the drive check has about a drive. Empty: none, and the wrap is then judged again later.
     void learn(Axis axis, const std::optional<drive_check::DriveFacts>& facts) { m_facts[index(axis)] = facts; }
     [[nodiscard]] const std::optional<drive_check::DriveFacts>& facts(Axis axis) const { return m_facts[index(axis)]; }
     // The origin of the drive's count must be read again.

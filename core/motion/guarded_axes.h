@@ -82,7 +82,7 @@ public:
     [[nodiscard]] Seconds restTime(const AxisPosition& target) const;
     // The axis was asked to go on, but is at an edge of the permitted region, or brakes for it.
     [[nodiscard]] bool held(Axis axis) const { return m_held[axis == Axis::Azimuth ? 0 : 1] != 0; }
-    // What holds the axes: `the keep-out "mast"`. Empty if nothing does.
+    // The obstacle that holds the axes: `the keep-out "mast"`. Empty if there is none.
     [[nodiscard]] QString obstacle() const;
 
 private:

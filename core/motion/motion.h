@@ -103,7 +103,7 @@ public:
     [[nodiscard]] bool stray() const { return m_axes.stray(); }
     // The axis is at an edge, or brakes for it, and the target is beyond that edge.
     [[nodiscard]] bool held(Axis axis) const { return m_axes.held(axis); }
-    // What holds an axis or forbids the target: `the keep-out "mast"`. Empty if nothing does.
+    // The obstacle that holds an axis or forbids the target: `the keep-out "mast"`. Empty if there is none.
     [[nodiscard]] QString obstacle() const;
 
 private:

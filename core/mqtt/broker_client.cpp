@@ -143,7 +143,8 @@ void BrokerClient::accepted()
         m_session->subscribe(filter);
     }
     setProblem({});
-    m_connectedAt = m_clock.now();  // last: no signal shows the connection before connected() does
+    m_connectedAt =
+        m_clock.now();  // set after the problem was reported, so that its receiver does not see a connection too early
     Q_EMIT connected();
 }
 

@@ -12,10 +12,10 @@
 namespace boresight::mqtt {
 namespace {
 
-// Seconds. The state comes each second. Home Assistant shows no value after this time without one.
+// s. The state is published each second. After this time without a state Home Assistant shows no value.
 constexpr int kExpiry = 10;
 
-// Names are English in every language: Home Assistant makes the ids of its entities from them.
+// The names are always English, because Home Assistant makes the ids of its entities from them.
 struct Entity
 {
     QString component;
@@ -40,7 +40,7 @@ QString topicOf(const Described& mount, const char* name)
     return unslashed(mount.prefix) + ascii("/") + ascii(name);
 }
 
-// Of the characters that a topic of the discovery may have.
+// An id for the mount, from the characters that a discovery topic may have.
 QString idOf(const Described& mount)
 {
     static const QRegularExpression kOthers(QStringLiteral("[^a-zA-Z0-9_-]"));
@@ -48,7 +48,7 @@ QString idOf(const Described& mount)
     return id.startsWith(ascii("boresight")) ? id : ascii("boresight_") + id;
 }
 
-// A value of the state.
+// An entity that shows a value of the state.
 Entity shown(const char* component, const char* key, const char* name, const char* value, QJsonObject more)
 {
     more[ascii("value_template")] = ascii(value);
@@ -83,7 +83,7 @@ Entity alarmCount(const Described& mount)
                   {ascii("json_attributes_template"), ascii("{{ {'alarms': value_json.alarms} | tojson }}")}});
 }
 
-// It does not expire: nothing repeats it.
+// This value does not expire, because it is published only once.
 Entity answerText(const Described& mount)
 {
     return {.component = ascii("sensor"),

@@ -7,8 +7,8 @@
 
 #include <vector>
 
-// What Home Assistant has to know to show the mount without a line of configuration: its MQTT discovery
-// (home-assistant.io/integrations/mqtt, one message for each entity). Pure.
+// The messages from which Home Assistant learns how to show the mount, without any configuration by a person. This is
+// its MQTT discovery (home-assistant.io/integrations/mqtt), with one message for each entity. Pure.
 namespace boresight::mqtt {
 
 enum class Offered
@@ -21,17 +21,17 @@ enum class Offered
 struct Described
 {
     QString discoveryPrefix;  // "homeassistant"
-    QString prefix;           // "boresight/": of the topics of the mount
+    QString prefix;           // prefix of the topics of the mount: "boresight/"
     QString name;             // of the mount
     QString version;          // of Boresight
     Offered buttons = Offered::Nothing;
 };
 
-// One retained message for each entity. The message of an entity that is not offered is empty: Home Assistant then
-// removes the entity.
+// One retained message for each entity. For an entity that is not offered the message is empty, which makes Home
+// Assistant remove the entity.
 [[nodiscard]] std::vector<Message> discovery(const Described& mount);
 
-// The messages that remove what was described before and is not described any more.
+// The messages that remove the entities that were described before and are not described any more.
 [[nodiscard]] std::vector<Message> withdrawal(const std::vector<Message>& before, const std::vector<Message>& after);
 
 }  // namespace boresight::mqtt

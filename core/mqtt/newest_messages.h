@@ -10,9 +10,9 @@
 #include <vector>
 
 // The newest messages that wait for another thread: at most kMost, and together at most kLargestMessage bytes. A sensor
-// sends ten messages a second, so only a flood reaches this limit. Of too many messages the oldest of the most frequent
-// topic is dropped, of too many bytes the largest. So a flood of one topic does not displace a STOP of another topic.
-// Pure.
+// sends ten messages a second, so only a flood reaches this limit. If there are too many bytes, the largest message is
+// dropped. If there are too many messages, the oldest message of the most frequent topic is dropped. So a flood of one
+// topic does not displace a STOP of another topic. Pure.
 namespace boresight::mqtt {
 
 class NewestMessages

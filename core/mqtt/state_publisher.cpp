@@ -55,7 +55,7 @@ QJsonArray toValue(const std::vector<PublishedAlarm>& alarms)
     return all;
 }
 
-// The sentences of an alarm may count seconds, which is no news.
+// Two alarms are equal even if their texts differ, because a text may count seconds.
 bool areSame(const std::vector<PublishedAlarm>& one, const std::vector<PublishedAlarm>& other)
 {
     return std::ranges::equal(one, other, [](const PublishedAlarm& first, const PublishedAlarm& second) {

@@ -100,10 +100,11 @@ Result<> TlsContext::loadAuthorities()
         return {};
     }
     if (QFileInfo(m_caFile).size() > kLargestCaFile) {
-        return failure(ErrorCode::InvalidInput,
-                       Text::tr("%1 is a list of many authorities. Name the one that signed the certificate of the "
-                                "broker. With an empty mqtt.ca_file Boresight trusts the authorities of this computer")
-                           .arg(m_caFile));
+        return failure(
+            ErrorCode::InvalidInput,
+            Text::tr("%1 is a list of many authorities. Name the authority that signed the certificate of the broker. "
+                     "With an empty mqtt.ca_file Boresight trusts the authorities of this computer")
+                .arg(m_caFile));
     }
     if (SSL_CTX_load_verify_locations(m_context, QFile::encodeName(m_caFile).constData(), nullptr) != 1) {
         return failure(ErrorCode::NoDevice,

@@ -22,8 +22,8 @@ class TlsContext
     {};
 
 public:
-    // `caFile` empty: the authorities that this computer trusts. Reads the file, which may contain only a few
-    // authorities.
+    // Trusts the certificate authorities in `caFile`. The file may contain only a few. If `caFile` is empty, trusts the
+    // authorities of this computer.
     [[nodiscard]] static Result<std::shared_ptr<TlsContext>> create(const QString& caFile, const QString& host);
     TlsContext(OnlyByCreate, const QString& caFile, const QString& host);
     ~TlsContext();

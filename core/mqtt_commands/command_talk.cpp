@@ -21,7 +21,7 @@ std::string_view textOf(const QByteArray& message)
     return {message.constData(), static_cast<std::size_t>(message.size())};
 }
 
-// A shell script ends a message with a line end, and a person with a blank.
+// Messages of a shell script often end with a line end, and messages of a person with a blank.
 std::string_view trimmed(std::string_view text)
 {
     constexpr std::string_view kBlanks = " \t\r\n";
@@ -29,7 +29,7 @@ std::string_view trimmed(std::string_view text)
     return text.substr(begin, text.find_last_not_of(kBlanks) + 1 - begin);
 }
 
-// Of several lines, too: the last word counts.
+// In a text of several lines the last word decides.
 bool asksForStop(std::string_view line)
 {
     std::string end(line.substr(line.size() - std::min(line.size(), CommandTalk::kLongest)));
@@ -38,7 +38,7 @@ bool asksForStop(std::string_view line)
     return pairs::endsInStop(end);
 }
 
-// A step that arrives twice moves twice as far. A number alone may be the value of a sensor.
+// A relative step could arrive twice and would then move twice as far. A single number may be the value of a sensor.
 bool namesItsPlace(const pairs::Command& command)
 {
     const auto* const place = std::get_if<pairs::Place>(&command);
@@ -82,8 +82,8 @@ std::optional<QByteArray> CommandTalk::stop(const QByteArray& /*message*/, Retai
     return latch("stop", retain);
 }
 
-// STOP is never counted, and neither does it wait for the settling: of a live message it is always obeyed. The answer
-// is left out in a flood.
+// A live STOP is always obeyed: it is neither counted nor refused within kSettling. In a flood only its answer is left
+// out.
 std::optional<QByteArray> CommandTalk::latch(std::string_view line, Retain retain)
 {
     LineOutcome outcome{.reply = std::string(pairs::kDone), .result = {}};
@@ -131,7 +131,7 @@ void CommandTalk::tick()
     }
 }
 
-// Into the log, too. What the rotator refuses, it logs itself.
+// Also logs the refusal. The rotator logs its own refusals.
 LineOutcome CommandTalk::refuse(std::string_view line, ErrorCode code, const QString& reason)
 {
     const Error error{.code = code, .text = reason};
@@ -160,7 +160,7 @@ Result<> CommandTalk::admits(const pairs::Command& command) const
     return {};
 }
 
-// The first command that is too many is refused with the reason.
+// The first command above the limit is not yet a flood, so that it gets an answer with the reason.
 bool CommandTalk::isFlood()
 {
     const SteadyTime now = m_clock.now();

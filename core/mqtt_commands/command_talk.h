@@ -13,31 +13,34 @@
 #include <optional>
 #include <string_view>
 
-// The mount to those who write to the command topics of a broker, during one connection to the broker. Together they
-// are one client: a message does not say who sent it. Knows no broker: messages in, answers out. Station thread.
+// Carries out the commands that arrive at the command topics of a broker, during one connection to the broker. A
+// message does not contain its sender, so all senders together are one client of the mount. It does not use the broker
+// itself: messages in, answers out. Station thread.
 namespace boresight::mqtt {
 
-// Latches STOP, as the button of the window does.
+// Latches STOP, like the STOP button of the window.
 using LatchStop = std::function<Result<>(const rotctld::Client& client)>;
 
 class CommandTalk
 {
 public:
-    // A motion that arrives this soon after the connection, or after the computer slept, may have waited somewhere.
+    // A motion command may have waited somewhere if it arrives within this time after the connection or after the
+    // computer has slept. It is refused.
     static constexpr std::chrono::seconds kSettling{2};
     static constexpr std::size_t kLongest = 200;  // bytes of a command
     static constexpr int kPerSecond = 20;         // commands
 
-    // It begins with the connection. The rotator and the clock outlive this.
+    // Create it when the connection begins. The rotator and the clock outlive this.
     CommandTalk(rotctld::Client client, rotctld::Rotator& rotator, const Clock& clock, pairs::SiteNow site,
                 LatchStop latchStop);
 
-    // A message of the topic for commands. What is answered, as one line of JSON; nothing to most of a flood.
+    // Carries out a message of the command topic. Returns the answer as one line of JSON. In a flood most messages get
+    // no answer.
     [[nodiscard]] std::optional<QByteArray> obey(const QByteArray& message, Retain retain);
-    // A message of the topic for STOP, whatever it says.
+    // Carries out a message of the STOP topic. Any text means STOP.
     [[nodiscard]] std::optional<QByteArray> stop(const QByteArray& message, Retain retain);
 
-    // Each tick: the settling begins again when the computer wakes up.
+    // Call once per tick. When the computer has slept, the time kSettling begins again.
     void tick();
 
     [[nodiscard]] const rotctld::Client& client() const { return m_client; }
@@ -57,10 +60,10 @@ private:
     LatchStop m_latchStop;
     pairs::PairsTalk m_talk;
     rotctld::ClientHabits m_habits;
-    SteadyTime m_begin;   // of the settling
-    Seconds m_slept;      // by the computer, as it was then
-    SteadyTime m_second;  // the beginning of the second that is counted
-    int m_inSecond = 0;   // commands
+    SteadyTime m_begin;   // start of the time kSettling
+    Seconds m_slept;      // how long the computer had slept by then
+    SteadyTime m_second;  // start of the current second
+    int m_inSecond = 0;   // commands in this second
 };
 
 }  // namespace boresight::mqtt

@@ -20,13 +20,14 @@
 
 // Runs the schedule: plans the passes of the watch list. While the schedule is armed, it sends the mount to each pass,
 // unwraps or parks it in between, and keeps the report. It stands beside StationControl and moves the mount only by
-// requests to it, so limits, STOP, faults and authority apply as for everybody. It is off after each start. Only a
-// person arms it, or once the written policy of the profile. Any other use of the mount disarms it. Station thread.
+// requests to it, so limits, STOP, faults and authority apply as for everybody. After each start the schedule is not
+// armed. A person arms it, or the profile permits that it is armed once automatically. Any other use of the mount
+// disarms it. Station thread.
 //
 // It has more than 15 members: the objects that it works with, the plan and its inputs, and the present pass.
 namespace boresight {
 
-// Who asks for the motions of the schedule.
+// The source of all motions of the schedule.
 [[nodiscard]] const Source& scheduleSource();
 
 // Requests that only read, or that do not concern the mount.
@@ -97,15 +98,15 @@ private:
     EventLog& m_log;
     Search m_search;
     Satellites m_satellites = std::make_shared<const std::vector<orbit::ElementSet>>();
-    std::uint64_t m_searches = 0;               // the number of the last one
+    std::uint64_t m_searches = 0;               // the number of the last search
     std::optional<SteadyTime> m_searched = {};  // empty: the inputs have changed since
     schedule::NightPlan m_plan;
     QString m_missing;  // what cannot be planned, in words
     bool m_armed = false;
-    bool m_policyUsed = false;  // or somebody has acted since the start
+    bool m_policyUsed = false;  // the policy was used, or a person has acted since the start
     QString m_why;              // why the schedule was disarmed
     std::uint64_t m_motionId = 0;
-    UtcTime m_handledUntil{};  // passes that end before are over
+    UtcTime m_handledUntil{};  // passes that end before this time are over
     sources::SteeredUtc m_utc;
     std::optional<TrackedPass> m_tracked;
     PassMoments m_moments;

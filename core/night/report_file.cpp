@@ -74,7 +74,7 @@ std::optional<schedule::PassRecord> ReportFile::lostPass() const
     schedule::PassRecord lost = found->pass;
     if (lost.end == schedule::PassEnd::Running) {
         lost.end = schedule::PassEnd::Interrupted;
-        lost.why = Text::tr("Boresight stopped during this pass");
+        lost.why = Text::tr("Boresight ended during this pass");
     }
     return lost;
 }

@@ -32,7 +32,8 @@ ReportKeeper::ReportKeeper(ReportFile& file, const Clock& clock, EventLog& log, 
         store(*lost);
         m_log.add(
             Severity::Warning, m_source,
-            Text::tr("The last pass before this start was of %1. It was tracked for %2 s. The night report now has it.")
+            Text::tr(
+                "The last pass before this start was a pass of %1. It was tracked for %2 s. It is in the night report.")
                 .arg(lost->name)
                 .arg(lost->tracked.count(), 0, 'f', 0));
     }

@@ -12,13 +12,13 @@
 // degrees. Pure.
 namespace boresight {
 
-// The next 100 passes, conflicts and hidden passes are in it.
+// Contains at most the next 100 passes, conflicts and hidden passes.
 [[nodiscard]] QByteArray planJson(const ScheduleStatus& status);
-// The last 100 passes are in it. The errors of one that was never on target are null.
+// Contains at most the last 100 passes. For a pass that was never on target the errors are null.
 [[nodiscard]] QByteArray reportJson(const schedule::NightReport& report);
-// "progress" is null when none runs, "night" is null without a result.
+// "progress" is null if no rehearsal is running. "night" is null if there is no result.
 [[nodiscard]] QByteArray rehearsalJson(const RehearsalStatus& status);
-// All keys are there. What does not apply is null.
+// Always contains all keys. A key that does not apply is null.
 [[nodiscard]] QJsonObject momentObject(const schedule::PassMoment& moment, const QString& mount, bool simulated);
 
 }  // namespace boresight

@@ -3,9 +3,9 @@
 
 #include "core/messages/station_status.h"
 
-// Which requests to the calibration desk are possible now, by its status. `status` also has the permissions of the
-// control. While a run moves the mount, the screen offers no other motion, because that would end the run. Pure, any
-// thread.
+// Decides which requests to the calibration desk are possible now, by its status. `status` also has the permissions of
+// the control. While a run moves the mount, the screen offers no other motion, because that would end the run. Pure,
+// any thread.
 namespace boresight {
 
 void judgeCalibration(StationStatus& status);

@@ -148,9 +148,10 @@ void setTilt(Proposal& proposal, const calibration::AxisTilt& tilt, const std::o
             .arg(degreesText(tilt.size, 2), degreesText(tilt.sizeSigma, 2), azimuthText(tilt.direction, 0));
 }
 
-// Decides whether a difference between the sensor's elevation and that of the beam belongs to the sensor or to the
-// axis. What a box that is mounted askew can explain belongs to the sensor. Everything does once the Sun or the Moon
-// gave the zero. Only a larger difference belongs to the axis (core/calibration/METHOD.md, Tilt).
+// Decides whether a difference between the elevation of the sensor and that of the beam is an error of the sensor or of
+// the axis. A sensor that is mounted askew explains a small difference. After the Sun or the Moon has given the zero of
+// the axis, every difference is an error of the sensor. Otherwise a larger difference is an error of the axis
+// (core/calibration/METHOD.md, Tilt).
 void setZero(Proposal& proposal, calibration::SensorMounting& mounting, const calibration::Estimate& zero,
              const pointing::PointingTerms& present, const std::optional<Angle>& presentSigma)
 {
@@ -166,7 +167,7 @@ void setZero(Proposal& proposal, calibration::SensorMounting& mounting, const ca
         proposal.warnings.push_back(Text::tr("Sensor and elevation axis differ by %1.").arg(degreesText(off, 1)));
     } else if (isSensors) {
         mounting.elevationOffset = present.elevationOffset - zero.value;
-        verdict = Text::tr("Boresight takes this as a tilted sensor. The elevation of the beam stays unchanged.");
+        verdict = Text::tr("Boresight treats this as a tilted sensor. The elevation of the beam stays unchanged.");
     } else {
         proposal.terms.elevationOffset = beam;
         proposal.sigmas[indexOf(Term::ElevationOffset)] = zero.sigma;
@@ -207,6 +208,10 @@ Proposal proposalOf(const calibration::SensorOffset& offset, const profile::Prof
             proposal.warnings.push_back(
                 Text::tr("The sensor will agree at this heading only. A new swing corrects all headings."));
         }
+    }
+    if (!offset.isReliableHere) {
+        proposal.warnings.push_back(
+            Text::tr("Steel disturbs the compass at this heading (result of the swing). Measure at another heading."));
     }
     return proposal;
 }

@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-// What a calibration would change in a profile. Made from the results of a run. Pure.
+// The changes that a calibration proposes for a profile. Made from the results of a run. Pure.
 namespace boresight {
 
 // Empty: nothing is known about this term.

@@ -7,7 +7,7 @@
 
 #include <memory>
 
-// What the screen shows of the calibration: one immutable CalibrationStatus, made from the parts after a change and
+// The part of the status about the calibration: one immutable CalibrationStatus, made from the parts after a change and
 // four times a second. Decides nothing. Station thread only.
 namespace boresight {
 

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <optional>
 
-// What the orientation sensor reports now, and whether a calibration can rely on it. Pure; station thread.
+// The present report of the orientation sensor, and whether a calibration can rely on it. Pure; station thread.
 namespace boresight {
 
 class LiveSensor

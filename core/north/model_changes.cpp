@@ -10,6 +10,7 @@ namespace boresight {
 namespace {
 
 const QString kChangesSource = QStringLiteral("calibration");
+const QString kOperator = QStringLiteral("operator");
 
 }  // namespace
 
@@ -38,9 +39,10 @@ Result<> ModelChanges::mayChange() const
                     .arg(toQString(m_profile.wanted().bus), toQString(m_profile->bus)));
         }
         if (m_control.followsClient()) {
-            return failure(ErrorCode::Refused,
-                           Text::tr("The mount tracks the target of a client, and the change would move it. "
-                                    "Press Hold first."));
+            return failure(
+                ErrorCode::Refused,
+                Text::tr(
+                    "The mount tracks the target of a client, and the change would move the mount. Press Hold first."));
         }
         return m_follower.following() ? Result<>{} : m_control.mayChangePointing();  // a tracked body is released first
     });
@@ -60,7 +62,7 @@ Result<> ModelChanges::makesSense(const CalibrationChange& change) const
         }
         if (!problems.empty()) {
             return failure(ErrorCode::Refused,
-                           Text::tr("The profile would then be inconsistent: %1. Change that first.")
+                           Text::tr("The profile would then be inconsistent: %1. Change this setting first.")
                                .arg(profile::toText(problems.front())));
         }
     }
@@ -84,6 +86,9 @@ Result<> ModelChanges::apply(const Proposal& proposal)
         bringIntoForce(change, Text::tr("applies \"%1\": %2")
                                    .arg(proposal.title,
                                         changeText(m_profile->pointing, proposal.terms, proposal.sensor.has_value())));
+        for (const QString& warning : proposal.warnings) {
+            m_log.add(Severity::Warning, kOperator, Text::tr("applied despite this warning: %1").arg(warning));
+        }
     });
 }
 
@@ -148,7 +153,7 @@ Result<> ModelChanges::redo()
     });
 }
 
-// Without this check an edit made since then would be lost silently.
+// An edit that was made since then must not be lost silently.
 Result<> ModelChanges::stillInForce(const pointing::PointingTerms& terms,
                                     const std::optional<calibration::SensorMounting>& sensor) const
 {
@@ -179,7 +184,7 @@ void ModelChanges::bringIntoForce(const CalibrationChange& change, const QString
 {
     m_follower.end();  // with the new model the same body would be tracked elsewhere
     m_change = change;
-    m_log.add(Severity::Advisory, QStringLiteral("operator"), what);
+    m_log.add(Severity::Advisory, kOperator, what);
 }
 
 }  // namespace boresight

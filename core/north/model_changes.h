@@ -33,7 +33,8 @@ public:
     [[nodiscard]] std::optional<CalibrationChange> take() { return std::exchange(m_change, std::nullopt); }
 
 private:
-    // The values that a record of the history changes to, and the values that must be in force until then.
+    // A record of the history that Undo or Redo uses: the values that come into force, and the values that must be in
+    // force before that.
     struct Recall
     {
         CalibrationChange change;

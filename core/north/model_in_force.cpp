@@ -17,9 +17,9 @@ QString dayOf(UtcTime when)
 
 }  // namespace
 
-// The tilt known apart from the points, by the first `entries` of the history. Only a swing gives one, and a swing
-// always changes the sensor. A tilt that was fitted to points would count the same points twice. A tilt that was typed
-// or read does not show what it was found from.
+// The tilt that is known independently of the points, by the first `entries` of the history. Only a swing gives it, and
+// a swing always changes the sensor. A tilt that was fitted to points is left out, because the same points would count
+// twice. A tilt that was typed or read is left out, because its origin is unknown.
 calibration::TermKnowledge ModelInForce::knownBy(std::size_t entries) const
 {
     calibration::TermKnowledge known = calibration::TermKnowledge::usual();
@@ -48,7 +48,7 @@ const calibration::CalibrationRecord* ModelInForce::entry() const
     return isSame(last.terms.after, m_profile->pointing) ? &last : nullptr;
 }
 
-// What was changed in another way since the last applied entry. Empty: nothing.
+// The changes made in another way since the last applied entry. Empty: none.
 QString ModelInForce::changedSince() const
 {
     const calibration::CalibrationHistory& history = m_file.history();
@@ -83,10 +83,10 @@ calibration::TermSheet ModelInForce::sheet() const
     return sheet;
 }
 
-// How exactly Sun, Moon or landmarks gave the terms in force on this mount. A compass knows north and the zero of
-// elevation only relative to its box, and sigmas from a text were not measured here. A term that the points only
-// confirmed is known by the swing before them, and the next swing is worth as much. A term keeps its sigma as long as
-// it keeps its value.
+// How exactly Sun, Moon or landmarks gave the terms in force on this mount. A compass shows north and the zero of
+// elevation only relative to its box, so it does not count. Sigmas from a text were not measured on this mount. If the
+// points only confirmed a term, its value comes from an earlier swing, and the next swing is as good as that one. A
+// term keeps its sigma as long as it keeps its value.
 TermSigmas ModelInForce::toldByPoints() const
 {
     TermSigmas told;

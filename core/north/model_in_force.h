@@ -5,8 +5,8 @@
 #include "core/north/calibration_proposal.h"
 #include "core/north/mount_identity.h"
 
-// What the history knows of the pointing model in force: which entry brought it, how exactly its terms are known, and
-// for which mount it was found. Reads only. Station thread.
+// The pointing model in force by the history: which entry brought it, how exactly its terms are known, and for which
+// mount it was found. Reads only. Station thread.
 namespace boresight {
 
 class ModelInForce
@@ -21,11 +21,11 @@ public:
     [[nodiscard]] const pointing::PointingTerms& terms() const { return m_profile->pointing; }
     // The terms, with the sigmas that the history has for their values.
     [[nodiscard]] calibration::TermSheet sheet() const;
-    // What a swing found, independent of any point.
+    // The knowledge from a swing, independent of any point.
     [[nodiscard]] calibration::TermKnowledge known() const { return knownBy(m_file.history().inForce()); }
     // How exactly Sun, Moon or landmarks gave the terms in force.
     [[nodiscard]] TermSigmas toldByPoints() const;
-    // What was changed in another way since the last applied entry. Empty: nothing.
+    // The changes made in another way since the last applied entry. Empty: none.
     [[nodiscard]] QString changedSince() const;
     // Says that the entry in force was applied with another drive or at another site. Empty: it was not.
     [[nodiscard]] QString otherMount() const;

@@ -12,11 +12,12 @@ namespace {
 using namespace boresight::literals;
 
 const QString kTakerSource = QStringLiteral("calibration");
-// How exactly a hand centres a body by shadow or sight tube.
+// How exactly a person centres the beam on a body by shadow or sight tube.
 constexpr Angle kCentred = Angle::fromDegrees(0.03);
-// Once north was found, a centred target is never this far from where the model expects it, nor 3 sigmas of north.
+// After north was found, a centred target gets a warning if it is farther than this from its expected direction. If 3
+// sigmas of north are larger, they are the limit.
 constexpr Angle kFarPoint = Angle::fromDegrees(5.0);
-// How exactly a landmark is known from a map and the beam is pointed at it by hand.
+// How exactly the direction of a landmark is known from a map, and the beam is pointed at it by hand.
 constexpr Angle kKnownPoint = Angle::fromDegrees(0.1);
 
 }  // namespace

@@ -11,8 +11,8 @@
 #include <memory>
 #include <optional>
 
-// What waits for the operator's Apply: the last result or entry, compared with the model in force. A proposal that is
-// made again gets a new number. Changes nothing on the mount. Station thread only.
+// The proposal that waits for the operator's Apply: the last result or entry, compared with the model in force. A
+// proposal that is made again gets a new number. Changes nothing on the mount. Station thread only.
 namespace boresight {
 
 class Proposals
@@ -48,12 +48,12 @@ public:
     [[nodiscard]] const std::optional<Proposal>& current() const { return m_proposal; }
     // Refused if the proposal was replaced meanwhile: only the proposal that the operator has seen is applied.
     [[nodiscard]] Result<> isCurrent(std::uint64_t number) const;
-    // Which of the terms in force stay, in words. Usually empty.
+    // The terms in force that stay, in words. Usually empty.
     [[nodiscard]] QString stays() const { return m_proposal ? m_proposal->stays : QString(); }
     // The term was found or entered. A term that points move only within its known error does not count. Only while
     // there is a proposal.
     [[nodiscard]] bool isFound(calibration::Term term) const;
-    // What the sensor found, with mounting and curve as they would be. A part that does not change has its present
+    // The result of the sensor, with mounting and curve as they would be. A part that does not change has its present
     // value.
     [[nodiscard]] std::optional<CalibrationChange> ofSensor() const;
     [[nodiscard]] const std::optional<calibration::SensorOffset>& sensorOffset() const { return m_sensorOffset; }

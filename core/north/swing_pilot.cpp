@@ -21,7 +21,7 @@ QString usedText(const calibration::SwingTally& tally, const calibration::SwingL
     if (tally.leftOut() == 0) {
         return Text::tr("done, from %1 readings").arg(tally.all());
     }
-    return Text::tr("done, from %1 of %2 readings; left out: %3")
+    return Text::tr("done, from %1 of %2 readings. Left out: %3")
         .arg(tally.of(calibration::SampleFate::Used))
         .arg(tally.all())
         .arg(tally.whyLeftOut(limits));

@@ -26,7 +26,7 @@ struct SwingReading
     AxesThen level;  // the axes at the time of the elevation, which is younger
 };
 
-// What a swing found, also if the compass is unusable.
+// The result of a swing, also if the compass is unusable.
 struct SwungCompass
 {
     std::shared_ptr<const SwingOutcome> outcome;
@@ -63,8 +63,7 @@ public:
 
     // The sensor was never silent, or it reports its calibration, which would reveal a restart.
     [[nodiscard]] bool heardAllAlong() const;
-    // What was found. Refused with the reason if the readings give no result. `declination`: from magnetic to true
-    // north.
+    // The result. Refused with the reason if the readings give none. `declination`: from magnetic to true north.
     [[nodiscard]] Result<SwingOutcome> outcome(UtcTime utc, Angle declination) const;
 
 private:

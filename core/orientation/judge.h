@@ -7,9 +7,9 @@
 #include <cstdint>
 #include <optional>
 
-// Which values of the sensor are believed: whether they are young, whether the sensor is alive, whether an antenna can
-// move like that, and whether the sensor was restarted. It also counts the turns from the headings, because the
-// sensor's own count begins again after each of its resets. Pure; times are times of arrival.
+// Decides which values of the sensor are believed: whether they are young, whether the sensor is alive, whether an
+// antenna can move like that, and whether the sensor was restarted. It also counts the turns from the headings, because
+// the sensor's own count begins again after each of its resets. Pure; times are times of arrival.
 namespace boresight::orientation {
 
 struct JudgeSettings

@@ -12,7 +12,7 @@ std::string toText(const Refused& refused)
         case Refusal::NoChecksum:
             return "no checksum";
         case Refusal::BadChecksum:
-            return "checksum is no hex";
+            return "checksum is not hexadecimal";
         case Refusal::Truncated:
             return "truncated";
         case Refusal::TooLong:
@@ -22,7 +22,7 @@ std::string toText(const Refused& refused)
         case Refusal::Unit:
             return "unit";
         case Refusal::NotANumber:
-            return field + " is no number";
+            return field + " is not a number";
         case Refusal::NotFinite:
             return field + " is not finite";
         case Refusal::OutOfRange:

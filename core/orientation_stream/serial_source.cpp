@@ -63,8 +63,8 @@ void SerialSource::open()
     }
 }
 
-// Two programs on one port take bytes from each other, and some programs do not lock it. The shared promise keeps the
-// answer valid even if the source was deleted meanwhile.
+// Looks for another program on the port: two programs take bytes from each other, and some programs do not lock the
+// port. The look-up owns its promise, so it can end safely after the source was deleted.
 void SerialSource::lookForHolder(const QString& device)
 {
     m_holder.looking = true;

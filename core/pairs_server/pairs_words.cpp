@@ -40,8 +40,8 @@ std::string lowered(std::string text)
 tl::unexpected<Error> unknown(std::string_view line)
 {
     return failure(ErrorCode::InvalidInput,
-                   Text::tr("\"%1\" is no command. Known are: ELEVATION, AZIMUTH ELEVATION, +AZIMUTH +ELEVATION, "
-                            "bearing LOCATOR, bearing LOCATOR long, stop, hold, park, ?")
+                   Text::tr("\"%1\" is not a command. The commands are ELEVATION, AZIMUTH ELEVATION, +AZIMUTH "
+                            "+ELEVATION, bearing LOCATOR, bearing LOCATOR long, stop, hold, park and ?")
                        .arg(shownText(line)));
 }
 
@@ -54,7 +54,7 @@ std::optional<Angle> angleIn(const std::string& word)
     return degrees ? std::optional(Angle::fromDegrees(*degrees)) : std::nullopt;
 }
 
-// True for a number with a sign. "0" needs none.
+// True for a number with a sign, and for zero.
 bool isStep(const std::string& word)
 {
     return word.front() == '+' || word.front() == '-' || angleIn(word) == Angle{};
@@ -140,7 +140,7 @@ Result<SkyPointing> movedBy(const SkyPointing& from, const MoveBy& move, const r
     const SkyPointing to{.azimuth = limits.turned(from.azimuth + move.azimuth),
                          .elevation = from.elevation + move.elevation};
     if (limits.nearest(to) != to) {
-        return failure(ErrorCode::OutOfRange, Text::tr("The step leads to %1 / %2. That is outside the limits.")
+        return failure(ErrorCode::OutOfRange, Text::tr("The step leads to %1 / %2, outside the limits.")
                                                   .arg(degreesText(to.azimuth, 1), degreesText(to.elevation, 1)));
     }
     return to;

@@ -9,7 +9,7 @@
 // angle is unknown. So a direction that is forbidden for one value of the angle is forbidden for all values. Pure.
 namespace boresight::pointing {
 
-// Around 0, and wide enough not to be closed as a slit (slits.h).
+// The travel of a missing axis: around 0°, and so wide that slits.h does not close it.
 inline constexpr TravelRange kMissingAxisTravel{.min = Angle::fromDegrees(-1.0), .max = Angle::fromDegrees(1.0)};
 
 // The part of the region that applies to the other axis. The limits of the missing axis are removed. A keep-out applies

@@ -194,7 +194,7 @@ Resolved MountModel::resolve(const SkyPointing& direction, const AxisPosition& n
         resolved.reason += u' ' + Text::tr("(mechanical angles)");
     }
     if (miss > kHoleTolerance) {
-        addReason(resolved, Text::tr("at the zenith the beam misses it by %1").arg(degreesText(miss)));
+        addReason(resolved, Text::tr("the beam misses the zenith by %1").arg(degreesText(miss)));
     }
     return resolved;
 }

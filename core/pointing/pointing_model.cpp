@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The chain from the axes to the sky. The beam differs from the right angle to the elevation axis by the collimation.
-// It is turned about that axis by the elevation, about the line below it by the non-perpendicularity, and about the
-// azimuth axis by the azimuth. Then it leans with the mast. `forward`, `right` and `up` are the beam in the frame of
-// the turning mount.
+// The chain of rotations from the axes to the sky. The collimation turns the beam away from the right angle to the
+// elevation axis. Then the beam is turned about the elevation axis by the elevation. The elevation axis leans by the
+// non-perpendicularity. The result is turned about the azimuth axis by the azimuth, and leans with the mast. `forward`,
+// `right` and `up` are the beam in the frame of the turning mount.
 #include "core/pointing/pointing_model.h"
 
 #include "core/pointing/ranges.h"

@@ -25,7 +25,7 @@ struct FeedLimits
 class PositionFeed
 {
 public:
-    // The same position again within this time is the same report on a second way.
+    // If the same position arrives twice within this time, it is the same report, received in two ways.
     static constexpr Seconds kEcho{0.2};
     // The last velocity is used for this time.
     static constexpr Seconds kExtrapolated{10.0};

@@ -89,7 +89,7 @@ Result<PositionText> fromLine(std::string_view text)
     const auto longitude = parseFinite(parts[1]);
     const auto height = parseFinite(parts[2]);
     if (!latitude || !longitude || !height) {
-        return refused(Text::tr("a part of the line is no number"));
+        return refused(Text::tr("a part of the line is not a number"));
     }
     Result<PositionText> read = placed(*latitude, *longitude, *height);
     if (read && parts.size() == 4) {
@@ -116,7 +116,7 @@ Result<PositionText> fromJson(std::string_view text)
     const QJsonDocument document =
         QJsonDocument::fromJson(QByteArray(text.data(), static_cast<qsizetype>(text.size())));
     if (!document.isObject()) {
-        return refused(Text::tr("the text is no JSON object"));
+        return refused(Text::tr("the text is not a JSON object"));
     }
     const QJsonObject object = document.object();
     const QString type = QStringLiteral("type");

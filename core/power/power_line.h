@@ -42,7 +42,7 @@ struct Value
     SteadyTime arrival;
 };
 
-// What happened so far. A plain value, so that another thread can judge it at a later time.
+// The events of the line so far. A plain value, so that another thread can judge it at a later time.
 struct LineState
 {
     bool open = false;
@@ -56,7 +56,7 @@ struct LineState
 
 // "UDP 127.0.0.1:4540"
 [[nodiscard]] QString nameOf(const LineSettings& settings);
-// What is wrong at `now`. Empty if nothing is wrong. Pure.
+// The problem of the line at `now`. Empty if there is none. Pure.
 [[nodiscard]] QString problemOf(const LineSettings& settings, const LineState& state, SteadyTime now);
 
 class PowerLine : public QObject

@@ -16,7 +16,7 @@ namespace boresight::power {
 
 class LineWorker;
 
-// What happened since the last report.
+// The events of the line since the last report.
 struct LineReport
 {
     LineState state;

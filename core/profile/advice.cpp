@@ -8,12 +8,13 @@
 namespace boresight::profile {
 namespace {
 
-// A large dish is slow to stop, and a fast mount goes far meanwhile. A mount that does both has no brakes.
+// An axis that needs this long to stop and moves this far meanwhile cannot brake in time. A large dish may take long,
+// and a fast mount may move far. Both together are probably a mistake.
 constexpr Seconds kLongStop{3.0};
 constexpr Angle kFarStop = Angle::fromDegrees(10.0);
-// Full speed within five ticks: nothing on a mast is driven so hard.
+// Full speed within five ticks. No antenna on a mast needs to start so fast.
 constexpr Seconds kShortRamp{0.1};
-// kg·m²: a Yagi of two metres and three kilograms. What turns lighter things is a rotator for a desk.
+// kg·m²: a Yagi of 2 m and 3 kg. Only a small rotator on a desk turns a lighter antenna.
 constexpr double kLightAntenna = 2.0;
 
 QString decimalText(double value, int decimals)
@@ -21,7 +22,7 @@ QString decimalText(double value, int decimals)
     return toQString(formatFixed(value, decimals));
 }
 
-// From full speed with the profile's own ramp. The averaging that bounds the jerk takes its time beside it.
+// A stop from full speed with the acceleration of the profile. The averaging that limits the jerk adds its time.
 struct Stop
 {
     explicit Stop(const tracking::MotionLimits& limits)

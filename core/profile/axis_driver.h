@@ -72,11 +72,10 @@ inline constexpr std::array kDriverKinds{
 }
 
 // The text of the setting for people. It explains the drivers whose names are not clear by themselves.
-inline constexpr const char* kDriverMeaning = QT_TRANSLATE_NOOP(
-    "Text",
-    "What turns the axis. Each axis may have its own driver. \"gs232\" is a Yaesu GS-232A, a GS-232B or a box that "
-    "speaks as they do. \"rotctld\" is any rotator that Hamlib drives. \"simple\" is simulated only: a rotator of "
-    "whole degrees without a watchdog. With \"none\" the "
-    "mount has no such axis.");
+inline constexpr const char* kDriverMeaning =
+    QT_TRANSLATE_NOOP("Text",
+                      "What turns the axis. Each axis may have its own driver. \"gs232\" is a Yaesu GS-232A, a GS-232B "
+                      "or a compatible box. \"rotctld\" is any rotator that Hamlib drives. \"simple\" is simulated "
+                      "only: a rotator of whole degrees without a watchdog. With \"none\" the mount has no such axis.");
 
 }  // namespace boresight::profile

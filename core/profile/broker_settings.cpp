@@ -113,8 +113,8 @@ void addCommands(std::vector<Setting>& list)
         "mqtt.home_assistant", {"off", "on"}, Applies::Now,
         {QT_TRANSLATE_NOOP("Text", "Home Assistant"),
          QT_TRANSLATE_NOOP("Text",
-                           "Whether Home Assistant finds the mount by itself. Needs mqtt.publish. The buttons for "
-                           "STOP and park appear as far as mqtt.commands permits them.")},
+                           "Whether Home Assistant finds the mount by itself. Needs mqtt.publish. The buttons for STOP "
+                           "and park appear only if mqtt.commands permits them.")},
         [](auto& p) -> auto& { return p.mqtt.homeAssistant; }));
     list.push_back(line(
         "mqtt.discovery_prefix",
@@ -141,6 +141,11 @@ void addBroker(std::vector<Setting>& list)
     addCommands(list);
 }
 
+bool takesReadings(const Profile& profile, const std::string& topic)
+{
+    return profile.sensor.reads(topic) || profile.position.reads(topic) || profile.wind.source == "mqtt:" + topic;
+}
+
 void checkBroker(std::vector<Problem>& problems, const Profile& profile)
 {
     const BrokerSettings& broker = profile.mqtt;
@@ -152,9 +157,7 @@ void checkBroker(std::vector<Problem>& problems, const Profile& profile)
     }
     for (const char* const name : {"command", "stop"}) {
         const std::string topic = broker.topic(name);
-        const bool isTaken =
-            profile.sensor.reads(topic) || profile.position.reads(topic) || profile.wind.source == "mqtt:" + topic;
-        if (broker.commands != BrokerCommands::Off && isTaken) {
+        if (broker.commands != BrokerCommands::Off && takesReadings(profile, topic)) {
             problems.push_back(
                 {"mqtt.prefix",
                  Text::tr("the sensor, the positions or the wind already use the topic %1").arg(toQString(topic))});

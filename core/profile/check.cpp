@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The checks of a profile that are more than type and range.
+// Checks of a profile beyond type and range.
 #include "core/base/bus_name.h"
 #include "core/base/control_characters.h"
 #include "core/base/numbers.h"
@@ -29,7 +29,7 @@ void checkAxis(std::vector<Problem>& problems, const std::string& table, const A
                             Text::tr("%1 is outside the travel %2…%3")
                                 .arg(degreesText(park, 2), degreesText(travel.min, 2), degreesText(travel.max, 2))});
     }
-    // A slower build-up would make the stop distance longer than anybody standing at the mast expects.
+    // With a slower build-up, the axis would need a longer way to stop than a person at the mast expects.
     const Seconds filterLength{2.0 * (axis.limits.acceleration.radians() / axis.limits.jerk.radians())};
     if (filterLength > Seconds(2.0)) {
         problems.push_back(
@@ -65,7 +65,7 @@ void checkWatched(std::vector<Problem>& problems, const Profile& profile)
     for (const std::string& text : profile.watchedBoards) {
         const auto board = parseWatchedBoard(text);
         if (!board) {
-            continue;  // its setting says so
+            continue;  // the check of the setting reports it
         }
         if (turnsAnAxis(board->id, profile)) {
             problems.push_back({"bus.watched", Text::tr("The board with the id %1 turns an axis").arg(board->id)});
@@ -82,7 +82,7 @@ void checkListeners(std::vector<Problem>& problems, const Profile& profile)
     for (const std::string& text : profile.listeners) {
         const auto listener = listeners::parseListener(text);
         if (!listener) {
-            continue;  // its setting says so
+            continue;  // the check of the setting reports it
         }
         const bool port = listener->pty.empty() && listener->port != 0 &&
                           listener->host == profile.rotctld.listen.host &&
@@ -107,7 +107,7 @@ void checkSupervision(std::vector<Problem>& problems, const Profile& profile)
            Text::tr("must not be above %1").arg(QLatin1String("supervision.following_stop_deg")));
     demand(supervision.outsideHint <= supervision.outsideStop, "outside_hint_deg",
            Text::tr("must not be above %1").arg(QLatin1String("supervision.outside_stop_deg")));
-    // Replies come once per tick: a limit below two ticks would alarm all the time.
+    // Replies arrive once per tick, so a limit below two ticks would cause alarms all the time.
     demand(supervision.replyAge >= 2.0 * profile.control.tickPeriod(), "reply_age_s",
            Text::tr("is shorter than 2 ticks of control.tick_hz (%1 s)")
                .arg(toQString(formatFixed(2.0 * profile.control.tickPeriod().count(), 3))));
@@ -154,7 +154,7 @@ std::optional<Problem> wrongBus(const Profile& profile, const DriverKind& kind)
     return Problem{"bus.name", need.arg(toQString(kind.name))};
 }
 
-// The rotctld that turns the mount would be our own server, which asks the mount.
+// This rotctld is our own server. It would ask the mount, and the mount would ask it.
 std::optional<Problem> ownServer(const Profile& profile)
 {
     const auto bus = parseBusName(profile.bus);
@@ -212,7 +212,7 @@ std::vector<Problem> crossCheck(const Profile& profile)
     checkAxis(problems, "elevation", profile.elevation, profile.park.elevation);
     checkIds(problems, profile);
     checkWatched(problems, profile);
-    // Two lost frames in a row must not stop the mount; the tiny slack forgives rounding (0.05 s at 60 Hz).
+    // Two lost frames in a row must not stop the mount. The small slack is for rounding (0.05 s at 60 Hz).
     if (3.0 * profile.control.tickPeriod() > profile.control.watchdog + Seconds(1e-9)) {
         problems.push_back(
             {"control.watchdog_s", Text::tr("is shorter than 3 ticks of control.tick_hz (%1 s)")
@@ -233,6 +233,7 @@ std::vector<Problem> crossCheck(const Profile& profile)
     checkSchedule(problems, profile);
     checkSensor(problems, profile);
     checkPower(problems, profile);
+    checkTransmit(problems, profile);
     checkPosition(problems, profile);
     checkWind(problems, profile);
     return problems;

@@ -17,7 +17,8 @@ namespace boresight::profile {
 namespace {
 
 const std::string kSimulated = toString(BusName{});
-constexpr int kNorthTimes = 4;  // each makes what is left at least ten times less, with tilts of a few degrees
+// With tilts of a few degrees, each pass makes the remaining error at least ten times smaller.
+constexpr int kNorthTimes = 4;
 
 AxisSettings& settingsOf(Profile& profile, Axis axis)
 {
@@ -39,7 +40,7 @@ bool within(const TravelRange& inner, const TravelRange& outer)
     return inner.min >= outer.min && inner.max <= outer.max;
 }
 
-// Limits wider than the travel had no effect, so they stay unchanged.
+// Limits that are wider than the travel have no effect, so they stay unchanged.
 void bringInside(Profile& profile, Axis axis)
 {
     const TravelRange& travel = settingsOf(profile, axis).geometry.travel;
@@ -51,7 +52,7 @@ void bringInside(Profile& profile, Axis axis)
     parkOf(profile, axis) = allowed.clamped(parkOf(profile, axis));
 }
 
-// A hundredth of a degree is finer than any end of a cable, and numbers of a file stay readable.
+// A hundredth of a degree is finer than any end of a cable, and the numbers in the file stay short.
 Angle rounded(Angle angle)
 {
     return Angle::fromDegrees(std::round(angle.degrees() * 100.0) / 100.0);
@@ -69,7 +70,8 @@ void leaveSimulatedSensor(Profile& profile)
     }
 }
 
-// As many as there are controllers, of which one is not ours, are taken for theirs. An axis without one keeps its id.
+// Changes the ids of the axes to those of the controllers, if there are as many of them and an id of the profile does
+// not answer. An axis without a controller keeps its id.
 bool takeIds(Profile& profile, std::span<const int> ids)
 {
     std::vector<int*> mine;
@@ -115,7 +117,7 @@ void forgetTheMount(Profile& profile)
     profile.mount.directions = Directions::Unconfirmed;
 }
 
-// The travel was that of the rotator. Its speeds stay: nothing gets faster by this.
+// The travel becomes the usual one, because it was that of the rotator. The speeds stay, so nothing becomes faster.
 void leaveRotator(Profile& profile)
 {
     for (const Axis axis : kAxes) {
@@ -174,7 +176,7 @@ void useRotator(Profile& profile, const RotatorLine& line)
         }
         if (becomes(axis)) {
             becomeRotator(profile, axis, line.driver);
-        } else if (mine.driver != line.driver) {  // the same rotator, reached in another way
+        } else if (mine.driver != line.driver) {  // the same rotator with another connection
             mine.driver = line.driver;
             profile.mount.directions = Directions::Unconfirmed;
         }
@@ -271,7 +273,8 @@ void setNorth(Profile& profile, const AxisPosition& axes, Angle trueAzimuth)
 {
     pointing::PointingTerms& terms = profile.pointing;
     const std::optional<Axis> missing = profile.missing();
-    // Each time again, because a tilt is towards a true direction: turned, it moves the beam a little otherwise.
+    // Repeated, because a tilt is given towards a true direction: with another azimuth offset, the tilt moves the beam
+    // differently.
     for (int time = 0; time < kNorthTimes; ++time) {
         const pointing::PointingModel model(missing ? pointing::withoutAxis(terms, *missing) : terms);
         const Angle now = pointing::upright(model.toSky(axes)).azimuth;

@@ -12,43 +12,43 @@
 // each other, so the profile stays consistent. Nothing here moves the mount. Pure.
 namespace boresight::profile {
 
-// The mount is reached by this bus, whose controllers answer under `ids`. Two ids that are not the profile's become
-// azimuth and elevation in this order; which is which is seen when they move. A mount with one controller takes one id.
-// Another bus is another mount: its directions are not confirmed. A real mount has no simulated sensor. Axes that a
-// rotator with a box turned are turned by controllers then, if this is their bus.
+// The mount is reached by this bus, and its controllers answer under `ids`. If an id of the profile does not answer,
+// the axes get `ids` in this order; only a motion shows which motor is which. A mount with one controller gets one id.
+// Another bus means another mount: its directions are not confirmed. A real mount has no simulated sensor. If
+// controllers are on this bus, axes of a rotator with a control box become axes of controllers.
 void useBus(Profile& profile, const std::string& bus, std::span<const int> ids);
 
 struct RotatorLine
 {
     AxisDriver driver = AxisDriver::Rotctld;
     std::string bus;
-    int baud = 9600;  // of a serial port
+    int baud = 9600;  // of the serial port
 };
 
-// The mount is a rotator that runs to its targets by itself. An axis that controllers turned gets the travel and the
-// speed of a usual rotator, and counts as its box does. What belonged to the mount before is forgotten. A rotator that
-// is reached in another way keeps all but that. A missing axis stays missing.
+// The mount is a rotator with a control box, which moves to its targets by itself. An axis of a controller gets the
+// travel and the speed of a common rotator, and the values of the previous mount are reset. If the mount is such a
+// rotator already, only the way to reach it changes. A missing axis stays missing.
 void useRotator(Profile& profile, const RotatorLine& line);
 
-// True if useRotator() would discard values of a mount with controllers, found or typed: its zeros, travel or north.
+// True if useRotator() would reset values of a mount with controllers that were measured or entered: its zeros, travel
+// or north.
 [[nodiscard]] bool losesAMount(const Profile& profile, AxisDriver driver);
 
-// bus.name is "simulated", as in a profile without that key. There is no real mount to be reached, so the simulated one
-// runs in its place.
+// True if bus.name is "simulated", as in a profile without that key. Then no real mount can be reached, and the
+// simulated mount is used.
 [[nodiscard]] bool namesNoBus(const Profile& profile);
 
 // For a profile that was changed in a simulation and is saved to any file. The result names no real bus, so no real
 // mount uses it as its own.
 [[nodiscard]] Profile withoutBus(Profile profile);
 
-// True for settings that are valid for one mount only: bus, directions of the axes, zeros, north and pointing model,
+// True for settings that are valid for one mount only: bus, directions of the axes, zeros, north, pointing model,
 // mounting of the sensor and deviation of its compass.
 [[nodiscard]] bool isOfOneMount(const std::string& key);
 
-// Of a profile that names no real bus: what a real mount takes from it. An older version kept there what was found of
-// the simulated mount, so all that belongs to one mount is as if never found. Travel and limits stay: they may have
-// been typed for the real mount, and nothing moves farther than a little before the directions are confirmed. The bus
-// stays.
+// Prepares a profile that names no real bus for a real mount. Such a file may contain values of the simulated mount, so
+// all settings of one mount except the bus are reset. Travel and limits stay, because they may have been entered for
+// the real mount. This is safe: the mount moves only a little before its directions are confirmed.
 [[nodiscard]] Profile forRealMount(Profile profile);
 
 // Exchanges the motors: the one set as azimuth turns the elevation. The directions must be confirmed again.

@@ -19,8 +19,8 @@ const QString kConfirmed = QStringLiteral("directions = \"confirmed\"");
 struct Place
 {
     qsizetype header = -1;
-    qsizetype key = -1;        // of the table mount
-    qsizetype commented = -1;  // the same as the writer leaves it out
+    qsizetype key = -1;        // line of `directions` in the table [mount]
+    qsizetype commented = -1;  // line of `directions` as a comment, which the writer leaves for a default
 };
 
 Place placeOf(const QStringList& lines)

@@ -11,8 +11,8 @@
 // them. Pure.
 namespace boresight::profile {
 
-// The file's text with `directions = "confirmed"` and nothing else changed. Refuses a file that does not read without
-// error, one of the simulated mount, and one in which the place of the key cannot be found.
+// Returns the text with `directions = "confirmed"` and without any other change. Refuses a text with errors, the
+// profile of the simulated mount, and a text in which the place of the key was not found.
 [[nodiscard]] Result<std::string> withDirectionsConfirmed(const std::string& toml, const QString& fileName);
 
 }  // namespace boresight::profile

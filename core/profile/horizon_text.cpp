@@ -129,7 +129,7 @@ private:
         if (const QString wrong = whatIsWrong(numbers); !wrong.isEmpty()) {
             return addError(wrong);
         }
-        constexpr double kPerDegree = 1e6;  // a profile has no azimuth between 359.999999° and 360°
+        constexpr double kPerDegree = 1e6;  // a profile has no azimuth above 359.999999°
         const double azimuth = std::round(numbers.azimuth * kPerDegree) / kPerDegree;
         const auto [point, isNew] = m_highest.emplace(azimuth < 360.0 ? azimuth : 0.0, numbers.elevation);
         if (!isNew && point->second != numbers.elevation) {

@@ -10,19 +10,19 @@
 #include <string_view>
 #include <vector>
 
-// The horizon as the text that planetarium and mount programs exchange (Stellarium, N.I.N.A., APCC, Cartes du Ciel,
-// Radio Eyes): one point a line, azimuth from north and elevation, in degrees. Pure.
+// The horizon in the text format of planetarium and mount programs (Stellarium, N.I.N.A., APCC, Cartes du Ciel, Radio
+// Eyes): one point per line, with azimuth from north and elevation in degrees. Pure.
 //
-// Between the two may be blanks, a tab, a comma or a semicolon; a comma within a number is a decimal one. "#" begins a
-// comment; a first line of words is a heading. The points may come in any order. 360° is 0°. No point at 0° is needed:
-// the line goes on through north. Where an azimuth is given more than once, as at the side of a tower, the highest
-// elevation counts: the beam then stays away from more than the horizon, never from less.
+// The two numbers are separated by blanks, a tab, a comma or a semicolon. A comma within a number is a decimal comma. A
+// comment begins with "#", and a first line of words is a heading. The points may be in any order. 360° is 0°. A point
+// at 0° is not needed, because the line continues through north. If an azimuth occurs more than once, as at the side of
+// a tower, the highest elevation is used. So the beam never comes closer to an obstacle than the horizon says.
 namespace boresight::profile {
 
 struct HorizonText
 {
-    std::vector<pointing::HorizonPoint> points;  // by azimuth, each once
-    int merged = 0;                              // points dropped because another point at their azimuth is higher
+    std::vector<pointing::HorizonPoint> points;  // sorted by azimuth, each azimuth once
+    int merged = 0;  // points that were dropped because a point with the same azimuth is higher
 
     bool operator==(const HorizonText&) const = default;
 };

@@ -7,12 +7,12 @@
 #include <string>
 #include <vector>
 
-// The profile in force, for everybody who obeys it. The value itself never changes: apply() puts another one in its
-// place. The station owns the only InForce, and nobody else calls apply(). All others are given a const reference and
-// read a setting where they use it, so that it counts from the next use on. Whoever must react to a change has
-// profileChanged(before, after), which the station calls after apply(). Also has what is wanted: the profile as it was
-// applied, with all that waits for a new connection. Station thread only; it is made before its readers and outlives
-// them. Another thread gets shared(), with the status.
+// The profile in force, for all code that reads settings. The value itself never changes: apply() replaces it by a new
+// one. The station owns the only InForce, and only the station calls apply(). All other code has a const reference and
+// reads a setting where it is used, so a change counts from the next use on. An object that must react to a change has
+// a function profileChanged(before, after), which the station calls after apply(). InForce also keeps the wanted
+// profile: the profile as it was applied, with the settings that wait for Reconnect. Station thread only. It is created
+// before its readers and outlives them. Another thread gets shared() with the status.
 namespace boresight::profile {
 
 class InForce
@@ -22,10 +22,10 @@ public:
     InForce(const InForce&) = delete;
     InForce& operator=(const InForce&) = delete;
 
-    // What applies now is in force from here on.
+    // Puts the settings that apply at once into force. The others wait for Reconnect (waitingKeys()).
     void apply(const Profile& wanted);
 
-    // A reference into it is good until the next apply().
+    // The reference is valid until the next apply().
     [[nodiscard]] const Profile& operator*() const { return *m_value; }
     [[nodiscard]] const Profile* operator->() const { return m_value.get(); }
     [[nodiscard]] const std::shared_ptr<const Profile>& shared() const { return m_value; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The satellites that are known, the Moon of azel.dat, and what reports its position.
+// Settings of satellites and refraction, of the Moon from azel.dat, and of the position of a balloon or rocket.
 #include "core/base/control_characters.h"
 #include "core/base/text.h"
 #include "core/elements/element_address.h"
@@ -32,7 +32,7 @@ Result<> checkElements(const std::string& entry)
                                                            "celestrak:GROUP is expected"));
 }
 
-// Of one line: the file and the window have no place for more.
+// A note is one line, because the file and the window have room for one line only.
 Result<> checkNote(const std::string& note)
 {
     return hasControlCharacters(note) || toQString(note).size() > static_cast<qsizetype>(orbit::kLongestNote)
@@ -47,10 +47,9 @@ SettingOf<orbit::SatelliteMark> antennaOfSatellite()
     auto antenna = textual<SatelliteMark>(
         "antenna", kNow,
         {QT_TRANSLATE_NOOP("Text", "Antenna"),
-         QT_TRANSLATE_NOOP(
-             "Text",
-             "The name of the antenna it is tracked with. \"main\" is that of the table mount. Without this "
-             "key it is the one that is chosen by hand.")},
+         QT_TRANSLATE_NOOP("Text",
+                           "Name of the antenna that tracks the satellite. \"main\" is the antenna of the table mount. "
+                           "Without this key Boresight uses the antenna chosen by hand.")},
         [](const SatelliteMark& row) { return row.antenna; },
         [](SatelliteMark& row, const std::string& text) {
             return (text.empty() ? Result<>{} : checkName(text)).map([&] { row.antenna = text; });
@@ -59,7 +58,7 @@ SettingOf<orbit::SatelliteMark> antennaOfSatellite()
     return antenna;
 }
 
-// Without the wildcards of a filter: one thing is tracked.
+// Refuses the wildcards of MQTT: only one topic is read.
 Result<> checkPositionTopic(const std::string& topic)
 {
     const bool isTopic = !topic.empty() && topic.front() != '$' && topic.find_first_of("+#") == std::string::npos;
@@ -74,7 +73,7 @@ std::vector<SettingOf<orbit::SatelliteMark>> makeSatelliteSettings()
         integer<SatelliteMark>(
             "norad", {}, {1.0, 999'999'999.0}, kNow,
             {QT_TRANSLATE_NOOP("Text", "Satellite"),
-             QT_TRANSLATE_NOOP("Text", "Its number in the catalogue of NORAD.")},
+             QT_TRANSLATE_NOOP("Text", "Number of the satellite in the catalogue of NORAD.")},
             [](auto& row) -> auto& { return row.number; }),
         choice<SatelliteMark>(
             "favourite", {"off", "on"}, kNow,
@@ -85,7 +84,7 @@ std::vector<SettingOf<orbit::SatelliteMark>> makeSatelliteSettings()
         textual<SatelliteMark>(
             "note", kNow,
             {QT_TRANSLATE_NOOP("Text", "Note"),
-             QT_TRANSLATE_NOOP("Text", "A line of the operator's own, such as frequency and polarisation.")},
+             QT_TRANSLATE_NOOP("Text", "A note of one line, such as frequency and polarisation.")},
             [](const SatelliteMark& row) { return row.note; },
             [](SatelliteMark& row, const std::string& note) { return checkNote(note).map([&] { row.note = note; }); }),
         antennaOfSatellite()};
@@ -107,23 +106,22 @@ void addOrbit(std::vector<Setting>& list)
     list.push_back(number(
         "orbit.oldest_days", "d", {1.0, 3650.0}, kNow,
         {QT_TRANSLATE_NOOP("Text", "Oldest elements"),
-         QT_TRANSLATE_NOOP("Text",
-                           "Satellites with older elements are not tracked. The error of a low orbit grows by some "
-                           "kilometres a day.")},
+         QT_TRANSLATE_NOOP(
+             "Text",
+             "Satellites with older elements are not tracked. The error of a low orbit grows by 1 to 3 km a day.")},
         [](auto& p) -> auto& { return p.orbit.oldestDays; }));
     list.push_back(number(
         "orbit.lead_s", "s", {-1.0, 1.0}, kNow,
         {QT_TRANSLATE_NOOP("Text", "Lead of the set-points"),
-         QT_TRANSLATE_NOOP("Text", "The mount aims at where the tracked satellite is this much later.")},
+         QT_TRANSLATE_NOOP("Text", "The mount aims at the place where the tracked satellite will be after this time.")},
         [](auto& p) -> auto& { return p.orbit.lead; }));
     list.push_back(choice(
         "orbit.refraction", {"by_kind", "none", "light", "radio"}, kNow,
         {QT_TRANSLATE_NOOP("Text", "Refraction"),
-         QT_TRANSLATE_NOOP(
-             "Text",
-             "How the air bends what is tracked. By kind: Sun, Moon and planets like light, radio sources like radio "
-             "waves, satellites not at all. The other values hold for all of them. AOS and LOS of satellites stay "
-             "geometric.")},
+         QT_TRANSLATE_NOOP("Text",
+                           "Which refraction of the air Boresight applies. By kind: Sun, Moon and planets like light, "
+                           "radio sources like radio waves, satellites not at all. The other values hold for all "
+                           "targets. AOS and LOS of satellites stay geometric.")},
         [](auto& p) -> auto& { return p.orbit.refraction; }));
 }
 
@@ -148,8 +146,8 @@ void addAzel(std::vector<Setting>& list)
         "azel.beam_fraction", "", {0.0, 1.0}, kNow,
         {QT_TRANSLATE_NOOP("Text", "Part of the beam width"),
          QT_TRANSLATE_NOOP("Text",
-                           "The mount moves on only when the Moon is this part of the beam width away from where the "
-                           "mount points. 0: the interval alone counts.")},
+                           "The mount moves on only when the Moon is this part of the beam width away from the "
+                           "direction of the mount. 0: only the interval counts.")},
         [](auto& p) -> auto& { return p.azel.beamFraction; }));
     list.push_back(choice(
         "azel.only_while_receiving", {"off", "on"}, kNow,
@@ -166,7 +164,7 @@ void addPosition(std::vector<Setting>& list)
         "position.source", {"none", "udp", "mqtt"}, kNow,
         {QT_TRANSLATE_NOOP("Text", "Source"),
          QT_TRANSLATE_NOOP("Text",
-                           "Whether the position of a balloon or a rocket arrives, to be tracked: by UDP on a port of "
+                           "How Boresight receives the position of a balloon or a rocket to track: by UDP on a port of "
                            "this computer, or by a topic of the MQTT broker.")},
         [](auto& p) -> auto& { return p.position.source; }));
     list.push_back(textual(
@@ -194,8 +192,8 @@ void addPosition(std::vector<Setting>& list)
         "position.name", kNow,
         {QT_TRANSLATE_NOOP("Text", "Call sign"),
          QT_TRANSLATE_NOOP("Text",
-                           "Only reports with this call sign count. Empty: every report counts, and only one thing may "
-                           "fly.")},
+                           "Only reports with this call sign count. Empty: every report counts. Then only one balloon "
+                           "or rocket may fly.")},
         [](const Profile& p) { return p.position.name; },
         [](Profile& p, const std::string& text) { return checkNote(text).map([&] { p.position.name = text; }); }));
     list.push_back(number(
@@ -206,7 +204,8 @@ void addPosition(std::vector<Setting>& list)
     list.push_back(number(
         "position.fastest_m_s", "m/s", {10.0, 12000.0}, kNow,
         {QT_TRANSLATE_NOOP("Text", "Fastest flight"),
-         QT_TRANSLATE_NOOP("Text", "A position that needs a higher speed from the one before is refused.")},
+         QT_TRANSLATE_NOOP("Text",
+                           "A position is refused if the balloon or rocket had to fly faster than this to reach it.")},
         [](auto& p) -> auto& { return p.position.fastest; }));
 }
 

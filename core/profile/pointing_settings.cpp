@@ -26,28 +26,29 @@ Setting term(const std::string& name, Range range, const Words& words, Access ac
 std::vector<SettingOf<pointing::Antenna>> makeAntennaSettings()
 {
     using pointing::Antenna;
-    return {name<Antenna>(
-                "name", Applies::Now,
-                {QT_TRANSLATE_NOOP("Text", "Antenna"),
-                 QT_TRANSLATE_NOOP("Text", "Its name. \"main\" is the antenna that the table mount describes.")},
-                [](auto& row) -> auto& { return row.name; }),
-            number<Antenna>(
-                "beam_width_deg", "°", {0.01, 180.0}, Applies::Now,
-                {QT_TRANSLATE_NOOP("Text", "Beam width"),
-                 QT_TRANSLATE_NOOP("Text", "Half-power beam width of the antenna.")},
-                [](auto& row) -> auto& { return row.beamWidth; }),
-            number<Antenna>(
-                "offset_across_deg", "°", kSmall, Applies::Now,
-                {QT_TRANSLATE_NOOP("Text", "Offset across"),
-                 QT_TRANSLATE_NOOP("Text",
-                                   "How far its beam points clockwise of the main beam, measured on the sky at any "
-                                   "elevation. A negative value is counterclockwise.")},
-                [](auto& row) -> auto& { return row.across; }),
-            number<Antenna>(
-                "offset_up_deg", "°", kAbove, Applies::Now,
-                {QT_TRANSLATE_NOOP("Text", "Offset up"),
-                 QT_TRANSLATE_NOOP("Text", "How far its beam points above the main beam. A negative value is below.")},
-                [](auto& row) -> auto& { return row.up; })};
+    return {
+        name<Antenna>(
+            "name", Applies::Now,
+            {QT_TRANSLATE_NOOP("Text", "Antenna"),
+             QT_TRANSLATE_NOOP("Text", "Name of the antenna. \"main\" is the antenna that the table mount describes.")},
+            [](auto& row) -> auto& { return row.name; }),
+        number<Antenna>(
+            "beam_width_deg", "°", {0.01, 180.0}, Applies::Now,
+            {QT_TRANSLATE_NOOP("Text", "Beam width"),
+             QT_TRANSLATE_NOOP("Text", "Half-power beam width of the antenna.")},
+            [](auto& row) -> auto& { return row.beamWidth; }),
+        number<Antenna>(
+            "offset_across_deg", "°", kSmall, Applies::Now,
+            {QT_TRANSLATE_NOOP("Text", "Offset across"),
+             QT_TRANSLATE_NOOP("Text",
+                               "How far its beam points clockwise of the main beam, measured on the sky at any "
+                               "elevation. A negative value is counter-clockwise.")},
+            [](auto& row) -> auto& { return row.across; }),
+        number<Antenna>(
+            "offset_up_deg", "°", kAbove, Applies::Now,
+            {QT_TRANSLATE_NOOP("Text", "Offset up"),
+             QT_TRANSLATE_NOOP("Text", "How far its beam points above the main beam. A negative value is below.")},
+            [](auto& row) -> auto& { return row.up; })};
 }
 
 }  // namespace
@@ -63,7 +64,7 @@ void checkAntennas(std::vector<Problem>& problems, const Profile& profile)
     if (profile.antennas.size() > kMaxAntennas) {
         problems.push_back(
             {std::string(kAntennaKey),
-             Text::tr("%1 antennas are too many. The most is %2.").arg(profile.antennas.size()).arg(kMaxAntennas)});
+             Text::tr("%1 antennas are too many. The maximum is %2.").arg(profile.antennas.size()).arg(kMaxAntennas)});
     }
     std::set<std::string> names{pointing::kMainAntenna};
     for (std::size_t i = 0; i < profile.antennas.size(); ++i) {

@@ -7,6 +7,9 @@
 #include "core/profile/setting_makers.h"
 #include "core/transmit/output_name.h"
 
+#include <algorithm>
+#include <initializer_list>
+
 namespace boresight::profile {
 
 using namespace makers;
@@ -43,7 +46,7 @@ void addTransmit(std::vector<Setting>& list)
          QT_TRANSLATE_NOOP(
              "Text",
              "An output that is on only while the beam is on its target: file:PATH, mqtt:TOPIC, command:PROGRAM with "
-             "its arguments, dtr:PORT or rts:PORT. Let it hold the transmitter. Empty: none.")},
+             "its arguments, dtr:PORT or rts:PORT. Use it as the interlock of the transmitter. Empty: none.")},
         [](const Profile& p) { return p.transmit.output; },
         [](Profile& p, const std::string& wanted) {
             return transmit::parseOutput(wanted).map([&](const transmit::OutputName&) { p.transmit.output = wanted; });
@@ -69,6 +72,32 @@ void checkPower(std::vector<Problem>& problems, const Profile& profile)
     if (profile.power.source == PowerSource::Udp && !checkAddress(profile.power.host)) {
         problems.push_back(
             {"power.host", Text::tr("an address of this computer is expected while power.source is \"udp\"")});
+    }
+}
+
+// Boresight would take its own "on" and "off" for a command or a reading, or write over what it publishes.
+void checkTransmit(std::vector<Problem>& problems, const Profile& profile)
+{
+    const auto output = transmit::parseOutput(profile.transmit.output);
+    if (!output || output->kind != transmit::OutputKind::Mqtt) {
+        return;
+    }
+    const BrokerSettings& broker = profile.mqtt;
+    const std::string topic = output->place.toStdString();
+    const auto isOneOf = [&](std::initializer_list<const char*> names) {
+        return std::ranges::any_of(names, [&](const char* name) { return topic == broker.topic(name); });
+    };
+    const bool takesCommands = broker.commands != BrokerCommands::Off;
+    const bool publishes = broker.publish != Publish::Off;
+    if (takesCommands && isOneOf({"command", "stop"})) {
+        problems.push_back(
+            {"transmit.output", Text::tr("Boresight takes each message of the topic %1 for a command (mqtt.commands). "
+                                         "Choose another topic")
+                                    .arg(output->place)});
+    } else if ((takesCommands && isOneOf({"answer"})) || (publishes && isOneOf({"state", "availability"})) ||
+               takesReadings(profile, topic)) {
+        problems.push_back({"transmit.output",
+                            Text::tr("Boresight already uses the topic %1. Choose another topic").arg(output->place)});
     }
 }
 

@@ -7,8 +7,8 @@ namespace boresight::profile {
 
 namespace {
 
-// Jerk is ten times the acceleration (per second): the averaging then takes 0.2 s, so an axis that follows a satellite
-// at 1 °/s rests 0.3 s after a stop.
+// The jerk is ten times the acceleration (per second), so the averaging takes 0.2 s. An axis that tracks a satellite at
+// 1°/s then stands still 0.3 s after a stop.
 tracking::MotionLimits limitsOf(double degreesPerSecond, double degreesPerSecond2)
 {
     return {.speed = AngularRate::fromDegrees(degreesPerSecond),
@@ -18,7 +18,7 @@ tracking::MotionLimits limitsOf(double degreesPerSecond, double degreesPerSecond
 
 }  // namespace
 
-// Torque for a dish of some 2 m: 20 kg m² at 10 °/s² are 4 Nm, friction as much, the rest is for wind.
+// Torque for a dish of 2 m: 20 kg m² at 10 °/s² need 4 Nm and friction needs as much. The rest is for wind.
 AxisSettings referenceAzimuth()
 {
     return {.id = 1,

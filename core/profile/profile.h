@@ -24,9 +24,9 @@
 #include <string>
 #include <vector>
 
-// All settings of one mount, as plain values. The initialisers below are the defaults and describe the reference mount:
-// azimuth 0…360° is 0…1 turn; the elevation drive is mounted inverted, 0° is -0.25 turn, 90° is -0.5 turn.
-// What each key of the file means, its unit and range: setting.h. Reading and writing: profile_file.h.
+// All settings of one mount, as plain values. The initial values are the defaults and describe the reference mount:
+// azimuth 0…360° is 0…1 turn. The elevation drive is mounted inverted: 0° is -0.25 turn, 90° is -0.5 turn. setting.h
+// describes each key of the file, with unit and range. profile_file.h reads and writes the file.
 namespace boresight::profile {
 
 inline constexpr int kVersion = 1;
@@ -48,11 +48,11 @@ enum class TimeoutMode
 
 struct AxisSettings
 {
-    AxisDriver driver = AxisDriver::Moteus;  // what turns it
+    AxisDriver driver = AxisDriver::Moteus;  // what turns the axis
     int id = 1;                              // of the moteus controller on the bus
     pointing::AxisGeometry geometry{};
     tracking::MotionLimits limits{};
-    double maxTorque = 0.0;  // Nm, as the drive counts it
+    double maxTorque = 0.0;  // Nm, as the drive counts
     PowerUpPosition powerUpPosition = PowerUpPosition::Ambiguous;
     TimeoutMode timeoutMode = TimeoutMode::Hold;
 
@@ -78,7 +78,7 @@ struct RotatorSettings
     bool operator==(const RotatorSettings&) const = default;
 };
 
-// What the drives are left doing when the program ends.
+// What the drives do after the program has ended.
 enum class OnExit
 {
     Hold,
@@ -141,7 +141,7 @@ struct ControlSettings
     Arrival arrival = Arrival::Separate;
     AfterStall afterStall = AfterStall::Resume;
     OnExit onExit = OnExit::Hold;
-    Angle driveLimitMargin = Angle::fromDegrees(3.0);  // of the drives' own position bounds beyond the travel
+    Angle driveLimitMargin = Angle::fromDegrees(3.0);  // how far the drives' own position bounds are beyond the travel
 
     [[nodiscard]] Seconds tickPeriod() const { return Seconds(1.0 / tickHz); }
     bool operator==(const ControlSettings&) const = default;
@@ -173,21 +173,21 @@ struct SiteSettings
     bool operator==(const SiteSettings&) const = default;
 };
 
-// A Gpredict on this computer, whose stations and satellites are read.
+// A Gpredict on this computer, whose stations and satellites Boresight reads.
 struct GpredictSettings
 {
-    std::string folder;  // with its .qth files and satdata; empty: where Gpredict keeps them by itself
+    std::string folder;  // folder with its .qth files and satdata; empty: the usual folder of Gpredict
 
     bool operator==(const GpredictSettings&) const = default;
 };
 
-// Satellites that Boresight follows by itself.
+// Satellites that Boresight tracks by itself.
 struct OrbitSettings
 {
     std::vector<std::string> elements;  // files and folders; empty: those of Gpredict on this computer
-    double oldestDays = 30.0;           // of elements that may be tracked
-    Seconds lead{0.0};                  // of the set-points, for the latency of the drives
-    ephemeris::RefractionRule refraction = ephemeris::RefractionRule::ByKind;  // of what is tracked
+    double oldestDays = 30.0;           // older elements may not be tracked
+    Seconds lead{0.0};                  // how far the set-points are ahead, because the drives lag
+    ephemeris::RefractionRule refraction = ephemeris::RefractionRule::ByKind;  // rule for targets that Boresight tracks
 
     bool operator==(const OrbitSettings&) const = default;
 };
@@ -198,18 +198,18 @@ enum class OnlyWhileReceiving
     On
 };
 
-// The Moon of WSJT-X, by its azel.dat.
+// The Moon by the azel.dat of WSJT-X.
 struct AzelSettings
 {
-    std::string file;           // empty: where WSJT-X writes it for this user
-    Seconds interval{1.0};      // between two targets of the mount; at most 1 s: a new target in each tick
+    std::string file;           // empty: the usual place of WSJT-X for this user
+    Seconds interval{1.0};      // time between two targets of the mount; at most 1 s: a new target in each tick
     double beamFraction = 0.0;  // the mount moves when the Moon has moved this part of the beam width; 0: always
     OnlyWhileReceiving onlyWhileReceiving = OnlyWhileReceiving::Off;
 
     bool operator==(const AzelSettings&) const = default;
 };
 
-// Whether the schedule arms itself after a start of the program.
+// Whether the schedule is armed automatically after the start of the program.
 enum class Unattended
 {
     Off,  // a person arms it
@@ -227,10 +227,10 @@ enum class BetweenPasses
 enum class ParkAfter
 {
     Off,
-    On  // when no pass follows for half an hour
+    On  // if no pass follows within half an hour
 };
 
-// A program with its arguments, that runs at a moment of a pass. Empty: none.
+// A program with its arguments, which runs at a moment of a pass. Empty: none.
 using Command = std::vector<std::string>;
 
 struct PassHooks
@@ -239,7 +239,7 @@ struct PassHooks
     Command aos;
     Command los;
     Command fault;
-    Seconds before{60.0};  // from the first one to AOS
+    Seconds before{60.0};  // beforeAos runs this long before AOS
 
     bool operator==(const PassHooks&) const = default;
 };
@@ -258,14 +258,14 @@ struct ScheduleSettings
     bool operator==(const ScheduleSettings&) const = default;
 };
 
-// Whether the beam is kept away from the Sun, because the Sun would melt the feed or drown the received signal.
+// Whether the beam is kept away from the Sun. The Sun could melt the feed or drown the received signal.
 enum class KeepAway
 {
     Off,
-    On  // from where the Sun is by the site and the computer's clock
+    On  // the Sun is computed from the site and the computer's clock
 };
 
-// A wrong clock puts the Sun into a wrong place.
+// Whether the clock is good enough to compute the Sun.
 enum class SunClock
 {
     Synchronised,  // the clock is used only while a time source sets it
@@ -276,12 +276,12 @@ struct SunSettings
 {
     KeepAway keepAway = KeepAway::Off;
     SunClock clock = SunClock::Synchronised;
-    Angle radius = Angle::fromDegrees(10.0);  // of the part of the sky around it that the beam stays out of
+    Angle radius = Angle::fromDegrees(10.0);  // the beam stays farther than this from the Sun
 
     bool operator==(const SunSettings&) const = default;
 };
 
-// A named direction of the operator's own.
+// A direction with a name that the operator gave.
 struct Preset
 {
     std::string name;
@@ -301,7 +301,7 @@ struct ListenAddress
 // The answer to \dump_state, which a Hamlib client reads when it connects.
 enum class DumpState
 {
-    OldAndNew,  // read by Hamlib 4.0 to today's
+    OldAndNew,  // readable for Hamlib 4.0 and later
     AsHamlib    // byte for byte as Hamlib 4.5.1 and later; older clients then refuse every target
 };
 
@@ -310,13 +310,13 @@ enum class ControlRule
 {
     First,  // the first client keeps control until it has sent no motion command for 10 s, or disconnects
     Last,   // whoever sent the newest command, as Hamlib does
-    Locked  // only the one at `lockedTo`
+    Locked  // only the client at `lockedTo`
 };
 
 struct RotctldSettings
 {
     ListenAddress listen;
-    std::vector<std::string> allow;  // addresses and networks ("10.0.0.0/8"); empty: whoever can reach the port
+    std::vector<std::string> allow;  // addresses and networks ("10.0.0.0/8"); empty: everybody who can reach the port
     ControlRule control = ControlRule::First;
     std::string lockedTo;  // the address of the one client that may move the mount, while `control` is Locked
     OutsideLimits outsideLimits = OutsideLimits::Nearest;
@@ -327,37 +327,38 @@ struct RotctldSettings
     bool operator==(const RotctldSettings&) const = default;
 };
 
-// When Boresight reports that an axis does not obey (core/supervision). `Hint` reports, `Stop` stops.
+// The limits at which Boresight reports that an axis does not obey (core/supervision). `Hint` only reports, `Stop` also
+// stops the mount.
 struct SupervisionSettings
 {
-    Angle followingHint = Angle::fromDegrees(1.5);  // between set-point and axis, for followingTime
+    Angle followingHint = Angle::fromDegrees(1.5);  // distance between set-point and axis that lasts for followingTime
     Angle followingStop = Angle::fromDegrees(3.0);
     Seconds followingTime{0.5};
-    Seconds stallTime{0.8};                       // commanded to move and not moving
-    Angle uncommanded = Angle::fromDegrees(1.0);  // moved although it should stand
-    Angle encoderJump = Angle::fromDegrees(0.5);  // between two replies, beyond what the fastest motion explains
+    Seconds stallTime{0.8};                       // commanded to move, but stands still for this time
+    Angle uncommanded = Angle::fromDegrees(1.0);  // moved by this angle although it should stand still
+    Angle encoderJump = Angle::fromDegrees(0.5);  // change between two replies that the fastest motion does not explain
     Angle outsideHint = Angle::fromDegrees(0.5);  // beyond the travel
-    Angle outsideStop = Angle::fromDegrees(1.5);  // the same, while moving farther out
+    Angle outsideStop = Angle::fromDegrees(1.5);  // beyond the travel and moving farther out
     Seconds replyAge{0.1};
     double supplyLow = 20.0;    // V
-    double supplyStop = 12.0;   // V, stop while the drives still have enough voltage to brake
+    double supplyStop = 12.0;   // V; stops while the drives still have enough voltage to brake
     double supplyHigh = 42.0;   // V
     double boardHot = 60.0;     // °C
-    double boardLimit = 75.0;   // °C, where the drive gives up (fault 38)
+    double boardLimit = 75.0;   // °C; the drive switches off here (fault 38)
     double motorHot = 80.0;     // °C
     Seconds trendAhead{300.0};  // warn when a trend reaches its limit within this time
     double torqueHint = 0.7;    // of the axis's maximum torque, for 2 s
-    double torqueAtRest = 0.4;  // of the same, while the axis stands: more than weight and friction explain
-    double torqueUnwind = 0.4;  // of the same, while the turn of the axis is unknown: a cable may be pulling
+    double torqueAtRest = 0.4;  // the same for a standing axis: more than weight and friction explain
+    double torqueUnwind = 0.4;  // the same while the wrap of the axis is unknown: the cable may be pulled
 
     bool operator==(const SupervisionSettings&) const = default;
 };
 
-// Whether the mount is re-armed without a person after a loss that has passed.
+// Whether the mount is re-armed without a person after a loss whose cause has passed.
 enum class Retry
 {
     Never,
-    Once,     // per episode
+    Once,     // once per episode
     Interval  // again and again
 };
 
@@ -366,7 +367,7 @@ struct RecoverySettings
     Retry overTemperature = Retry::Never;
     Retry supply = Retry::Never;
     Retry bus = Retry::Never;
-    Seconds interval{60.0};  // from the loss, or the last attempt, to the next one
+    Seconds interval{60.0};  // time from the loss or the last attempt to the next attempt
 
     bool operator==(const RecoverySettings&) const = default;
 };
@@ -377,14 +378,14 @@ enum class Tls
     On
 };
 
-// Whether Boresight publishes its own state at the broker.
+// Whether Boresight publishes its state at the broker.
 enum class Publish
 {
     Off,
     On
 };
 
-// What commands by MQTT may do. Everyone who may write to the topics of the broker can send them.
+// The permitted commands by MQTT. Everyone who may write to the topics of the broker can send them.
 enum class BrokerCommands
 {
     Off,   // nothing: Boresight does not read the topics
@@ -399,23 +400,23 @@ enum class HomeAssistant
     On
 };
 
-// The MQTT broker that brings the sensor's messages and takes Boresight's own.
+// The MQTT broker that delivers the sensor's messages and receives those of Boresight.
 struct BrokerSettings
 {
     std::string host = "localhost";
     int port = 1883;
-    std::string user;      // empty: without
-    std::string password;  // plain, as the broker wants it: it is kept out of logs and diagnostics
+    std::string user;      // empty: without a user
+    std::string password;  // plain text, as the broker needs it; never in logs or diagnostics
     Tls tls = Tls::Off;
-    std::string caFile;    // PEM; empty: the authorities that this computer knows
-    std::string clientId;  // empty: another one at every start
+    std::string caFile;    // PEM; empty: the certificate authorities of this computer
+    std::string clientId;  // empty: a new one at each start
     Publish publish = Publish::Off;
     std::string prefix = "boresight/";
     BrokerCommands commands = BrokerCommands::Off;
     HomeAssistant homeAssistant = HomeAssistant::Off;
-    std::string discoveryPrefix = "homeassistant";  // as Home Assistant has it
+    std::string discoveryPrefix = "homeassistant";  // the prefix that is set in Home Assistant
 
-    // "boresight/state", whether the prefix ends with a slash or not.
+    // For example "boresight/state". The prefix may end with a slash or not.
     [[nodiscard]] std::string topic(const std::string& name) const
     {
         return prefix.ends_with('/') ? prefix + name : prefix + "/" + name;
@@ -430,29 +431,29 @@ struct Profile
 {
     MountSettings mount;
     std::string bus = "simulated";           // "fdcanusb:PATH", "socketcan:IFACE", "serial:PATH", "tcp:HOST:PORT"
-    int baud = 9600;                         // of a serial bus
-    std::vector<std::string> watchedBoards;  // on it, that turn no axis: "3 polarisation", see WatchedBoard
+    int baud = 9600;                         // speed of a serial bus
+    std::vector<std::string> watchedBoards;  // boards that turn no axis: "3 polarisation" (WatchedBoard)
     AxisSettings azimuth = referenceAzimuth();
     AxisSettings elevation = referenceElevation();
     RotatorSettings rotator;
     ControlSettings control;
     pointing::PointingTerms pointing;         // how the true direction differs from what the axes show
-    std::vector<pointing::Antenna> antennas;  // besides the main one, which has the beam width of the mount
+    std::vector<pointing::Antenna> antennas;  // in addition to the main antenna, which has the beam width of the mount
     pointing::Region limits;
     AxisPosition park{};     // mechanical angles
-    double parkAfter = 0.0;  // min without a motion or a command; 0: never
+    double parkAfter = 0.0;  // min without a motion or a command; 0: the mount is never parked for this
     std::vector<Preset> presets;
     SiteSettings site;
     GpredictSettings gpredict;
     OrbitSettings orbit;
-    orbit::SatelliteMarks satellites;  // that the operator knows: favourites and notes
+    orbit::SatelliteMarks satellites;  // favourites and notes of the operator
     AzelSettings azel;
     PositionSettings position;
     ScheduleSettings schedule;
     SunSettings sun;
     JogSettings jog;
     RotctldSettings rotctld;
-    std::vector<std::string> listeners;  // for programs that do not speak rotctld, see listeners::Listener
+    std::vector<std::string> listeners;  // for programs that do not use rotctld, see listeners::Listener
     SupervisionSettings supervision;
     RecoverySettings recovery;
     SensorSettings sensor;

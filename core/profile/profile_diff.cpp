@@ -15,12 +15,12 @@ namespace boresight::profile {
 
 namespace {
 
-// One key, and what can be done with it.
+// The functions to compare, show and copy the value of one key.
 struct Item
 {
     std::string key;
     Applies applies = Applies::Now;
-    std::function<std::string(const Profile&)> written;  // differs if the value does
+    std::function<std::string(const Profile&)> written;  // the text in the file, for comparing
     std::function<QString(const Profile& shown, const Profile& other)> text;
     std::function<void(Profile& into, const Profile& from)> take;
 };
@@ -60,7 +60,7 @@ std::string writtenSite(const Profile& profile)
 QString siteText(const Profile& profile)
 {
     if (!profile.site.known) {
-        return Text::tr("not given");
+        return Text::tr("not set");
     }
     QStringList parts;
     for (const char* const key : kSiteKeys) {
@@ -88,7 +88,8 @@ std::string writtenRow(std::span<const SettingOf<Row>> fields, const Row& row)
     return text;
 }
 
-// `rows` finds the list in a profile, constant or not; `text` names the rows, and how they differ from the others.
+// `rows` returns the list of a profile, constant or not. `text` lists the rows, and how they differ from the other
+// list.
 template <class Row, class Rows>
 Item listItem(std::string_view key, std::span<const SettingOf<Row>> fields, Rows rows,
               QString (*text)(const std::vector<Row>& shown, const std::vector<Row>& others))
@@ -118,7 +119,7 @@ QString horizonText(const std::vector<pointing::HorizonPoint>& shown, const std:
     return Text::tr("%1, %2 different").arg(count, QString::number(moved));
 }
 
-// The names; rows whose name the others have too, but not alike, are marked.
+// The names of the rows. A row is marked if the other list has a different row of this name.
 template <class Row>
 QString namesText(const std::vector<Row>& shown, const std::vector<Row>& others)
 {
@@ -131,7 +132,7 @@ QString namesText(const std::vector<Row>& shown, const std::vector<Row>& others)
     return names.isEmpty() ? Text::tr("none") : names.join(QStringLiteral(", "));
 }
 
-// The same of rows that are known by the number of a satellite.
+// The same for rows that are identified by the number of a satellite.
 template <class Row>
 QString numbersText(const std::vector<Row>& shown, const std::vector<Row>& others)
 {
@@ -151,7 +152,7 @@ std::vector<Item> makeItems()
         if (!setting.isGiven) {
             items.push_back(itemOf(setting));
         }
-        // Where they are in the file.
+        // The lists follow where they are in the file.
         if (setting.key == "limits.elevation_max_deg") {
             items.push_back(listItem(
                 kHorizonKey, horizonSettings(), [](auto& p) -> auto& { return p.limits.horizon; }, &horizonText));
@@ -190,7 +191,8 @@ bool differs(const Item& item, const Profile& a, const Profile& b)
     return item.written(a) != item.written(b);
 }
 
-// "limits" for "limits.horizon" and "keep_out[2].name": what is to be applied together or not at all.
+// The settings of one group are applied together or not at all. "limits" is the group of "limits.horizon" and
+// "keep_out[2].name".
 std::string groupOf(std::string_view key)
 {
     const std::string table(key.substr(0, key.find_first_of(".[")));

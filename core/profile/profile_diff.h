@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-// Two profiles compared and joined key by key. The keys are those of settings(), but a list ("limits.horizon",
-// "keep_out", "preset") and the site ("site") count as one each: their parts mean something only together. Two values
-// that are written alike are the same. Pure.
+// Compares two profiles and combines them, key by key. The keys are those of settings(). Each list ("limits.horizon",
+// "keep_out", "preset") and the site ("site") count as one key, because their parts are useful only together. Two
+// values with the same text in the file are equal. Pure.
 namespace boresight::profile {
 
 struct Change

@@ -9,9 +9,9 @@
 #include <string>
 #include <string_view>
 
-// The profile as a TOML file. Reading is strict: an unknown key, a wrong type or a value out of range is an error, and
-// all errors of a file come at once, one "FILE:LINE: KEY: reason" per line of the error's text. A key that is absent
-// has its default. Blocking file access: at start and when the operator saves, not while moving.
+// The profile as a TOML file. Reading is strict: an unknown key, a wrong type or a value out of range is an error. All
+// errors of a file are reported together, one "FILE:LINE: KEY: reason" per line of the text. A missing key has its
+// default. File access blocks, so it happens at the start and when the operator saves, not during a motion.
 namespace boresight::profile {
 
 [[nodiscard]] Result<Profile> parseProfile(std::string_view toml, const QString& fileName);
@@ -22,7 +22,7 @@ namespace boresight::profile {
 
 // The whole profile with a comment above every key: text, unit, range, default.
 [[nodiscard]] std::string toToml(const Profile& profile);
-// All or nothing: a failure leaves the old file untouched. A profile that could not be read again is not written.
+// All or nothing: after a failure the old file is unchanged. A profile that could not be read again is not written.
 [[nodiscard]] Result<> saveProfile(const Profile& profile, const QString& path);
 
 }  // namespace boresight::profile

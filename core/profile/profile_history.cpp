@@ -22,7 +22,7 @@ bool hasPrevious(const QString& path)
 Result<> saveKeepingPrevious(const Profile& profile, const QString& path)
 {
     if (!QFileInfo::exists(path) || !problemsOf(profile).empty()) {
-        return saveProfile(profile, path);  // which refuses what has problems: the version before stays
+        return saveProfile(profile, path);  // refuses a profile with problems, so the previous version stays
     }
     return readFile(path).and_then([&](const QByteArray& before) -> Result<> {
         if (before == QByteArray::fromStdString(toToml(profile))) {

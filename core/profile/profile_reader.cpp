@@ -265,7 +265,8 @@ private:
         }
     }
 
-    // Of the key, else of its row or table, else the first: a default can clash with what the file says elsewhere.
+    // The line of the key, or else of its row or table, or else the first line: a default value can conflict with a
+    // value elsewhere in the file.
     [[nodiscard]] std::size_t lineOf(const std::string& key) const
     {
         for (std::size_t end = key.size(); end != std::string::npos; end = key.find_last_of(".[", end - 1)) {
@@ -296,7 +297,7 @@ private:
     }
 
     Profile m_profile;
-    std::map<std::string, std::size_t> m_lines;  // of every key, table and row of the file
+    std::map<std::string, std::size_t> m_lines;  // line of each key, table and row of the file
     std::vector<std::string> m_unreadLists;
     records::FileProblems m_problems;
 };

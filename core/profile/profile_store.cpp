@@ -144,7 +144,7 @@ Result<> ProfileStore::remove(const QString& path) const
     if (!QFile::rename(path, kept)) {
         return failure(ErrorCode::Io, Text::tr("%1: cannot be renamed to %2").arg(path, kept));
     }
-    // Else another mount that later gets this file name would take FILE~ for its own previous version.
+    // Without this, another mount that later gets this file name would take FILE~ for its own previous version.
     QFile::rename(previousOf(path), previousOf(kept));
     return {};
 }
@@ -154,7 +154,8 @@ QString ProfileStore::currentFile() const
     return m_profiles + QStringLiteral("/current");
 }
 
-// The mount's memory has a file of the same name. Another mount may have had this name before it was renamed.
+// The position journal of the mount has a file of the same name. A file of this name can exist although no mount has
+// this name: a renamed mount keeps its old file.
 QString ProfileStore::freePath(const QString& mountName) const
 {
     const QString base = m_profiles + QLatin1Char('/') + safeFileName(mountName);
@@ -199,7 +200,7 @@ Result<QString> ProfileStore::takeIn(const QString& single) const
             return writeFile(previousOf(path), bytes, readersOf(path));
         });
         if (!kept || !renameOver(single, path)) {
-            return single;  // in a folder that may not be written to it is good where it is
+            return single;  // if the folder cannot be written to, the file is used where it is
         }
         return setCurrent(path).map([&] { return path; });
     });

@@ -9,18 +9,18 @@
 #include <optional>
 #include <vector>
 
-// The profiles of several mounts: FOLDER/profiles/MOUNT.toml, one of them current (its file's name is in
-// FOLDER/profiles/current). Each mount's name is there once, because what a mount remembers is kept under its name. A
-// profile is known here by its file's path. Keeps nothing in memory: each call looks at the folder again, so that two
-// programs can share it. Blocking file access: not on the gui thread, nor the station's.
+// The profiles of several mounts: FOLDER/profiles/MOUNT.toml. One of them is current. FOLDER/profiles/current contains
+// the name of its file. No two mounts have the same name, because the journal of a mount is kept under its name. A
+// profile is identified by the path of its file. The class keeps nothing in memory. Each call reads the folder again,
+// so two programs can share it. Blocking file access: not on the gui thread and not on the station thread.
 namespace boresight::profile {
 
 struct StoredProfile
 {
     QString path;
-    QString mountName;  // or the file's, if it cannot be read
+    QString mountName;  // the name of the mount, or of the file if the file cannot be read
     bool isCurrent = false;
-    QString problem;  // why it cannot be read; empty: it can
+    QString problem;  // why the file cannot be read; empty: it can be read
 
     bool operator==(const StoredProfile&) const = default;
 };
@@ -30,25 +30,26 @@ class ProfileStore
 public:
     explicit ProfileStore(const QString& folder);
 
-    // By the mounts' names.
+    // Sorted by the names of the mounts.
     [[nodiscard]] std::vector<StoredProfile> list() const;
 
-    // The one to start with; empty if there is none at all. A FOLDER/profile.toml, where the only profile was once, or
-    // which somebody has put there, is taken in first, as the current one.
+    // The profile to start with. Empty if there is none. If FOLDER/profile.toml exists, it is first moved into the
+    // store and becomes the current profile. Older versions wrote this file, or the operator put it there.
     [[nodiscard]] Result<std::optional<QString>> findCurrent() const;
     [[nodiscard]] Result<> setCurrent(const QString& path) const;
 
-    // A new mount; its path. Refused: there is one of that name.
+    // Stores the profile of a new mount and returns its path. Refused if a mount of that name exists.
     [[nodiscard]] Result<QString> add(const Profile& profile) const;
     [[nodiscard]] Result<QString> duplicate(const QString& path, const QString& newMountName) const;
     [[nodiscard]] Result<QString> importFile(const QString& source) const;
 
-    // Keeps the previous version; undo() brings it back, and again the newer one (profile_history.h).
+    // Saves the profile and keeps its previous version. undo() exchanges the two versions, so a second undo() restores
+    // the newer one (profile_history.h).
     [[nodiscard]] Result<> save(const Profile& profile, const QString& path) const;
     [[nodiscard]] Result<Profile> undo(const QString& path) const;
-    // The same TOML file elsewhere; replaces what is there.
+    // Copies the TOML file to `target` and replaces an existing file.
     [[nodiscard]] Result<> exportFile(const QString& path, const QString& target) const;
-    // Keeps it as MOUNT.toml.removed. Refused: it is the current one.
+    // Renames the file to MOUNT.toml.removed. Refused if it is the current profile.
     [[nodiscard]] Result<> remove(const QString& path) const;
 
 private:

@@ -97,7 +97,7 @@ std::string rowsText(std::string_view list, const std::string& meaning, std::spa
                      const std::vector<Row>& rows)
 {
     const std::string head = "[[" + std::string(list) + "]]\n";
-    std::string text = "\n# " + meaning + " Each begins with " + head;
+    std::string text = "\n# " + meaning + " Each entry begins with " + head;
     for (const SettingOf<Row>& field : fields) {
         text += "#   " + field.key + ": " + field.text + " " + boundsAndUnit(field) + "\n";
     }
@@ -112,7 +112,7 @@ std::string rowsText(std::string_view list, const std::string& meaning, std::spa
     return text;
 }
 
-// What follows the settings of one table: TOML wants the keys of a table in one place.
+// The lists that follow the settings of one table. In TOML all keys of a table are in one place.
 std::string listsAfter(const std::string& table, const Profile& profile)
 {
     if (table == "mount") {
@@ -121,14 +121,15 @@ std::string listsAfter(const std::string& table, const Profile& profile)
     }
     if (table == "limits") {
         return horizonText(profile.limits.horizon) +
-               rowsText(kKeepOutKey, "Parts of the sky that the beam stays out of; the edge is permitted.",
+               rowsText(kKeepOutKey, "Parts of the sky where the beam must not point. The edge is permitted.",
                         keepOutSettings(), profile.limits.keepOuts);
     }
     if (table == "park") {
-        return rowsText(kPresetKey, "Named directions, to go there by one click.", presetSettings(), profile.presets);
+        return rowsText(kPresetKey, "Directions with a name, for a go-to by one click.", presetSettings(),
+                        profile.presets);
     }
     if (table == "orbit") {
-        return rowsText(kSatelliteKey, "What the operator keeps about a satellite.", satelliteSettings(),
+        return rowsText(kSatelliteKey, "Notes of the operator about a satellite.", satelliteSettings(),
                         profile.satellites);
     }
     if (table == "schedule") {

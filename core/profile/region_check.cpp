@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The checks of a profile's region, presets and client addresses that are more than type and range.
+// Checks settings that depend on each other: region, park position and presets. Also checks the addresses of clients.
 #include "core/base/numbers.h"
 #include "core/base/text.h"
 #include "core/pointing/permitted_region.h"
@@ -34,7 +34,7 @@ void checkLimits(std::vector<Problem>& problems, const std::string& axis, const 
     }
 }
 
-// That it is inside the travel is checked with the axis.
+// Checks the limits of operation only. The check of the axis reports a place outside the travel.
 bool checkStandLimits(std::vector<Problem>& problems, const std::string& key, const TravelRange& limits, Angle place)
 {
     if (limits.contains(place)) {
@@ -45,7 +45,7 @@ bool checkStandLimits(std::vector<Problem>& problems, const std::string& key, co
     return false;
 }
 
-// Where the mount is left alone, in a region that is in order.
+// Checks a place where the mount is parked. Call it only if the region itself has no problem.
 void checkStand(std::vector<Problem>& problems, const Profile& profile, const std::string& table,
                 const AxisPosition& place)
 {
@@ -76,7 +76,7 @@ void checkCount(std::vector<Problem>& problems, std::string_view key, std::size_
 void checkHorizon(std::vector<Problem>& problems, const std::vector<pointing::HorizonPoint>& horizon)
 {
     checkCount(problems, kHorizonKey, horizon.size(), kMaxHorizonPoints,
-               Text::tr("%1 points are too many. The most is %2."));
+               Text::tr("%1 points are too many. The maximum is %2."));
     for (std::size_t i = 1; i < horizon.size(); ++i) {
         if (horizon[i].azimuth <= horizon[i - 1].azimuth) {
             problems.push_back({rowKey(kHorizonKey, i),
@@ -101,7 +101,7 @@ void checkNames(std::vector<Problem>& problems, std::string_view list, const std
 void checkKeepOuts(std::vector<Problem>& problems, const std::vector<pointing::KeepOut>& keepOuts)
 {
     checkCount(problems, kKeepOutKey, keepOuts.size(), kMaxKeepOuts,
-               Text::tr("%1 keep-outs are too many. The most is %2."));
+               Text::tr("%1 keep-outs are too many. The maximum is %2."));
     checkNames(problems, kKeepOutKey, keepOuts);
     for (std::size_t i = 0; i < keepOuts.size(); ++i) {
         const pointing::KeepOut& keepOut = keepOuts[i];
@@ -145,7 +145,8 @@ Result<> checkAddress(const std::string& text)
 {
     const QString address = QString::fromStdString(text);
     const QHostAddress parsed(address);
-    // QHostAddress also takes blanks and shorthand like "10.1": what is written must be what is meant.
+    // QHostAddress also accepts blanks and short forms like "10.1". They are refused, because their meaning is not
+    // clear.
     const bool isLoose = parsed.protocol() == QAbstractSocket::IPv4Protocol && parsed.toString() != address;
     const bool isPlain = std::all_of(text.begin(), text.end(), [](char c) { return c > ' ' && c < '\x7f'; });
     if (parsed.isNull() || isLoose || !isPlain) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the mount may point, where it stands, the Sun, and the operator's own directions.
+// Settings of the permitted region, the site, the Sun, the park position and the presets.
 #include "core/base/text.h"
 #include "core/profile/setting_groups.h"
 #include "core/profile/setting_makers.h"
@@ -14,7 +14,7 @@ constexpr Range kAxisAngle{-3600.0, 3600.0};
 constexpr Range kAzimuth{0.0, 359.999999};  // 360° is written 0
 constexpr Range kElevation{-90.0, 90.0};
 
-// The site is known when one of its values is set; the reader sees to it that a file has all of them.
+// Setting one value of the site makes the site known. The reader checks that a file contains all of them.
 template <class Access>
 Setting siteNumber(const std::string& key, const std::string& unit, Range range, const Words& words, Access access)
 {
@@ -49,20 +49,22 @@ std::vector<SettingOf<pointing::KeepOut>> makeKeepOutSettings()
                 [](auto& row) -> auto& { return row.name; }),
             number<KeepOut>(
                 "azimuth_from_deg", "°", kAzimuth, kNow,
-                {QT_TRANSLATE_NOOP("Text", "Azimuth from"), QT_TRANSLATE_NOOP("Text", "Its anticlockwise side.")},
+                {QT_TRANSLATE_NOOP("Text", "Azimuth from"),
+                 QT_TRANSLATE_NOOP("Text", "Counter-clockwise side of the keep-out.")},
                 [](auto& row) -> auto& { return row.azimuthFrom; }),
             number<KeepOut>(
                 "azimuth_to_deg", "°", kAzimuth, kNow,
                 {QT_TRANSLATE_NOOP("Text", "Azimuth to"),
-                 QT_TRANSLATE_NOOP("Text", "Its clockwise side. From 350 to 10 it passes through north.")},
+                 QT_TRANSLATE_NOOP("Text",
+                                   "Clockwise side of the keep-out. A keep-out from 350 to 10 passes through north.")},
                 [](auto& row) -> auto& { return row.azimuthTo; }),
             number<KeepOut>(
                 "elevation_min_deg", "°", kElevation, kNow,
-                {QT_TRANSLATE_NOOP("Text", "Elevation from"), QT_TRANSLATE_NOOP("Text", "Its lower side.")},
+                {QT_TRANSLATE_NOOP("Text", "Elevation from"), QT_TRANSLATE_NOOP("Text", "Lower side of the keep-out.")},
                 [](auto& row) -> auto& { return row.elevationMin; }),
             number<KeepOut>(
                 "elevation_max_deg", "°", kElevation, kNow,
-                {QT_TRANSLATE_NOOP("Text", "Elevation to"), QT_TRANSLATE_NOOP("Text", "Its upper side.")},
+                {QT_TRANSLATE_NOOP("Text", "Elevation to"), QT_TRANSLATE_NOOP("Text", "Upper side of the keep-out.")},
                 [](auto& row) -> auto& { return row.elevationMax; })};
 }
 

@@ -17,7 +17,7 @@ std::vector<SettingOf<schedule::WatchEntry>> makeWatchSettings()
     return {integer<WatchEntry>(
                 "norad", {}, {1.0, 999'999'999.0}, kNow,
                 {QT_TRANSLATE_NOOP("Text", "Satellite"),
-                 QT_TRANSLATE_NOOP("Text", "Its number in the catalogue of NORAD.")},
+                 QT_TRANSLATE_NOOP("Text", "Number of the satellite in the catalogue of NORAD.")},
                 [](auto& row) -> auto& { return row.number; }),
             integer<WatchEntry>(
                 "priority", {}, {1.0, 99.0}, kNow,
@@ -73,22 +73,22 @@ void addPassHooks(std::vector<Setting>& list)
         "schedule.hook_aos",
         {QT_TRANSLATE_NOOP("Text", "Program at AOS"),
          QT_TRANSLATE_NOOP("Text",
-                           "A program that runs when a pass of the armed schedule begins. Its form is that of "
+                           "A program that runs when a pass of the armed schedule begins. It has the same form as "
                            "\"Program before AOS\".")},
         [](auto& p) -> auto& { return p.schedule.hooks.aos; }));
     list.push_back(command(
         "schedule.hook_los",
         {QT_TRANSLATE_NOOP("Text", "Program at LOS"),
          QT_TRANSLATE_NOOP("Text",
-                           "A program that runs when a pass of the armed schedule ends, also when it ends early. Its "
-                           "form is that of \"Program before AOS\".")},
+                           "A program that runs when a pass of the armed schedule ends, also if the pass ends early. "
+                           "It has the same form as \"Program before AOS\".")},
         [](auto& p) -> auto& { return p.schedule.hooks.los; }));
     list.push_back(command(
         "schedule.hook_fault",
         {QT_TRANSLATE_NOOP("Text", "Program at a fault"),
-         QT_TRANSLATE_NOOP(
-             "Text",
-             "A program that runs when a fault ends the armed schedule. Its form is that of \"Program before AOS\".")},
+         QT_TRANSLATE_NOOP("Text",
+                           "A program that runs when a fault ends the armed schedule. It has the same form as "
+                           "\"Program before AOS\".")},
         [](auto& p) -> auto& { return p.schedule.hooks.fault; }));
 }
 

@@ -23,7 +23,7 @@ Result<> checkPath(const std::string& text)
     return {};
 }
 
-// One that is listened to: without the patterns that mean many.
+// Checks a topic to read: not empty, one line, without the wildcards of MQTT.
 Result<> checkTopic(const std::string& text)
 {
     if (text.empty() || text.size() > kSensorSettingsLongest || hasControlCharacters(text) ||
@@ -114,7 +114,7 @@ Setting harmonic(const std::string& key, const Words& words, Access access)
     return number("sensor." + key, "°", kDeviation, kNow, words, access);
 }
 
-// How far that curve is to be believed.
+// The uncertainty of the compass error, and the headings where it is not usable.
 void addTrust(std::vector<Setting>& list)
 {
     list.push_back(number(

@@ -69,8 +69,8 @@ struct SensorSettings
     double stillCurrent = 1.0;
     double swingCurrent = 5.0;
 
-    // Whether it subscribes to this topic of the broker. Each topic has one reader: the end of one would silence the
-    // other.
+    // Whether the sensor subscribes to this topic of the broker. A topic has only one reader: if one of two readers
+    // ended, the other would get no more messages.
     [[nodiscard]] bool reads(const std::string& topic) const
     {
         return source == SensorSource::Mqtt &&

@@ -36,8 +36,8 @@ void addMount(std::vector<Setting>& list)
         "mount.directions", {"confirmed", "unconfirmed"}, Applies::Now,
         {QT_TRANSLATE_NOOP("Text", "Directions confirmed"),
          QT_TRANSLATE_NOOP("Text",
-                           "Whether somebody has checked that each axis turns as this file says. Until then every "
-                           "motion is short and slow. Without this key a real mount is unconfirmed.")},
+                           "Whether somebody has checked that each axis turns in the direction of this file. Until "
+                           "then every motion is short and slow. Without this key a real mount is unconfirmed.")},
         [](auto& p) -> auto& { return p.mount.directions; }));
     list.back().assume = [](Profile& p) {
         p.mount.directions = namesNoBus(p) ? Directions::Confirmed : Directions::Unconfirmed;
@@ -229,7 +229,7 @@ void addControl(std::vector<Setting>& list)
         {QT_TRANSLATE_NOOP("Text", "At program end"),
          QT_TRANSLATE_NOOP("Text",
                            "The state of the drives after the program ends. \"hold\" needs servo.timeout_mode 10 in "
-                           "the drives. Without it they only damp.")},
+                           "the drives. Without this mode they only damp.")},
         [](auto& p) -> auto& { return p.control.onExit; }));
     list.push_back(number(
         "control.drive_limit_margin_deg", "°", {0.5, 20.0}, Applies::OnReconnect,
@@ -303,8 +303,9 @@ void addClients(std::vector<Setting>& list)
         "rotctld.lead", {"first", "last", "locked"}, Applies::Now,
         {QT_TRANSLATE_NOOP("Text", "Control goes to"),
          QT_TRANSLATE_NOOP("Text",
-                           "Which client moves the mount: the \"first\" until it has sent no motion command for 10 s, "
-                           "the latest (\"last\", as Hamlib), or the one that control is \"locked\" to.")},
+                           "Which client moves the mount. \"first\": the first client, until it has sent no motion "
+                           "command for 10 s. \"last\": the client with the latest motion command, as with Hamlib. "
+                           "\"locked\": only the client of \"Locked to\".")},
         [](auto& p) -> auto& { return p.rotctld.control; }));
     list.push_back(textual(
         "rotctld.locked_to", Applies::Now,

@@ -15,9 +15,9 @@
 #include <variant>
 #include <vector>
 
-// Every setting, described once: the file's reader and writer, the commented default file, the dialog and the manual's
-// table are made from this list. The default is what a default Profile holds. The rows of the profile's lists (horizon,
-// keep-outs, presets, watch list, satellites) are described in the same way, each with a list of its own.
+// Describes every setting once. This list is used by the reader and the writer of the file, the commented default file,
+// the dialog and the table in the manual. The default is the value in a default Profile. Each list of the profile
+// (horizon, keep-outs, presets, watch list, satellites) has such a list for its rows.
 namespace boresight::profile {
 
 enum class SettingType
@@ -41,25 +41,25 @@ using SettingValue = std::variant<std::string, std::int64_t, double, TextList>; 
 template <class Owner>
 struct SettingOf
 {
-    std::string key;    // "azimuth.travel_min_deg": table and key of the file; of a row only the key
-    std::string title;  // "Travel from": its name for people; English, to be shown by Text::of()
+    std::string key;    // table and key in the file, "azimuth.travel_min_deg"; in a row only the key
+    std::string title;  // English name for people, "Travel from"; Text::of() translates it
     SettingType type = SettingType::Text;
-    std::string unit;  // "°/s"; empty without one
-    double min = 0.0;  // of Integer and Number, ends included
+    std::string unit;  // "°/s"; empty: no unit
+    double min = 0.0;  // of Integer and Number; both ends are included
     double max = 0.0;
     std::vector<std::string> choices;
-    std::string text;  // what it does, in sentences; English, to be shown by Text::of()
+    std::string text;  // English sentences about its purpose; Text::of() translates them
     Applies applies = Applies::Now;
     std::function<SettingValue(const Owner&)> get;
-    // Refuses a value of a wrong type or outside the range, with the reason. Then the owner stays unchanged.
+    // Refuses a value of the wrong type or out of range, with the reason. The owner is then unchanged.
     std::function<Result<>(Owner&, const SettingValue&)> set;
-    // Set where the keys of a table are given all together or not at all; then the value counts only if this holds.
+    // Only in tables whose keys must be given all together or not at all. The value counts only if this returns true.
     std::function<bool(const Owner&)> isGiven = {};
-    // Set where the default depends on other settings: makes the value that a file without the key means. The writer
-    // leaves the key out, as a comment, where it says nothing else.
+    // Only where the default depends on other settings. Sets the value that a missing key means. If the present value
+    // is this one, the writer writes the key as a comment.
     std::function<void(Owner&)> assume = {};
-    bool mayBeLeftOut = false;  // of a row: it then has the default of the row
-    bool secret = false;        // not for logs, diagnostics and eyes over the shoulder; the file has it
+    bool mayBeLeftOut = false;  // in a row: a missing key means the default of the row
+    bool secret = false;        // must not appear in logs, diagnostics or on the screen
 
     [[nodiscard]] bool counts(const Owner& owner) const { return !isGiven || isGiven(owner); }
 };
@@ -69,8 +69,8 @@ using Setting = SettingOf<Profile>;
 [[nodiscard]] std::span<const Setting> settings();
 [[nodiscard]] const Setting* findSetting(std::string_view key);
 
-// What the lists are called in the file; problems name a row "keep_out[2]" and what it holds "keep_out[2].name",
-// from 1.
+// The names of the lists in the file. Problems name a row as "keep_out[2]" and a key of it as "keep_out[2].name",
+// counted from 1.
 inline constexpr std::string_view kHorizonKey = "limits.horizon";
 inline constexpr std::string_view kKeepOutKey = "keep_out";
 inline constexpr std::string_view kPresetKey = "preset";
@@ -78,11 +78,11 @@ inline constexpr std::string_view kWatchKey = "watch";
 inline constexpr std::string_view kSatelliteKey = "satellite";
 inline constexpr std::string_view kAntennaKey = "antenna";
 
-// One per tenth of a degree: the region is laid out again whenever it changes.
+// One per tenth of a degree. The limit exists because the region is computed again with each change.
 inline constexpr std::size_t kMaxHorizonPoints = 3600;
-// More would make the control tick wait for the search for a way (core/pointing/METHOD.md).
+// With more keep-outs, the search for a route would delay the control tick (core/pointing/METHOD.md).
 inline constexpr std::size_t kMaxKeepOuts = 32;
-// More antennas cannot be chosen at a glance.
+// More antennas would be confusing to choose from.
 inline constexpr std::size_t kMaxAntennas = 12;
 
 // The settings of one row of each list, in the order of the file. They apply at once.
@@ -101,23 +101,24 @@ struct Problem
     bool operator==(const Problem&) const = default;
 };
 [[nodiscard]] QString toText(const Problem& problem);  // "KEY: TEXT"
-// What one setting alone does not show: min below max, park where the mount may be, different ids, names used once.
+// Conflicts between settings: minimum above maximum, park position where the mount may not be, equal ids, a name used
+// twice.
 [[nodiscard]] std::vector<Problem> crossCheck(const Profile& profile);
-// Everything that reading the profile's own file would complain of: ranges, then the above.
+// All problems that reading this profile from its file would report: values out of range, then the conflicts.
 [[nodiscard]] std::vector<Problem> problemsOf(const Profile& profile);
-// The same for a mount that is not simulated: its sensor is not simulated either.
+// The same for a real mount: in addition, its sensor must not be simulated.
 [[nodiscard]] std::vector<Problem> problemsOfReal(const Profile& profile);
 // Fails with the first problem of problemsOfReal().
 [[nodiscard]] Result<> fitsRealMount(const Profile& profile);
 
-// The text of rotctld.listen, also for the command line that overrides it.
+// Parses the text of rotctld.listen, or the command-line option that overrides it.
 [[nodiscard]] Result<ListenAddress> parseListenAddress(std::string_view text);  // "127.0.0.1:4533", "[::1]:4533"
 [[nodiscard]] std::string toText(const ListenAddress& address);
 // True if this rotctld is the server of this station. Then the station would send requests to itself.
 [[nodiscard]] bool isOwnServer(const BusName& rotctld, const ListenAddress& own);
-// What the setting would look like in the file, without its key.
+// The text of the value in the file.
 [[nodiscard]] std::string toText(const SettingValue& value);
-// What a secret that is set looks like where it must not be read.
+// Shown in place of a secret.
 inline constexpr const char* kHidden = QT_TRANSLATE_NOOP("Text", "(hidden)");
 [[nodiscard]] bool hasSecrets(const Profile& profile);
 // The profile for logs and diagnostics: each secret that is set is replaced by kHidden.

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-// The groups of settings that have a file of their own, put together in setting.cpp, and checks they need.
+// The groups of settings that have a source file of their own, and the checks they need. setting.cpp joins the groups.
 namespace boresight::profile {
 
 void addPointing(std::vector<Setting>& list);
@@ -27,13 +27,15 @@ void addPower(std::vector<Setting>& list);
 void addTransmit(std::vector<Setting>& list);
 void addWind(std::vector<Setting>& list);
 
-// Of another computer, or this one: "shack.local", "127.0.0.1".
+// Checks the name or address of this computer or another: "shack.local", "127.0.0.1".
 [[nodiscard]] Result<> checkHost(const std::string& text);
-// Of clients: "192.168.1.7" or "fe80::1"; a network is an address with the number of its leading bits, "10.0.0.0/8".
+// Checks the address or the network of clients. Address: "192.168.1.7" or "fe80::1". Network: an address and the number
+// of its leading bits, "10.0.0.0/8".
 [[nodiscard]] Result<> checkAddress(const std::string& text);
 [[nodiscard]] Result<> checkNetwork(const std::string& text);
 
-// Of rows that are known by the number of a satellite: each is needed, and once.
+// Checks rows that are identified by the number of a satellite: each row needs a number, and no number may be used
+// twice.
 template <class Row>
 void checkNumbers(std::vector<Problem>& problems, std::string_view list, const std::vector<Row>& rows)
 {
@@ -48,8 +50,11 @@ void checkNumbers(std::vector<Problem>& problems, std::string_view list, const s
     }
 }
 
-// Cross checks of the broker; of the region, the Sun, the park place and the presets; of the antennas; of the source of
-// positions; of the satellites; of the watch list; of the sensor; of the received power; of the wind.
+// Whether the sensor, the positions or the wind come from this topic of the broker.
+[[nodiscard]] bool takesReadings(const Profile& profile, const std::string& topic);
+
+// Check settings that depend on each other: broker; region, Sun, park position and presets; antennas; source of
+// positions; satellites; watch list; sensor; received power; transmit output; wind.
 void checkBroker(std::vector<Problem>& problems, const Profile& profile);
 void checkRegion(std::vector<Problem>& problems, const Profile& profile);
 void checkAntennas(std::vector<Problem>& problems, const Profile& profile);
@@ -58,6 +63,7 @@ void checkSatellites(std::vector<Problem>& problems, const Profile& profile);
 void checkSchedule(std::vector<Problem>& problems, const Profile& profile);
 void checkSensor(std::vector<Problem>& problems, const Profile& profile);
 void checkPower(std::vector<Problem>& problems, const Profile& profile);
+void checkTransmit(std::vector<Problem>& problems, const Profile& profile);
 void checkWind(std::vector<Problem>& problems, const Profile& profile);
 
 }  // namespace boresight::profile

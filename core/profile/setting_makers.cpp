@@ -40,7 +40,7 @@ Result<> checkRange(double value, Range range)
 double rounded(double value)
 {
     constexpr double kSteps = 1e9;   // 10 to the power of records::kDecimals
-    constexpr double kWhole = 1e15;  // from here on a double has no decimals, and times kSteps may be too large for it
+    constexpr double kWhole = 1e15;  // larger values need no rounding, and value * kSteps may overflow
     return std::abs(value) < kWhole ? std::round(value * kSteps) / kSteps : value;
 }
 

@@ -10,15 +10,15 @@
 #include <type_traits>
 #include <vector>
 
-// How the settings are written down: each maker joins a key and its description to a field of its owner, a Profile or
-// one row of a list. `access` gives that field, constant or not: [](auto& p) -> auto& { return p.control.tickHz; }.
+// Functions that describe one setting each: a key, a description and the field of its owner. The owner is a Profile or
+// one row of a list. `access` returns the field, constant or not: [](auto& p) -> auto& { return p.control.tickHz; }.
 namespace boresight::profile::makers {
 
 inline constexpr auto kNow = Applies::Now;
 
 using records::Range;
 
-// What people read of a setting. English, to be shown by Text::of().
+// The texts about a setting, in English. Text::of() translates them for the screen.
 struct Words
 {
     std::string title;    // two or three words, as on the page of the profile
@@ -26,11 +26,11 @@ struct Words
 };
 
 [[nodiscard]] Result<> checkRange(double value, Range range);
-// To the decimals of the file: what is checked is then what will be written and read again.
+// Rounds to the decimals of the file, so that the checked value is the value that is written and read again.
 [[nodiscard]] double rounded(double value);
 [[nodiscard]] QString listed(const std::vector<std::string>& names);  // in quotes, with commas
 
-// Between a typed field and the number in the file, in the unit that the setting names.
+// Convert between a typed field and the number in the file. The number has the unit that the setting names.
 inline double toNumber(Angle value)
 {
     return value.degrees();
@@ -122,7 +122,7 @@ SettingOf<Owner> integer(const std::string& key, const std::string& unit, Range 
             .set = set};
 }
 
-// `names` in the order of the enumerators.
+// `names`: one per enumerator, in the same order.
 template <class Owner = Profile, class Access>
 SettingOf<Owner> choice(const std::string& key, const std::vector<std::string>& names, Applies applies,
                         const Words& words, Access access)
@@ -155,7 +155,7 @@ SettingOf<Owner> choice(const std::string& key, const std::vector<std::string>& 
             .set = set};
 }
 
-// `read` turns the owner into the text; `write` takes a text, or says what is wrong with it.
+// `read` returns the text of the owner. `write` sets the text, or returns what is wrong with it.
 template <class Owner = Profile, class Read, class Write>
 SettingOf<Owner> textual(const std::string& key, Applies applies, const Words& words, Read read, Write write)
 {
@@ -175,7 +175,7 @@ SettingOf<Owner> textual(const std::string& key, Applies applies, const Words& w
             .set = set};
 }
 
-// A name that people read: one line, not empty.
+// Checks a name that people read: one line, not empty.
 [[nodiscard]] Result<> checkName(const std::string& name);
 
 template <class Owner = Profile, class Access>
@@ -188,7 +188,7 @@ SettingOf<Owner> name(const std::string& key, Applies applies, const Words& word
         });
 }
 
-// `check` says what is wrong with one text of the list.
+// `check` returns what is wrong with one text of the list.
 template <class Owner = Profile, class Access>
 SettingOf<Owner> textList(const std::string& key, Applies applies, const Words& words, Access access,
                           Result<> (*check)(const std::string&))

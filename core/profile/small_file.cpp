@@ -12,7 +12,7 @@ namespace boresight::profile {
 
 namespace {
 
-constexpr qint64 kMaxSize = 4 << 20;  // of a horizon with a point per 0.1° and long comments: 300 kB
+constexpr qint64 kMaxSize = 4 << 20;  // a horizon with a point per 0.1° and long comments needs 300 kB
 
 constexpr auto kOwnerOnly = QFileDevice::ReadOwner | QFileDevice::WriteOwner;
 

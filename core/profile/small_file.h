@@ -6,7 +6,7 @@
 #include <QByteArray>
 #include <QString>
 
-// Whole small files: profiles and what is imported into them. Blocking.
+// Reads and writes whole small files: profiles and the files that are imported into them. Blocking.
 namespace boresight::profile {
 
 // NoDevice: the file cannot be opened. Io: the file cannot be read, or is larger than the limit.
@@ -14,13 +14,13 @@ namespace boresight::profile {
 
 enum class Readers
 {
-    Anybody,   // or as the file was before
-    OnlyOwner  // there is a password in it
+    Anybody,   // the rights of an existing file stay as they are
+    OnlyOwner  // the file contains a password
 };
 
 // All or nothing: a failure leaves the old file untouched.
 [[nodiscard]] Result<> writeFile(const QString& path, const QByteArray& bytes, Readers readers = Readers::Anybody);
-// Who may read an existing file, so that a copy gets the same rights.
+// The readers of an existing file. A copy of the file is written with the same rights.
 [[nodiscard]] Readers readersOf(const QString& path);
 
 }  // namespace boresight::profile

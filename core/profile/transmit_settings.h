@@ -3,19 +3,19 @@
 
 #include <string>
 
-// The output that permits a transmitter to transmit, while the beam is on its target. Plain values.
+// The output that permits a transmitter to transmit while the beam is on its target. Plain values.
 namespace boresight::profile {
 
 enum class InSimulation
 {
-    Off,  // the antenna of a simulated mount points nowhere
+    Off,  // the real antenna does not point where the simulated mount points
     On
 };
 
 struct TransmitSettings
 {
     std::string output;          // "file:/run/transmit", see transmit/output_name.h; empty: none
-    double beamFraction = 0.25;  // of the beam's width: the largest error with which it is on
+    double beamFraction = 0.25;  // the largest pointing error at which the output is on, as a part of the beam width
     InSimulation inSimulation = InSimulation::Off;
 
     bool operator==(const TransmitSettings&) const = default;

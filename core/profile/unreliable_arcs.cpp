@@ -9,7 +9,7 @@
 namespace boresight::profile {
 namespace {
 
-constexpr qsizetype kMost = 36;  // a swing finds them in steps of 10°
+constexpr qsizetype kMost = 36;  // the compass swing finds arcs in steps of 10°
 
 std::optional<Angle> parseHeading(const QString& text)
 {

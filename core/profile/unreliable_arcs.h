@@ -7,7 +7,8 @@
 #include <string>
 #include <vector>
 
-// Arcs of headings as one text, in degrees: "40-80, 350-20.5" and "" for none. Pure.
+// Converts arcs of headings to one text and back. The text has degrees: "40-80, 350-20.5". An empty text means no arc.
+// Pure.
 namespace boresight::profile {
 
 [[nodiscard]] std::string toText(const std::vector<UnreliableArc>& arcs);

@@ -27,7 +27,7 @@ Result<> checkKey(const std::string& key)
                            Text::tr("a word of at most %1 characters is expected").arg(kLongestKey));
 }
 
-// How a reading arrives, and how it is read.
+// How a reading arrives, and how Boresight reads the wind speed from it.
 void addReading(std::vector<Setting>& list)
 {
     list.push_back(textual(
@@ -78,7 +78,9 @@ void addWindLimits(std::vector<Setting>& list)
     list.push_back(number(
         "wind.calm_min", "min", {0.0, 240.0}, kNow,
         {QT_TRANSLATE_NOOP("Text", "Calm time"),
-         QT_TRANSLATE_NOOP("Text", "The wind must stay below the lower limit so long. Nothing moves by itself then.")},
+         QT_TRANSLATE_NOOP("Text",
+                           "The wind must stay below the lower limit for this time. Then the mount may move, but "
+                           "nothing moves by itself.")},
         [](auto& p) -> auto& { return p.wind.calm; }));
     list.push_back(number(
         "wind.gust_s", "s", {0.0, 60.0}, kNow,
@@ -138,7 +140,7 @@ void checkWindTopic(std::vector<Problem>& problems, const Profile& profile)
     }
 }
 
-// That it is inside the limits is checked with the region.
+// Checks the travel only. checkRegion() reports a place outside the limits of operation.
 void checkWindTravel(std::vector<Problem>& problems, const std::string& axis, const TravelRange& travel, Angle place)
 {
     if (travel.min < travel.max && !travel.contains(place)) {

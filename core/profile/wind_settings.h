@@ -7,37 +7,37 @@
 
 #include <string>
 
-// The anemometer, and from which wind on the mount is parked. Plain values.
+// The settings of the anemometer and of the wind limits. Plain values.
 namespace boresight::profile {
 
-// What a missing reading means.
+// What happens if no reading arrives.
 enum class WhenSilent
 {
-    Tell,  // an alarm
-    Stow   // the wind counts as too strong
+    Tell,  // raise an alarm
+    Stow   // park the mount as in a strong wind
 };
 
-// Where a strong wind does the least harm.
+// Where the mount parks in a strong wind.
 enum class StowAt
 {
     Park,
-    Place  // of its own
+    Place  // WindSettings::place, where the wind does the least harm
 };
 
 struct WindSettings
 {
     std::string source;  // see wind::parseSource; empty: none
-    Seconds poll{5.0};   // from one question to a web server to the next
+    Seconds poll{5.0};   // time between two requests to a web server
     wind::Format format;
     double stowAbove = 15.0;     // m/s
     double releaseBelow = 10.0;  // m/s
-    Seconds gust{3.0};           // the mean of this time counts
-    double calm = 10.0;          // min, below releaseBelow
+    Seconds gust{3.0};           // the mean of the readings in this time counts
+    double calm = 10.0;          // min, the wind must stay below releaseBelow for this time
     Seconds silence{30.0};
     WhenSilent whenSilent = WhenSilent::Tell;
     StowAt stowAt = StowAt::Park;
     AxisPosition place{};       // mechanical angles
-    double overrideFor = 15.0;  // min
+    double overrideFor = 15.0;  // min, how long the operator may move the mount in a strong wind
 
     [[nodiscard]] bool isRead() const { return !source.empty(); }
     bool operator==(const WindSettings&) const = default;

@@ -12,7 +12,7 @@ struct StepFigures
 {
     Angle size;              // from the start to the last set-point
     double overshoot = 0.0;  // beyond the end, as a share of the size
-    // From this time on the axis stays within the band. Empty: not before the samples end.
+    // From this time on the axis stays within the band. Empty: it is not within the band at the end of the samples.
     std::optional<Seconds> settling{};
     Angle band;  // "settled" means within this distance of the end
     Angle left;  // mean error in the last quarter of the time after the arrival

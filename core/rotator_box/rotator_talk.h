@@ -52,7 +52,7 @@ public:
 
     [[nodiscard]] virtual Proof proof() const = 0;
     [[nodiscard]] virtual const Counts& counts() const = 0;
-    // What was received in place of an answer, as printable text.
+    // The last text that was received in place of an answer, printable.
     [[nodiscard]] virtual const std::string& strange() const = 0;
 
 protected:

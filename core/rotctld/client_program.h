@@ -5,8 +5,8 @@
 
 #include <string_view>
 
-// Which program a client probably is. Clients do not send their name, so the way they write commands decides. Only for
-// the screen and the log. No behaviour depends on it. Pure.
+// Guesses the program of a client. Clients do not send their name, so the way they write commands decides. Only for the
+// screen and the log. No behaviour depends on it. Pure.
 namespace boresight::rotctld {
 
 class ClientProgram

@@ -36,7 +36,7 @@ Result<ProgramLock> lockPlace(const std::string& path)
 {
     return ProgramLock::take(QString::fromStdString(path) + QStringLiteral(".lock")).map_error([](const Error& error) {
         return Error{.code = error.code,
-                     .text = error.code == ErrorCode::Busy ? Text::tr("%1 serves it already").arg(error.text)
+                     .text = error.code == ErrorCode::Busy ? Text::tr("%1 serves this path already").arg(error.text)
                                                            : Text::tr("its folder is missing or cannot be written")};
     });
 }

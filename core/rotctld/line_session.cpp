@@ -62,7 +62,7 @@ void LineSession::wait()
 void LineSession::run(std::string_view line, std::string& reply)
 {
     if (speaksOtherwise(line)) {
-        drop(Text::tr("is no program for rotators (%1)").arg(shownText(line)));
+        drop(Text::tr("is not a program for rotators (%1)").arg(shownText(line)));
         return;
     }
     const LineOutcome outcome = m_protocol->obey(line);

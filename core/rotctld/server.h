@@ -72,7 +72,7 @@ public:
     [[nodiscard]] std::vector<ClientInfo> clients() const;
     [[nodiscard]] const std::shared_ptr<std::uint64_t>& newestClient() const { return m_settings.newestClient; }
 
-    // Who may connect from now on, by address. Clients that are not permitted any more are dropped.
+    // The addresses that may connect from now on. Clients that are not permitted any more are dropped.
     void setAllowed(const std::vector<std::string>& entries);
     // From now on. Connected clients stay.
     void setMaxClients(std::size_t count) { m_settings.maxClients = count; }

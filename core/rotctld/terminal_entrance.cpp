@@ -111,7 +111,7 @@ Result<> TerminalEntrance::link(const char* terminal) const
         {};
         if (::lstat(path.c_str(), &found) == 0 && !targetOf(path).starts_with("/dev/pts/")) {
             return cannotServe(m_path, ErrorCode::Busy,
-                               Text::tr("%1 exists and is no link to a terminal").arg(toQString(path)));
+                               Text::tr("%1 exists and is not a link to a terminal").arg(toQString(path)));
         }
     }
     ::unlink(fresh.c_str());

@@ -98,7 +98,7 @@ Result<> UnixEntrance::removeStale() const
         return {};
     }
     if (!S_ISSOCK(found.st_mode)) {
-        return cannotListen(m_path, ErrorCode::Busy, Text::tr("%1 exists and is no socket").arg(toQString(m_path)));
+        return cannotListen(m_path, ErrorCode::Busy, Text::tr("%1 exists and is not a socket").arg(toQString(m_path)));
     }
     if (isServed(m_path)) {
         return cannotListen(m_path, ErrorCode::Busy, Text::tr("another program listens there"));

@@ -46,11 +46,12 @@ RotatorOffer rotctldOffer()
         .usualPlaces = {QStringLiteral("127.0.0.1:%1").arg(kBeside)},
         .network = "rotctld",
         .usualPort = kPort,
-        .promise = {Text::tr("rotctld runs on the computer that has the cable of the rotator. "
-                             "Example: rotctld -m 901 -r /dev/ttyUSB0"),
-                    Text::tr("On this computer add -t %1 to it. Boresight itself uses %2.").arg(kBeside).arg(kPort),
-                    Text::tr("Connect asks rotctld for the limits and for the position. Nothing moves."),
-                    Text::tr("A server of another kind is asked one question and left alone.")},
+        .promise =
+            {Text::tr("rotctld runs on the computer that has the cable of the rotator. "
+                      "Example: rotctld -m 901 -r /dev/ttyUSB0"),
+             Text::tr("On this computer use the option -t %1. Boresight itself uses %2.").arg(kBeside).arg(kPort),
+             Text::tr("Connect asks rotctld for the limits and for the position. Nothing moves."),
+             Text::tr("A server of another kind is asked one question and left alone.")},
         .checks = {Text::tr("Check that rotctld runs on that computer, and that its rotator has power."),
                    Text::tr("Compare the port with the option -t of rotctld. Without -t it is %1.").arg(kPort),
                    Text::tr("From another computer: start rotctld with -T 0.0.0.0, and open its port in the "

@@ -10,8 +10,8 @@
 #include <optional>
 #include <vector>
 
-// Which passes of a night are tracked, and which are left out because of another pass. The same passes give the same
-// plan in any order. Pure, any thread.
+// Decides which passes of a night are tracked, and which are left out because of another pass. The same passes give the
+// same plan in any order. Pure, any thread.
 namespace boresight::schedule {
 
 struct WatchedPass

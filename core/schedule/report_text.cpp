@@ -90,7 +90,7 @@ Result<std::string> toText(const NewestPass& newest)
     newestFields(writer, file);
     const std::string text =
         "# Boresight: the pass that the schedule tracks, or has tracked last. Angles are in degrees.\n"
-        "# end: 0 tracked to the end, 1 a manual act, 2 a fault, 3 refused, 4 interrupted, 5 it goes on.\n" +
+        "# end: 0 tracked to the end, 1 a manual act, 2 a fault, 3 refused, 4 interrupted, 5 not ended yet.\n" +
         writer.written();
     return parsePass(text, QStringLiteral("pass")).map([&](const NewestPass&) { return text; });
 }

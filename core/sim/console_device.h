@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-// What the console of a drive needs from the drive.
+// The functions of a drive that its console needs.
 namespace boresight::sim {
 
 class ConsoleDevice

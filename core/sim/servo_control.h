@@ -34,7 +34,7 @@ struct ServoCommand
     double dVoltage = 0.0;
 };
 
-// What the board measures, and its error conditions.
+// The measured values of the board, and its error conditions.
 struct ServoInputs
 {
     double position = 0.0;

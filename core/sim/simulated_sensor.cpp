@@ -44,7 +44,10 @@ Angle SimulatedSensor::headingAt(const SkyPointing& beam) const
     const double psi = beam.azimuth.radians();
     const Angle deviation = m_truth.a1 * std::sin(psi) + m_truth.b1 * std::cos(psi) + m_truth.a2 * std::sin(2.0 * psi) +
                             m_truth.b2 * std::cos(2.0 * psi);
-    const Angle magnetic = beam.azimuth - m_truth.mountingOffset - m_truth.declination + deviation;
+    const bool isBesideSteel =
+        (beam.azimuth - m_truth.steelFrom).wrapped360() < (m_truth.steelTo - m_truth.steelFrom).wrapped360();
+    const Angle magnetic = beam.azimuth - m_truth.mountingOffset - m_truth.declination + deviation +
+                           (isBesideSteel ? m_truth.steel : Angle{});
     return (m_truth.faceDown ? -magnetic : magnetic) + m_truth.inFirmware;
 }
 

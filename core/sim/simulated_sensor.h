@@ -33,6 +33,10 @@ struct SensorTruth
     Angle b1;
     Angle a2;
     Angle b2;
+    // Steel beside the mount: an additional deviation while the true heading of the beam is in this sector.
+    Angle steelFrom;
+    Angle steelTo;
+    Angle steel;
     Angle perAmpere;                        // deviation per ampere of both motors, whose field moves the needle
     Angle noise = Angle::fromDegrees(0.1);  // 1 sigma of a message, for both angles
     int readings = 5;                       // number of readings in the average

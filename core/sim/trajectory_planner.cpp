@@ -169,7 +169,7 @@ void TrajectoryPlanner::approachTarget(const TrajectoryLimits& limits, double di
     const double before = m_state.velocity;
     const double applied = plannedAcceleration(before, m_target.velocity, distance, limits);
     m_state.velocity += applied * kControlPeriod;
-    // In the period that would pass the velocity limit, the device runs exactly at the limit.
+    // If the velocity would pass the limit in this period, the device runs exactly at the limit.
     if ((std::abs(before) - limits.velocity) * (std::abs(m_state.velocity) - limits.velocity) < 0.0) {
         m_state.velocity = std::copysign(limits.velocity, before);
     }

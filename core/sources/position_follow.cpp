@@ -64,7 +64,7 @@ Result<SkyPointing> PositionFollow::directionAt(SteadyTime now) const
     const ControlParts view = helm().view();
     const orbit::LookAngles seen = orbit::Observer(view.profile.site.place()).look(m_feed.at(now));
     if (seen.kilometres < kNearestFlight) {
-        return failure(ErrorCode::NoAnswer, Text::tr("the position is where the mount stands"));
+        return failure(ErrorCode::NoAnswer, Text::tr("the position is the site of the mount"));
     }
     return SkyPointing{.azimuth = seen.direction.azimuth, .elevation = std::max(seen.direction.elevation, Angle{})};
 }

@@ -68,7 +68,7 @@ Result<> RotatorFollow::ask(const request::FollowRotator& wanted, const Source& 
         }
         m_followed = before;
         if (m_followed) {
-            end(Text::tr("another rotator was asked for, and refused"));
+            end(Text::tr("another rotator was requested, and refused"));
         }
         return driven;
     });

@@ -48,12 +48,6 @@ bool isTable(const targets::Target& target)
     return std::holds_alternative<tables::SharedTable>(target.kind);
 }
 
-// A fixed direction and a position on the Earth never move.
-bool stays(const targets::Target& target)
-{
-    return isDirection(target) || std::holds_alternative<targets::EarthPosition>(target.kind);
-}
-
 AngularRate rateBetween(const SkyPointing& from, const SkyPointing& to, UtcTime::duration time)
 {
     return angleBetween(from, to) / time;
@@ -91,18 +85,16 @@ UtcTime TargetTrack::aimed(UtcTime utc) const
 Result<> TargetTrack::permits(const targets::Target& target, UtcTime now) const
 {
     const ControlParts view = helm().view();
-    if (!view.profile.site.known && targets::needsSite(target)) {
-        return failure(ErrorCode::Refused, Text::tr("The site of the mount is not set. Enter it in the profile."));
-    }
-    const Result<> mayFace = targets::isSun(target) ? Gates(view).mayFaceSun() : Result<>{};
-    return mayFace.and_then([&] { return targets::isFresh(target, now, view.profile.orbit.oldestDays); });
+    return targets::hasSite(target, view.profile.site.known)
+        .and_then([&] { return targets::isSun(target) ? Gates(view).mayFaceSun() : Result<>{}; })
+        .and_then([&] { return targets::isFresh(target, now, view.profile.orbit.oldestDays); });
 }
 
 // A target that does not move must be reachable when it is requested. A moving target may leave the permitted region:
 // then the mount follows along the edge of that region.
 Result<> TargetTrack::reaches(Tracked& tracked, UtcTime now) const
 {
-    return stays(tracked.target)
+    return targets::stays(tracked.target)
                ? tracked.at(now).and_then([&](const SkyPointing& there) { return helm().reaches(there); })
                : Result<>{};
 }
@@ -250,10 +242,9 @@ void TargetTrack::step(SteadyTime)
     renewWay(utc);
     m_tracked->isUp = utc > m_tracked->up.rises;
     if (m_tracked->up.sets && utc > *m_tracked->up.sets) {
-        end(Severity::Advisory,
-            (isTable(m_tracked->target) ? Text::tr("the table of %1 leads no further, and the mount holds")
-                                        : Text::tr("%1 has set, and the mount holds"))
-                .arg(m_tracked->target.name));
+        end(Severity::Advisory, (isTable(m_tracked->target) ? Text::tr("the table of %1 has ended, and the mount holds")
+                                                            : Text::tr("%1 has set, and the mount holds"))
+                                    .arg(m_tracked->target.name));
         return;
     }
     followOn(std::max(utc, m_tracked->up.rises));
@@ -284,7 +275,7 @@ void TargetTrack::renewWay(UtcTime utc)
 
 void TargetTrack::watchClock()
 {
-    if (stays(m_tracked->target) || helm().view().clock.synchronised()) {
+    if (targets::stays(m_tracked->target) || helm().view().clock.synchronised()) {
         helm().clearAlarm(alarmEntry("track.clock"));
     } else {
         helm().raiseAlarm(alarmEntry("track.clock"),
@@ -315,7 +306,7 @@ void TargetTrack::describe(StationStatus& status) const
                                    .next = m_tracked->isUp ? m_tracked->up.sets : std::optional(m_tracked->up.rises),
                                    .way = m_tracked->way};
     status.tracked->number = numberOf(m_tracked->target);
-    if (!stays(m_tracked->target)) {
+    if (!targets::stays(m_tracked->target)) {
         status.tracked->skyRate = m_tracked->skyRate;
     }
     if (status.cableEnd && status.cableEnd->turningBack && m_tracked->place) {

@@ -136,7 +136,7 @@ void MessageCommands::begin()
     if (m_commandTopic.isEmpty()) {
         return;
     }
-    end(Text::tr("the connection to the broker is another one"));
+    end(Text::tr("Boresight connected to the broker again"));
     m_talk = std::make_shared<mqtt::CommandTalk>(
         rotctld::Client{.id = ++*m_newestClient,
                         .address = "topic " + m_commandTopic.toStdString(),

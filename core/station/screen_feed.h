@@ -10,21 +10,21 @@
 #include <optional>
 #include <vector>
 
-// Keeps what the screen still has to get: answers to its requests, a sample of the drives for each tick, new lines of
-// the log. A slow screen gets one update at a time. After a stall it gets what it missed, as far as that was kept.
-// Station thread only.
+// Keeps everything that the screen has not got yet: answers to its requests, one sample of the drives for each tick,
+// new lines of the log. Only one update is on its way to the screen at a time. After a stall the screen gets the kept
+// part of what it missed. Station thread only.
 namespace boresight {
 
 class ScreenFeed
 {
 public:
-    // After a stall of the screen of up to this time its charts miss nothing. After a longer stall they show a gap. The
-    // shortest time span of a chart is this long. At 50 Hz the samples take about 120 kB.
+    // If the screen stalls for less than this time, its charts have no gap. The shortest time span of a chart is this
+    // long. At 50 Hz the samples take about 120 kB.
     static constexpr std::chrono::seconds kSamplesKept{10};
 
     void answer(Answer answer) { m_answers.push_back(std::move(answer)); }
     void keep(const TickSample& sample);
-    // Call when the screen has taken the last update, or when it shall get another one before that.
+    // The screen has taken the last update, or must get the next one at once.
     void want() { m_wanted = true; }
     [[nodiscard]] bool isWanted() const { return m_wanted; }
     // Everything that waits for the screen. Call while isWanted().

@@ -152,15 +152,15 @@ void Station::openAll()
     m_eventFile.tick();
 }
 
-// A line in the log, because a service has no window with a guide.
+// Reports this in the log, because a service has no window with a guide.
 void Station::tellDirections()
 {
     if (m_profile->mount.directions == profile::Directions::Unconfirmed) {
-        m_log.add(
-            Severity::Warning, QStringLiteral("station"),
-            Text::tr("Nobody has confirmed which way the axes turn. Boresight moves the mount at most 2° at 5°/s, by "
-                     "a jog or by M of a client. See each axis turn as the profile says. Then confirm it in the "
-                     "guide of the window, or run boresightctl confirm-directions PROFILE and start again."));
+        m_log.add(Severity::Warning, QStringLiteral("station"),
+                  Text::tr("Nobody has confirmed the directions of the axes. Boresight moves the mount at most 2° at "
+                           "5°/s, by a jog or by M of a client. Check that each axis turns in the direction of the "
+                           "profile. Then confirm the directions in the guide of the window, or run boresightctl "
+                           "confirm-directions PROFILE and start again."));
     }
 }
 
@@ -171,7 +171,7 @@ void Station::refuseToStart()
     m_control.alarms().raise(alarmEntry("journal.in-use"), {problem});
     m_startTold = true;
     Q_EMIT started({}, problem + QStringLiteral(". ") +
-                           Text::tr("End that program, or give this mount another name in its profile"));
+                           Text::tr("End the other program, or give this mount another name in its profile"));
 }
 
 void Station::openMount()

@@ -275,7 +275,7 @@ TransmitStatus StationTransmit::status() const
 {
     if (!m_output) {
         return m_former && m_open ? TransmitStatus{.output = toQString(m_profile->transmit.output),
-                                                   .whyOff = Text::tr("The output before has not answered yet.")}
+                                                   .whyOff = Text::tr("The previous output has not answered yet.")}
                                   : TransmitStatus{};
     }
     return {.output = toQString(m_profile->transmit.output),

@@ -250,8 +250,8 @@ void AxisSupervisor::judgeTorque(const AxisObservation& seen)
     const double most = stands ? std::min(m_profile->supervision.torqueAtRest, m_profile->supervision.torqueHint)
                                : m_profile->supervision.torqueHint;
     m_torqueHigh.update(seen.now, share, {.hint = most, .release = 0.85 * most, .after = kTorqueLasts}, [&] {
-        return stands ? needs(Text::tr("%1 stands and needs %2 Nm, %3 % of the %4 Nm allowed: more than the %5 Nm of "
-                                       "weight and friction"))
+        return stands ? needs(Text::tr("%1 stands still and needs %2 Nm, %3 % of the %4 Nm allowed: more than the %5 "
+                                       "Nm of weight and friction"))
                             .arg(words(most * m_profile->axis(m_axis).maxTorque, 1))
                       : needs(Text::tr("%1 needs %2 Nm, %3 % of the %4 Nm allowed"));
     });

@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <optional>
 
-// What the supervisor remembers of the motion of one axis. All classes judge by measured angles, because a measured
+// The memory of the supervisor about the motion of one axis. All classes judge by measured angles, because a measured
 // rate near standstill is mostly noise of the encoder. They get fresh replies only. Pure.
 namespace boresight::supervision {
 

@@ -54,7 +54,7 @@ private:
     std::optional<SteadyTime> m_healthySince;
 };
 
-// What one drive reports that matters for a re-arm. Empty: the drive does not report a number.
+// The values of one drive that matter for a re-arm. Empty: the drive does not report a number.
 struct DriveConditions
 {
     std::optional<double> voltage;           // V

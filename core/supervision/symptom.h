@@ -5,7 +5,7 @@
 
 #include <vector>
 
-// What Boresight itself finds wrong with an axis, whatever the drive reports. Plain values for alarms.
+// The problems of an axis that Boresight itself finds, whatever the drive reports. Plain values for alarms.
 namespace boresight::supervision {
 
 enum class Symptom

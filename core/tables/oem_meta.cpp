@@ -156,7 +156,7 @@ Result<> OemMeta::setDegree(OrbitSegment& segment) const
         segment.usesVelocities = false;
         segment.nodes = 2;
     } else {
-        return badMeta(Text::tr("INTERPOLATION is \"%1\". Boresight does HERMITE, LAGRANGE and LINEAR.")
+        return badMeta(Text::tr("INTERPOLATION is \"%1\". Boresight supports HERMITE, LAGRANGE and LINEAR.")
                            .arg(orbit::quoted(value("INTERPOLATION"))));
     }
     return {};

@@ -85,7 +85,7 @@ Result<> OemParts::isSameObject() const
     const std::string name = orbit::nameOf(m_meta.value("OBJECT_NAME"));
     return m_oem.segments.empty() || name == m_oem.name
                ? Result<>()
-               : wrong(Text::tr("The object is \"%1\", and above it is \"%2\". Write a file for each object.")
+               : wrong(Text::tr("The object is \"%1\", but the object above is \"%2\". Write a file for each object.")
                            .arg(toQString(name), toQString(m_oem.name)));
 }
 

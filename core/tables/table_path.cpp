@@ -132,9 +132,9 @@ Result<TablePlace> TablePath::place(AtomicTime time)
     }
     const auto seen = seenFrom(segmentAt(std::get<OrbitSegments>(m_table->rows), time), time);
     if (!seen) {
-        return failure(
-            ErrorCode::NotAvailable,
-            Text::tr("The rows of %1 at %2 are too uneven for a way between them.").arg(m_table->name, timeText(time)));
+        return failure(ErrorCode::NotAvailable,
+                       Text::tr("The rows of %1 at %2 are too uneven to interpolate between them.")
+                           .arg(m_table->name, timeText(time)));
     }
     return *seen;
 }

@@ -31,7 +31,8 @@ enum class LocatorLength
     Ten = 10
 };
 
-// The square that a place is in, written "JN58td25ul". Latitude -90…90°; longitude may be of any turn.
+// The square that contains a place, written "JN58td25ul". The latitude is within -90…90°. The longitude may have any
+// number of turns.
 [[nodiscard]] Result<std::string> toLocator(const GeoPoint& place, LocatorLength length = LocatorLength::Six);
 
 }  // namespace boresight::targets

@@ -41,6 +41,11 @@ bool needsSite(const Target& target)
     return table != nullptr ? tables::needsSite(**table) : !std::holds_alternative<SkyPointing>(target.kind);
 }
 
+bool stays(const Target& target)
+{
+    return std::holds_alternative<SkyPointing>(target.kind) || std::holds_alternative<EarthPosition>(target.kind);
+}
+
 bool isSun(const Target& target)
 {
     const auto* const object = std::get_if<ephemeris::SkyObject>(&target.kind);

@@ -54,6 +54,8 @@ struct Target
 
 // False for a fixed direction and a table of directions, which are already for one site.
 [[nodiscard]] bool needsSite(const Target& target);
+// A fixed direction or a position on the Earth, which never moves.
+[[nodiscard]] bool stays(const Target& target);
 // The Sun, which a profile may forbid.
 [[nodiscard]] bool isSun(const Target& target);
 

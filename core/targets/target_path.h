@@ -48,7 +48,8 @@ public:
 
     [[nodiscard]] ephemeris::RefractionRule rule() const { return m_rule; }
     void setRule(ephemeris::RefractionRule rule) { m_rule = rule; }
-    // By which it rises and sets. All but Sun, Moon, planets and stars rise by geometry.
+    // The refraction that decides when the target rises and sets. All targets except Sun, Moon, planets and stars rise
+    // by geometry.
     [[nodiscard]] ephemeris::Refraction refractionOfRise() const;
 
     // NotAvailable with the reason: the orbit or the table has ended, or the position is that of the site.

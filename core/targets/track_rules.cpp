@@ -17,6 +17,13 @@ using Days = std::chrono::duration<double, std::chrono::days::period>;
 
 }  // namespace
 
+Result<> hasSite(const Target& target, bool isSiteKnown)
+{
+    return isSiteKnown || !needsSite(target)
+               ? Result<>{}
+               : failure(ErrorCode::Refused, Text::tr("The site of the mount is not set. Enter it in the profile."));
+}
+
 Result<> isFresh(const Target& target, UtcTime now, double oldestDays)
 {
     const auto* const elements = std::get_if<orbit::ElementSet>(&target.kind);

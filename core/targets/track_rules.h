@@ -7,14 +7,16 @@
 
 #include <chrono>
 
-// What of the target itself is in the way of tracking it now. The station refuses by these rules, and the screen offers
-// nothing that they refuse. Pure.
+// The reasons against tracking that come from the target itself. The station refuses a target for them, and the screen
+// does not offer it. Pure.
 namespace boresight::targets {
 
 // The mount waits no longer than this for a target to rise.
 inline constexpr std::chrono::minutes kLongestWait{30};
 
-// Of a satellite: its elements are not older than this. All else needs no elements.
+// A mount without a site tracks only targets that need none.
+[[nodiscard]] Result<> hasSite(const Target& target, bool isSiteKnown);
+// The elements of a satellite must not be older than `oldestDays`. Other targets need no elements.
 [[nodiscard]] Result<> isFresh(const Target& target, UtcTime now, double oldestDays);
 [[nodiscard]] Result<> isSoon(const QString& name, UtcTime rises, UtcTime now);
 

@@ -22,7 +22,7 @@ struct MotionLimits
     bool operator==(const MotionLimits&) const = default;
 };
 
-// What the axis must do at the end of a tick.
+// The wanted state of the axis at the end of a tick.
 struct Setpoint
 {
     Angle position;
@@ -49,7 +49,8 @@ public:
     void setLimits(const MotionLimits& limits);
     void setTravel(const TravelRange& travel);
 
-    // One tick. The returned set-point is for its end, `dt` after the previous set-point.
+    // The following functions are called once per tick. The returned set-point is for the end of the tick, `dt` after
+    // the previous set-point.
     //
     // Moves to a target that will be at `target` at the end of the tick and moves at `targetRate`. A target beyond the
     // travel means the end of the travel. Once reached, a moving target is tracked without lag.

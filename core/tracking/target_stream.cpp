@@ -35,8 +35,8 @@ constexpr double kPausesAhead = 2.0;
 // A client that reads the position at least this often (Gpredict: every 0.8 s) and sends no point is content. The
 // better the mount tracks, the longer the client is silent (16 s in a low orbit). The target then continues within
 // these bounds and waits. If its position becomes wrong, Gpredict sends a point as soon as its satellite is off by the
-// threshold. Only a longer silence is an end. (An earlier version returned to the last point after two pauses. That
-// swung the antenna 1.5° backwards in the middle of a pass, each time the mount had tracked well.)
+// threshold. Only a longer silence is an end. A return to the last point after two pauses would swing the antenna 1.5°
+// backwards in the middle of a pass, each time the mount had tracked well.
 constexpr Seconds kReadsWithin{2.0};
 constexpr Seconds kLongestRun{12.0};
 constexpr Seconds kLongestWait{12.0};

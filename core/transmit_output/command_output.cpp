@@ -20,11 +20,11 @@ CommandOutput::Side CommandOutput::makeSide(bool on)
     return side;
 }
 
-// Runs "off" once more if an "on" run was still going, because that run may have taken effect after "off".
+// Runs "off" once more if an "on" run went on beside it, because that run may have taken effect after "off".
 CommandOutput::~CommandOutput()
 {
     m_on.runner.reset();
-    if (m_on.runs && !m_wanted) {
+    if ((m_on.runs || m_onEndedWithin) && !m_wanted) {
         m_off.runner = std::make_unique<programs::ProgramRunner>(m_limits);
         start(false);
     }
@@ -60,14 +60,16 @@ void CommandOutput::step()
 void CommandOutput::finish(bool on, const programs::Ending& ending)
 {
     (on ? m_on : m_off).runs = false;
+    const bool isOverwritten = !on && m_onEndedWithin;
+    m_onEndedWithin = on && m_off.runs;
     // If this run is not for the wanted state, it may have overwritten that state. So the state is unknown.
-    m_reached = ending.good && on == m_wanted ? std::optional(on) : std::nullopt;
+    m_reached = ending.good && on == m_wanted && !isOverwritten ? std::optional(on) : std::nullopt;
     if (!ending.good) {
         Q_EMIT failed(ending.text);
     } else if (m_reached) {
         Q_EMIT reached(on);
     }
-    if (on != m_wanted) {
+    if (on != m_wanted || isOverwritten) {
         step();
     }
 }

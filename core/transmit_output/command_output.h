@@ -10,7 +10,7 @@
 #include <optional>
 
 // Runs a program of the operator, with "on" or "off" as its last argument. The "off" run does not wait for an "on" run
-// that is still going. That "on" run may take effect last, so "off" is run once more after it has ended.
+// that is still going. That "on" run may take effect last, so "off" is run once more after both have ended.
 namespace boresight::transmit {
 
 class CommandOutput final : public TransmitOutput
@@ -49,6 +49,7 @@ private:
     Side m_on;
     Side m_off;
     bool m_wanted = false;
+    bool m_onEndedWithin = false;   // an "on" run ended during the "off" run that is still going
     std::optional<bool> m_reached;  // the state set by the last program that succeeded; empty: unknown
 };
 

@@ -31,7 +31,7 @@ double metresPerSecond(double speed, Unit unit)
 Result<double> checked(const std::optional<double>& speed, Unit unit)
 {
     if (!speed) {
-        return failure(ErrorCode::InvalidInput, Text::tr("the wind speed is no number"));
+        return failure(ErrorCode::InvalidInput, Text::tr("the wind speed is not a number"));
     }
     const double converted = metresPerSecond(*speed, unit);
     if (!(converted >= 0.0 && converted <= kStrongest)) {
@@ -69,7 +69,7 @@ Result<double> ofObject(const QByteArray& text, const Format& format)
 {
     const QJsonDocument document = QJsonDocument::fromJson(text);
     if (!document.isObject()) {
-        return failure(ErrorCode::InvalidInput, Text::tr("the text is no JSON object"));
+        return failure(ErrorCode::InvalidInput, Text::tr("the text is not a JSON object"));
     }
     const QString key = toQString(format.key);
     const QJsonValue value = valueOf(document.object(), key);

@@ -130,10 +130,6 @@
         <translation>nenhum termo muda 0.01°</translation>
     </message>
     <message>
-        <source>No fit of these points</source>
-        <translation>Sem ajuste destes pontos</translation>
-    </message>
-    <message>
         <source>, χ² %1</source>
         <translation>, χ² %1</translation>
     </message>
@@ -208,6 +204,10 @@
     <message>
         <source>North %1. The readings cause %2 of the uncertainty. A swing cannot measure the other %3.</source>
         <translation>Norte %1. As leituras causam %2 da incerteza. Uma volta não pode medir os outros %3.</translation>
+    </message>
+    <message>
+        <source>No fit for these points</source>
+        <translation>Sem ajuste para estes pontos</translation>
     </message>
 </context>
 <context>
@@ -902,10 +902,6 @@ até %1</translation>
         <translation>nenhum</translation>
     </message>
     <message>
-        <source>not given</source>
-        <translation>não indicado</translation>
-    </message>
-    <message>
         <source>Orientation sensor</source>
         <translation>Sensor de orientação</translation>
     </message>
@@ -1016,6 +1012,10 @@ até %1</translation>
     <message>
         <source>Wind</source>
         <translation>Vento</translation>
+    </message>
+    <message>
+        <source>not set</source>
+        <translation>não definido</translation>
     </message>
 </context>
 <context>
@@ -1179,16 +1179,8 @@ até %1</translation>
 <context>
     <name>Text</name>
     <message>
-        <source>bus &apos;socketcan:&apos; names no interface; write for example socketcan:can0</source>
-        <translation>o barramento &quot;socketcan:&quot; não indica nenhuma interface; escreva por exemplo socketcan:can0</translation>
-    </message>
-    <message>
         <source>&apos;%1&apos; cannot be an interface name: at most 15 characters, no space and no &apos;/&apos;</source>
         <translation>&quot;%1&quot; não pode ser o nome de uma interface: no máximo 15 caracteres, sem espaço e sem &quot;/&quot;</translation>
-    </message>
-    <message>
-        <source>a port&apos;s path has no control characters</source>
-        <translation>o caminho de uma porta não tem caracteres de controle</translation>
     </message>
     <message>
         <source>bit rate %1 (wanted %2)</source>
@@ -1241,10 +1233,6 @@ até %1</translation>
     <message>
         <source>Do the ids in the profile belong to these drives? `boresightctl scan %1` shows which drives answer.</source>
         <translation>Os ids do perfil são destes acionamentos? `boresightctl scan %1` mostra quais acionamentos respondem.</translation>
-    </message>
-    <message>
-        <source>Are the drives powered, is the cable plugged in at both ends, is there 120 ohm at both ends of the bus?</source>
-        <translation>Os acionamentos estão alimentados, o cabo está ligado nas duas pontas, há 120 ohm nas duas pontas do barramento?</translation>
     </message>
     <message>
         <source>this kernel&apos;s SocketCAN has no CAN-FD</source>
@@ -1501,10 +1489,6 @@ até %1</translation>
     <message>
         <source>Check supply, fuse and cable</source>
         <translation>Verifique a fonte, o fusível e o cabo</translation>
-    </message>
-    <message>
-        <source>A setting was changed while driving that requires a stop</source>
-        <translation>Em funcionamento foi alterado um parâmetro que exige parar</translation>
     </message>
     <message>
         <source>Another program wrote to the drive</source>
@@ -1831,10 +1815,6 @@ até %1</translation>
         <translation>esperam-se latitude -90…90° e longitude -180…180°</translation>
     </message>
     <message>
-        <source>not given</source>
-        <translation>não indicada</translation>
-    </message>
-    <message>
         <source>1 point</source>
         <translation>1 ponto</translation>
     </message>
@@ -1913,18 +1893,6 @@ até %1</translation>
     <message>
         <source>Azimuth of the point, from true north.</source>
         <translation>Azimute do ponto, a partir do norte verdadeiro.</translation>
-    </message>
-    <message>
-        <source>Its anticlockwise side.</source>
-        <translation>O seu lado anti-horário.</translation>
-    </message>
-    <message>
-        <source>Its lower side.</source>
-        <translation>O seu lado inferior.</translation>
-    </message>
-    <message>
-        <source>Its upper side.</source>
-        <translation>O seu lado superior.</translation>
     </message>
     <message>
         <source>Azimuth, from true north.</source>
@@ -2071,10 +2039,6 @@ até %1</translation>
         <translation>não é possível escutar em %1: %2</translation>
     </message>
     <message>
-        <source>only the operator does this</source>
-        <translation>só o operador faz isto</translation>
-    </message>
-    <message>
         <source>no reply from the %1</source>
         <translation>sem resposta do %1</translation>
     </message>
@@ -2141,10 +2105,6 @@ até %1</translation>
     <message>
         <source>changed meanwhile: %1</source>
         <translation>alterado entretanto: %1</translation>
-    </message>
-    <message>
-        <source>the drives&apos; settings are being written: wait until that is done</source>
-        <translation>os parâmetros dos acionamentos estão sendo escritos: espere até terminar</translation>
     </message>
     <message>
         <source>azimuth drive</source>
@@ -2849,10 +2809,6 @@ até %1</translation>
         <translation>(ângulos mecânicos)</translation>
     </message>
     <message>
-        <source>at the zenith the beam misses it by %1</source>
-        <translation>no zênite o feixe erra-a por %1</translation>
-    </message>
-    <message>
         <source>How much lower the beam hangs at the horizon than at the zenith.</source>
         <translation>Quanto o feixe pende mais baixo no horizonte do que no zênite.</translation>
     </message>
@@ -3077,10 +3033,6 @@ até %1</translation>
         <translation>girando a mais de %1°/s</translation>
     </message>
     <message>
-        <source>done, from %1 of %2 readings; left out: %3</source>
-        <translation>pronto, de %1 de %2 leituras; ficaram de fora: %3</translation>
-    </message>
-    <message>
         <source>%1, %2 to %3</source>
         <translation>%1, %2 a %3</translation>
     </message>
@@ -3173,10 +3125,6 @@ até %1</translation>
         <translation>recusado: já estão conectados %1 clientes do mesmo computador</translation>
     </message>
     <message>
-        <source>Another client re-armed the drives while this one kept sending. Pause it for %1 s, or send R 1.</source>
-        <translation>Outro cliente rearmou os acionamentos enquanto este continuava a enviar. Faça-o pausar %1 s, ou envie R 1.</translation>
-    </message>
-    <message>
         <source>Real-time scheduling: not allowed. Install rtkit or raise the limit RLIMIT_RTPRIO.</source>
         <translation>Escalonamento em tempo real: não permitido. Instale rtkit ou aumente o limite RLIMIT_RTPRIO.</translation>
     </message>
@@ -3187,14 +3135,6 @@ até %1</translation>
     <message>
         <source>Real-time scheduling: on. Memory: not locked (limit RLIMIT_MEMLOCK).</source>
         <translation>Escalonamento em tempo real: ativo. Memória: não fixada (limite RLIMIT_MEMLOCK).</translation>
-    </message>
-    <message>
-        <source>Nobody has confirmed which way the axes turn. Boresight moves the mount at most 2° at 5°/s, by a jog or by M of a client. See each axis turn as the profile says. Then confirm it in the guide of the window, or run boresightctl confirm-directions PROFILE and start again.</source>
-        <translation>Ninguém confirmou para que lado giram os eixos. O Boresight move a montagem no máximo 2° a 5°/s, por movimento manual ou por M de um cliente. Veja se cada eixo gira como diz o perfil. Depois confirme no guia da janela, ou execute boresightctl confirm-directions PERFIL e inicie de novo.</translation>
-    </message>
-    <message>
-        <source>End that program, or give this mount another name in its profile</source>
-        <translation>Encerre esse programa, ou dê a esta montagem outro nome no seu perfil</translation>
     </message>
     <message>
         <source>Boresight accepts every client</source>
@@ -3229,20 +3169,8 @@ até %1</translation>
         <translation>A volta do cabo continua desconhecida</translation>
     </message>
     <message>
-        <source>An earlier start has used it. It counts once.</source>
-        <translation>Já foi usado num início anterior. Só vale uma vez.</translation>
-    </message>
-    <message>
-        <source>Its time is in the future. Check the clock of this computer.</source>
-        <translation>A sua hora está no futuro. Verifique o relógio deste computador.</translation>
-    </message>
-    <message>
         <source>%1 is outside the travel (%2 to %3) by more than %4. Enter the angle of the axis.</source>
         <translation>%1 está fora do curso (%2 a %3) por mais de %4. Escreva o ângulo do eixo.</translation>
-    </message>
-    <message>
-        <source>%1 stands and needs %2 Nm, %3 % of the %4 Nm allowed: more than the %5 Nm of weight and friction</source>
-        <translation>o %1 está parado e precisa de %2 Nm, %3 % dos %4 Nm permitidos: mais do que os %5 Nm do peso e do atrito</translation>
     </message>
     <message>
         <source>%1 lines were lost: the disk did not store them in time</source>
@@ -3279,10 +3207,6 @@ até %1</translation>
     <message>
         <source>every setting is right</source>
         <translation>todos os parâmetros estão certos</translation>
-    </message>
-    <message>
-        <source>this rotator does not offer this</source>
-        <translation>este rotor não oferece isto</translation>
     </message>
     <message>
         <source>moteus mode %1, fault %2</source>
@@ -3350,10 +3274,6 @@ até %1</translation>
         <translation>Esta calibração é da montagem em %2, mas o barramento do perfil é agora %1. Reponha o barramento, ou prima Reconectar e calibre de novo.</translation>
     </message>
     <message>
-        <source>The mount tracks the target of a client, and the change would move it. Press Hold first.</source>
-        <translation>A montagem segue o alvo de um cliente, e a alteração movê-la-ia. Prima Manter primeiro.</translation>
-    </message>
-    <message>
         <source>The bus cannot change between simulated and real while the mount is connected. Press Reconnect, or restart Boresight.</source>
         <translation>O barramento não pode mudar entre simulado e real enquanto a montagem está ligada. Prima Reconectar, ou reinicie o Boresight.</translation>
     </message>
@@ -3412,10 +3332,6 @@ até %1</translation>
     <message>
         <source>The drive gives less than Boresight commands</source>
         <translation>O acionamento dá menos do que o Boresight comanda</translation>
-    </message>
-    <message>
-        <source>Boresight leaves it alone until the first motion. STOP takes it over and holds it</source>
-        <translation>O Boresight não lhe toca até ao primeiro movimento. STOP assume-o e mantém-no</translation>
     </message>
     <message>
         <source>Pointing is blocked and clients get no position. Slow jog still works</source>
@@ -3530,14 +3446,6 @@ até %1</translation>
         <translation>nada foi guardado em %1, porque %2 foi definido para %3 e lê-se %4</translation>
     </message>
     <message>
-        <source>Fix has nothing to write. Change the marked settings by hand, as each line explains</source>
-        <translation>Corrigir não tem nada a escrever. Mude à mão as configurações assinaladas, como cada linha explica</translation>
-    </message>
-    <message>
-        <source>Check its power, its plugs and the bus cable.</source>
-        <translation>Verifique a energia, as fichas e o cabo do barramento.</translation>
-    </message>
-    <message>
         <source>two boards have the id %1, so their answers collide</source>
         <translation>duas placas têm o id %1, por isso as suas respostas colidem</translation>
     </message>
@@ -3554,24 +3462,12 @@ até %1</translation>
         <translation>a placa de %1 (id %2) não responde</translation>
     </message>
     <message>
-        <source>Check its power, its plugs and the bus cable. If it has another id, enter that in the profile.</source>
-        <translation>Verifique a energia, as fichas e o cabo do barramento. Se tiver outro id, introduza-o no perfil.</translation>
-    </message>
-    <message>
         <source>%1 has another board than before (%2)</source>
         <translation>%1 tem outra placa do que antes (%2)</translation>
     </message>
     <message>
-        <source>If you exchanged it, check calibration and gains. If not, check whether another mount is connected.</source>
-        <translation>Se a trocou, verifique a calibração e os ganhos. Se não, verifique se está ligada outra montagem.</translation>
-    </message>
-    <message>
         <source>Check the power of the drives, the bus cable, and the 120 Ω at both ends.</source>
         <translation>Verifique a energia dos acionamentos, o cabo do barramento, e os 120 Ω nas duas pontas.</translation>
-    </message>
-    <message>
-        <source>Check its power, WiFi and cable</source>
-        <translation>Verifique a energia, o WiFi e o cabo</translation>
     </message>
     <message>
         <source>The sensor repeats one value to the last digit. Switch it off and on</source>
@@ -3580,14 +3476,6 @@ até %1</translation>
     <message>
         <source>Check the elevation offset and mounting of the sensor, the elevation zero and the coupling</source>
         <translation>Verifique o desvio de elevação e a fixação do sensor, o zero da elevação e o acoplamento</translation>
-    </message>
-    <message>
-        <source>It follows the motor current, %1 per ampere (correlation %2). Move the sensor away from motors and their cables, or twist these</source>
-        <translation>Acompanha a corrente dos motores, %1 por ampere (correlação %2). Afaste o sensor dos motores e dos cabos deles, ou torça-os</translation>
-    </message>
-    <message>
-        <source>It began while the mount moved. Check the motor current, iron near the compass, the azimuth sense of the sensor and the coupling</source>
-        <translation>Começou enquanto a montagem se movia. Verifique a corrente dos motores, ferro junto da bússola, o sentido de azimute do sensor e o acoplamento</translation>
     </message>
     <message>
         <source>Boresight starts no motion and allows only motions away from the Sun</source>
@@ -3690,14 +3578,6 @@ até %1</translation>
         <translation>o cliente que enviou por último tem o controlo</translation>
     </message>
     <message>
-        <source>it has control</source>
-        <translation>tem o controlo</translation>
-    </message>
-    <message>
-        <source>asks for a position outside the limits (%1). The mount goes to the nearest permitted one</source>
-        <translation>pede uma posição fora dos limites (%1). A montagem vai para a permitida mais próxima</translation>
-    </message>
-    <message>
         <source>%1 has control. It connects for each command and sent its last %2.</source>
         <translation>%1 tem o controlo. Liga-se para cada comando e enviou o último %2.</translation>
     </message>
@@ -3730,10 +3610,6 @@ até %1</translation>
         <translation>O %1 não comunica posição. Verifique o encoder.</translation>
     </message>
     <message>
-        <source>The cable wrap of the %1 is unknown. Enter where the axis is. Only slow jog works.</source>
-        <translation>A volta do cabo do %1 é desconhecida. Indique onde está o eixo. Só o jog lento funciona.</translation>
-    </message>
-    <message>
         <source>The directions of the axes are not confirmed. Jog each axis a little and confirm them first.</source>
         <translation>Os sentidos dos eixos não estão confirmados. Faça jog um pouco em cada eixo e confirme-os primeiro.</translation>
     </message>
@@ -3760,18 +3636,6 @@ até %1</translation>
     <message>
         <source>The clock of this computer is not synchronised, so the Sun may be in the beam. Only the operator may jog the mount out, at %1°/s or slower.</source>
         <translation>O relógio deste computador não está sincronizado, por isso o Sol pode estar no feixe. Só o operador pode tirar a montagem por jog, a %1°/s ou menos.</translation>
-    </message>
-    <message>
-        <source>The mount tracks a target, and the change would move it. Press Hold first.</source>
-        <translation>A montagem segue um alvo, e a alteração movê-la-ia. Prima Manter primeiro.</translation>
-    </message>
-    <message>
-        <source>The mount is on its way to a target, and the change would move it. Wait until it is there, or press Hold.</source>
-        <translation>A montagem está a caminho de um alvo, e a alteração movê-lo-ia. Espere até chegar, ou prima Manter.</translation>
-    </message>
-    <message>
-        <source>The travel and the limits of the axes do not reach it over the top.</source>
-        <translation>O curso e os limites dos eixos não o alcançam por cima do topo.</translation>
     </message>
     <message>
         <source>goes to the nearest permitted point because of a limit (%1)</source>
@@ -3884,10 +3748,6 @@ até %1</translation>
     <message>
         <source>the cable wrap is unknown, so pointing is blocked until the operator enters the position</source>
         <translation>a volta do cabo é desconhecida, por isso o apontamento está bloqueado até o operador introduzir a posição</translation>
-    </message>
-    <message>
-        <source>Boresight did not ask where the axis of the %1 is.</source>
-        <translation>O Boresight não perguntou onde está o eixo do %1.</translation>
     </message>
     <message>
         <source>The drive is busy. Try again in a second.</source>
@@ -4190,10 +4050,6 @@ até %1</translation>
         <translation>Compare o ângulo mostrado com a antena. Verifique o codificador, a sua cablagem e outros programas no barramento.</translation>
     </message>
     <message>
-        <source>Check the supply, the battery and the cable. Lower the acceleration if they are right.</source>
-        <translation>Verifique a alimentação, a bateria e o cabo. Se estiverem bem, baixe a aceleração.</translation>
-    </message>
-    <message>
         <source>Cool and shade the board, or move less. At its limit the drive switches itself off.</source>
         <translation>Arrefeça e proteja a placa do sol, ou mova menos. No seu limite o acionamento desliga-se.</translation>
     </message>
@@ -4210,28 +4066,12 @@ até %1</translation>
         <translation>O %1 está em falha sem código de falha</translation>
     </message>
     <message>
-        <source>Read its fault with boresightctl scan.</source>
-        <translation>Leia a falha com boresightctl scan.</translation>
-    </message>
-    <message>
         <source>in fault without a fault code</source>
         <translation>em falha sem código de falha</translation>
     </message>
     <message>
         <source>Check the bus and the load of this computer.</source>
         <translation>Verifique o barramento e a carga deste computador.</translation>
-    </message>
-    <message>
-        <source>Check its supply. Look for another program that stopped the drive.</source>
-        <translation>Verifique a alimentação. Procure outro programa que tenha parado o acionamento.</translation>
-    </message>
-    <message>
-        <source>Check its encoder and the CAN cable.</source>
-        <translation>Verifique o codificador e o cabo CAN.</translation>
-    </message>
-    <message>
-        <source>Check its mode and fault. Look for another program that commands the drive.</source>
-        <translation>Verifique o modo e a falha. Procure outro programa que comande o acionamento.</translation>
     </message>
     <message>
         <source>The %1 does not reply</source>
@@ -4268,10 +4108,6 @@ até %1</translation>
     <message>
         <source>The orientation sensor (%1) sends no data</source>
         <translation>O sensor de orientação (%1) não envia dados</translation>
-    </message>
-    <message>
-        <source>Check the wires between its BNO055 and its board. Then switch the sensor off and on</source>
-        <translation>Verifique os fios entre o BNO055 e a sua placa. Depois desligue e ligue o sensor</translation>
     </message>
     <message>
         <source>North is not set: the orientation sensor and the axes differ by %1 in azimuth</source>
@@ -4324,10 +4160,6 @@ até %1</translation>
     <message>
         <source>The points on the page Sun/Moon were taken with another drive</source>
         <translation>Os pontos na página Sol/Lua foram tomados com outro acionamento</translation>
-    </message>
-    <message>
-        <source>Open the page North, drop the points and take new ones. On its page Model you can use a point again that is still right</source>
-        <translation>Abra a página Norte, retire os pontos e tome novos. Na página Modelo pode voltar a usar um ponto que ainda esteja certo</translation>
     </message>
     <message>
         <source>The points on the page Sun/Moon were taken at another site</source>
@@ -4388,10 +4220,6 @@ até %1</translation>
     <message>
         <source>Boresight commands nothing and accepts no client</source>
         <translation>O Boresight não comanda nada e não aceita clientes</translation>
-    </message>
-    <message>
-        <source>End the other program, then press Reconnect. If it is another mount, give this one another name</source>
-        <translation>Termine o outro programa e prima Reconectar. Se for outra montagem, dê outro nome a esta</translation>
     </message>
     <message>
         <source>The position journal is not stored: %1</source>
@@ -4678,20 +4506,12 @@ até %1</translation>
         <translation>Os limites %1…%2 não se sobrepõem ao curso %3…%4.</translation>
     </message>
     <message>
-        <source>%1 points are too many. The most is %2.</source>
-        <translation>%1 pontos são de mais. O máximo é %2.</translation>
-    </message>
-    <message>
         <source>Azimuth %1 does not follow %2. The azimuths must ascend, each once.</source>
         <translation>O azimute %1 não vem depois de %2. Os azimutes têm de ser crescentes, cada um uma vez.</translation>
     </message>
     <message>
         <source>The name &quot;%1&quot; is used twice.</source>
         <translation>O nome &quot;%1&quot; é usado duas vezes.</translation>
-    </message>
-    <message>
-        <source>%1 keep-outs are too many. The most is %2.</source>
-        <translation>%1 zonas proibidas são de mais. O máximo é %2.</translation>
     </message>
     <message>
         <source>is the same as azimuth_from_deg, so the keep-out has no width</source>
@@ -4728,10 +4548,6 @@ até %1</translation>
     <message>
         <source>Azimuth to</source>
         <translation>Azimute até</translation>
-    </message>
-    <message>
-        <source>Its clockwise side. From 350 to 10 it passes through north.</source>
-        <translation>O seu lado horário. De 350 a 10 passa pelo norte.</translation>
     </message>
     <message>
         <source>Elevation from</source>
@@ -5154,10 +4970,6 @@ até %1</translation>
         <translation>No fim do programa</translation>
     </message>
     <message>
-        <source>The state of the drives after the program ends. &quot;hold&quot; needs servo.timeout_mode 10 in the drives. Without it they only damp.</source>
-        <translation>O estado dos acionamentos depois de o programa terminar. &quot;hold&quot; precisa de servo.timeout_mode 10 nos acionamentos. Sem isso, só amortecem.</translation>
-    </message>
-    <message>
         <source>Margin of the drives&apos; own limits</source>
         <translation>Margem dos limites dos acionamentos</translation>
     </message>
@@ -5232,10 +5044,6 @@ até %1</translation>
     <message>
         <source>Control goes to</source>
         <translation>Controlo vai para</translation>
-    </message>
-    <message>
-        <source>Which client moves the mount: the &quot;first&quot; until it has sent no motion command for 10 s, the latest (&quot;last&quot;, as Hamlib), or the one that control is &quot;locked&quot; to.</source>
-        <translation>Que cliente move a montagem: o primeiro (&quot;first&quot;) até não enviar comandos de movimento durante 10 s, o último (&quot;last&quot;, como o Hamlib), ou aquele a que o controlo está reservado (&quot;locked&quot;).</translation>
     </message>
     <message>
         <source>Locked to</source>
@@ -5822,10 +5630,6 @@ até %1</translation>
         <translation>Uma placa está a ser alterada. Espere alguns segundos.</translation>
     </message>
     <message>
-        <source>Boresight is reading or writing the gains. Wait until that ends.</source>
-        <translation>Os ganhos estão a ser lidos ou escritos. Espere até terminar.</translation>
-    </message>
-    <message>
         <source>New gains are on trial. This would store them, too. Store them or put them back first.</source>
         <translation>Há ganhos novos à experiência. Isto também os guardaria. Guarde-os ou reponha-os primeiro.</translation>
     </message>
@@ -6038,10 +5842,6 @@ até %1</translation>
         <translation>A montagem está fora da região permitida. Traga-a de volta primeiro.</translation>
     </message>
     <message>
-        <source>The axis was %1 off its set-point. Put the gains back, or check what blocks the axis</source>
-        <translation>O eixo esteve a %1 do valor comandado. Reponha os ganhos ou verifique o que bloqueia o eixo</translation>
-    </message>
-    <message>
         <source>The axis is not moving. Something is blocking it, or a limit holds it</source>
         <translation>O eixo não se move. Algo o bloqueia, ou um limite prende-o</translation>
     </message>
@@ -6126,20 +5926,8 @@ até %1</translation>
         <translation>o que dele se sabia pesa tanto quanto os pontos</translation>
     </message>
     <message>
-        <source>the points do not need it</source>
-        <translation>os pontos não o pedem</translation>
-    </message>
-    <message>
-        <source>Point %1 is %2 away from where the other points put it.</source>
-        <translation>O ponto %1 está a %2 de onde os outros pontos o colocam.</translation>
-    </message>
-    <message>
         <source>The points scatter %1 times more than their sigmas.</source>
         <translation>os pontos dispersam-se %1 vezes mais do que dizem os seus sigmas</translation>
-    </message>
-    <message>
-        <source>All points have nearly the same elevation, so azimuth offset and collimation cannot be separated. Take one point much higher or lower, or one over the top.</source>
-        <translation>todos os pontos têm quase a mesma altura: não se distinguem o desvio do azimute e a colimação; tome um bem mais alto ou mais baixo, ou um passando pelo zênite</translation>
     </message>
     <message>
         <source>All points lie within %1 of azimuth. They show the tilt from one side only.</source>
@@ -6156,10 +5944,6 @@ até %1</translation>
     <message>
         <source>Magnetometer calibration is %1 of 3, but %2 is needed. Move the sensor in figures of eight, away from iron.</source>
         <translation>a calibração do magnetômetro é %1 de 3, e é preciso %2: mova o sensor em forma de oito, longe de ferro</translation>
-    </message>
-    <message>
-        <source>System calibration of the sensor is %1 of 3, but %2 is needed. Its heading is not tied to magnetic north yet.</source>
-        <translation>a calibração do sistema do sensor é %1 de 3, e é preciso %2: o rumo ainda não está ligado ao norte magnético</translation>
     </message>
     <message>
         <source>The sensor repeats one value to the last digit. Switch it off and on.</source>
@@ -6370,10 +6154,6 @@ até %1</translation>
         <translation> Isto concorda com a proposta.</translation>
     </message>
     <message>
-        <source> None of the places is near that.</source>
-        <translation> Nenhum dos lugares fica perto disto.</translation>
-    </message>
-    <message>
         <source>it is too large for a position journal</source>
         <translation>é grande demais para a memória de uma montagem</translation>
     </message>
@@ -6388,10 +6168,6 @@ até %1</translation>
     <message>
         <source>%1 already controls this mount. Its journal %2 is in use</source>
         <translation>%1 já controla esta montagem: o diário %2 desta está em uso</translation>
-    </message>
-    <message>
-        <source>Boresight uses the version before it: %1</source>
-        <translation>foi usado o anterior: %1</translation>
     </message>
     <message>
         <source>it is damaged at byte %1: %2</source>
@@ -6430,10 +6206,6 @@ até %1</translation>
         <translation>Os relógios do acionamento e deste computador não concordam sobre o tempo desde o diário: não se pode dizer se o acionamento manteve a alimentação</translation>
     </message>
     <message>
-        <source>The drive did not report whether its position was set after that</source>
-        <translation>O acionamento não disse se a sua posição foi definida desde então</translation>
-    </message>
-    <message>
         <source>The encoder settings of the drive were changed. It counts from a new zero</source>
         <translation>Os parâmetros do encoder do acionamento foram alterados desde então: ele conta de novo</translation>
     </message>
@@ -6452,14 +6224,6 @@ até %1</translation>
     <message>
         <source>The drive does not know the position of the axis. Enter the angle</source>
         <translation>O acionamento não sabe onde está o eixo: escreva o ângulo</translation>
-    </message>
-    <message>
-        <source>The drive reports %1. No cable wrap of it lies within %2° of the travel. Enter the angle</source>
-        <translation>O acionamento relata %1, e nenhuma volta disso fica a menos de %2° do curso: escreva o ângulo</translation>
-    </message>
-    <message>
-        <source>The position that the drive reports is possible only at %1</source>
-        <translation>O acionamento relata um lugar que só é possível em %1</translation>
     </message>
     <message>
         <source>The angle is known only to a multiple of %1. %2 places from %3 to %4 are possible</source>
@@ -6492,14 +6256,6 @@ até %1</translation>
     <message>
         <source>The journal has %1, %2 old, written at standstill</source>
         <translation>O diário diz %1, escrito em repouso há %2</translation>
-    </message>
-    <message>
-        <source>The nearest possible position is %1 from the one in the journal. The axis was moved while Boresight did not watch it</source>
-        <translation>A posição possível mais próxima fica a %1 da do diário. O eixo foi movido enquanto o Boresight não o vigiava</translation>
-    </message>
-    <message>
-        <source>The axis may have moved after that. Places %1 apart look the same to the drive, so the journal does not show which is right</source>
-        <translation>O eixo pode ter continuado a mover-se desde então, e lugares a %1 um do outro parecem iguais ao acionamento: o diário não sabe dizer qual</translation>
     </message>
     <message>
         <source>The sensor reports %1</source>
@@ -6606,10 +6362,6 @@ até %1</translation>
         <translation>não se pode preparar a cifra: %1</translation>
     </message>
     <message>
-        <source>%1 is a list of many authorities. Name the one that signed the certificate of the broker. With an empty mqtt.ca_file Boresight trusts the authorities of this computer</source>
-        <translation>%1 é uma lista de muitas autoridades: indique a que assinou o certificado do broker, ou deixe mqtt.ca_file vazio para confiar nas que este computador conhece</translation>
-    </message>
-    <message>
         <source>No certificate of an authority can be read from %1 (%2). Check mqtt.ca_file</source>
         <translation>não se pode ler de %1 nenhum certificado de autoridade (%2): verifique mqtt.ca_file</translation>
     </message>
@@ -6714,10 +6466,6 @@ até %1</translation>
         <translation>sensor e eixo de elevação diferem %1</translation>
     </message>
     <message>
-        <source>Boresight takes this as a tilted sensor. The elevation of the beam stays unchanged.</source>
-        <translation>tomado como uma caixa torta no braço, a elevação do feixe fica</translation>
-    </message>
-    <message>
         <source>This is more than a tilted sensor. The zero of the elevation axis is wrong.</source>
         <translation>mais do que uma caixa fica torta: o zero do eixo de elevação está errado</translation>
     </message>
@@ -6784,10 +6532,6 @@ até %1</translation>
     <message>
         <source>The park position would then be forbidden: %1. Set another one first (tab Mount, Profile, &quot;park&quot;). Then apply.</source>
         <translation>o lugar de estacionar ficaria então proibido, %1: defina outro primeiro (separador Montagem, Perfil, &quot;park&quot;), depois aplique</translation>
-    </message>
-    <message>
-        <source>The profile would then be inconsistent: %1. Change that first.</source>
-        <translation>com isto o perfil não faria sentido, %1: altere isso primeiro</translation>
     </message>
     <message>
         <source>undoes &quot;%1&quot;</source>
@@ -7094,10 +6838,6 @@ até %1</translation>
         <translation>o sensor não diz quão bem a sua bússola está calibrada</translation>
     </message>
     <message>
-        <source>steel disturbs its compass near %1, as the swing found</source>
-        <translation>o aço conduz a bússola dele perto de %1: o giro mostrou que aí não é de fiar</translation>
-    </message>
-    <message>
         <source>the orientation sensor sends data: %1</source>
         <translation>o sensor de orientação é recebido: %1</translation>
     </message>
@@ -7202,14 +6942,6 @@ até %1</translation>
         <translation>A antena está numa direção proibida: %1</translation>
     </message>
     <message>
-        <source>Boresight allows only motions that lead out. It starts none by itself</source>
-        <translation>O Boresight só permite movimentos que saem de lá. Não inicia nenhum por si</translation>
-    </message>
-    <message>
-        <source>Move the antenna out on the page Jog, or change the limits</source>
-        <translation>Tire a antena de lá na página Manual, ou altere os limites</translation>
-    </message>
-    <message>
         <source>Check the adapter and its cable. If this is the wrong adapter, choose another one in the guide or on the page Profile</source>
         <translation>Verifique o adaptador e o seu cabo. Se este for o adaptador errado, escolha outro no guia ou na página Perfil</translation>
     </message>
@@ -7236,10 +6968,6 @@ até %1</translation>
     <message>
         <source>Oldest elements</source>
         <translation>Elementos mais antigos</translation>
-    </message>
-    <message>
-        <source>Satellites with older elements are not tracked. The error of a low orbit grows by some kilometres a day.</source>
-        <translation>Os satélites com elementos mais antigos não são seguidos. O erro de uma órbita baixa cresce alguns quilómetros por dia.</translation>
     </message>
     <message>
         <source>Lead of the set-points</source>
@@ -7310,10 +7038,6 @@ até %1</translation>
         <translation>A placa %1 (id %2) não responde</translation>
     </message>
     <message>
-        <source>Check its power and its plugs. If it was taken away, remove it from bus.watched.</source>
-        <translation>Verifique a sua alimentação e as fichas. Se foi retirada, apague-a de bus.watched.</translation>
-    </message>
-    <message>
         <source>The board with the id %1 turns an axis</source>
         <translation>A placa com o id %1 move um eixo</translation>
     </message>
@@ -7332,10 +7056,6 @@ até %1</translation>
     <message>
         <source>the id of a board and its name are expected, like &quot;3 polarisation&quot;</source>
         <translation>esperam-se o id de uma placa e o seu nome, como &quot;3 polarização&quot;</translation>
-    </message>
-    <message>
-        <source>Take it off the bus. If it drives an axis, enter its id in the profile. If it does something else, name it in bus.watched.</source>
-        <translation>Retire-a do barramento. Se mover um eixo, indique o seu id no perfil. Se fizer outra coisa, dê-lhe um nome em bus.watched.</translation>
     </message>
     <message>
         <source>%1 more refused in %2 s. The last: %3</source>
@@ -7460,10 +7180,6 @@ até %1</translation>
     <message>
         <source>Part of the beam width</source>
         <translation>Parte da largura do feixe</translation>
-    </message>
-    <message>
-        <source>The mount moves on only when the Moon is this part of the beam width away from where the mount points. 0: the interval alone counts.</source>
-        <translation>A montagem só avança quando a Lua está a esta parte da largura do feixe de para onde a montagem aponta. 0: só conta o intervalo.</translation>
     </message>
     <message>
         <source>Move only while receiving</source>
@@ -7604,10 +7320,6 @@ até %1</translation>
     <message>
         <source>Satellite</source>
         <translation>Satélite</translation>
-    </message>
-    <message>
-        <source>Its number in the catalogue of NORAD.</source>
-        <translation>O seu número no catálogo NORAD.</translation>
     </message>
     <message>
         <source>Priority</source>
@@ -7810,10 +7522,6 @@ até %1</translation>
         <translation>%1: não é possível criar esta pasta</translation>
     </message>
     <message>
-        <source>The server says: &quot;%1&quot;.</source>
-        <translation>O servidor diz: &quot;%1&quot;.</translation>
-    </message>
-    <message>
         <source>The server has sent nothing for %1 s.</source>
         <translation>O servidor não envia nada há %1 s.</translation>
     </message>
@@ -7862,24 +7570,12 @@ até %1</translation>
         <translation>São usados os elementos de %1 que estão na cache.</translation>
     </message>
     <message>
-        <source>The cache has no elements of it.</source>
-        <translation>A cache não tem elementos dele.</translation>
-    </message>
-    <message>
         <source>Next download: %1.</source>
         <translation>Próxima transferência: %1.</translation>
     </message>
     <message>
         <source>CelesTrak group %1</source>
         <translation>Grupo %1 do CelesTrak</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is no address</source>
-        <translation>&quot;%1&quot; não é um endereço</translation>
-    </message>
-    <message>
-        <source>the address must not hold a user name or a password</source>
-        <translation>o endereço não pode conter nome de utilizador nem palavra-passe</translation>
     </message>
     <message>
         <source>a path from / on, an address that begins with https://, or celestrak:GROUP is expected</source>
@@ -7958,24 +7654,8 @@ até %1</translation>
         <translation>Nada se move antes de rearmar</translation>
     </message>
     <message>
-        <source>The axis did not move while no reply came. Its position is continuous</source>
-        <translation>O eixo não se moveu enquanto não houve resposta. A sua posição é contínua</translation>
-    </message>
-    <message>
-        <source>The axis moved %1 while no reply came. Its position is continuous</source>
-        <translation>O eixo moveu-se %1 enquanto não houve resposta. A sua posição é contínua</translation>
-    </message>
-    <message>
         <source>Check the supply, the CAN cable, the adapter and the ids of the drives. The page Drives lists the drives</source>
         <translation>Verifique a alimentação, o cabo CAN, o adaptador e os ids dos acionamentos. A página Acionamentos lista os acionamentos</translation>
-    </message>
-    <message>
-        <source>The mount did not move while no reply came. Its position is continuous</source>
-        <translation>A montagem não se moveu enquanto não houve resposta. A sua posição é contínua</translation>
-    </message>
-    <message>
-        <source>Azimuth moved %1 and elevation %2 while no reply came. The position is continuous</source>
-        <translation>O azimute moveu-se %1 e a elevação %2 enquanto não houve resposta. A posição é contínua</translation>
     </message>
     <message>
         <source>compass swing, to a heading</source>
@@ -8070,10 +7750,6 @@ até %1</translation>
         <translation>O acionamento enfraquece o campo para atingir a velocidade</translation>
     </message>
     <message>
-        <source>Firmware other than the one that Boresight was made for</source>
-        <translation>Firmware diferente daquele para que o Boresight foi feito</translation>
-    </message>
-    <message>
         <source>Compare the firmware version of the drive with the version that this program was made for</source>
         <translation>Compare a versão do firmware do acionamento com a versão para que este programa foi feito</translation>
     </message>
@@ -8084,10 +7760,6 @@ até %1</translation>
     <message>
         <source>The drive check interrupted the reading. Read the gains again.</source>
         <translation>A verificação dos acionamentos interrompeu a leitura. Leia de novo os ganhos.</translation>
-    </message>
-    <message>
-        <source>It is %1 min old. It is valid for %2 min.</source>
-        <translation>Tem %1 min. É válido durante %2 min.</translation>
     </message>
     <message>
         <source>This computer does not know the authority of its certificate. Set mqtt.ca_file</source>
@@ -8124,10 +7796,6 @@ até %1</translation>
     <message>
         <source>True headings at which steel disturbs the compass, clockwise, for example &quot;40-80, 350-20&quot;. Boresight does not use its azimuth there. Empty: none.</source>
         <translation>Rumos verdadeiros em que o aço perturba a bússola, no sentido horário, por exemplo &quot;40-80, 350-20&quot;. O Boresight não usa aí o seu azimute. Vazio: nenhum.</translation>
-    </message>
-    <message>
-        <source>Whether somebody has checked that each axis turns as this file says. Until then every motion is short and slow. Without this key a real mount is unconfirmed.</source>
-        <translation>Se alguém verificou que cada eixo gira como este ficheiro diz. Até lá, cada movimento é curto e lento. Sem esta chave, uma montagem real está por confirmar.</translation>
     </message>
     <message>
         <source>The highest speed of the axis.</source>
@@ -8202,10 +7870,6 @@ até %1</translation>
         <translation>O limite fica dentro do curso. O acionamento para com a falha 39 onde o perfil permite um movimento.</translation>
     </message>
     <message>
-        <source>The limit lies too far out. The cable or the frame stops the axis before the drive does.</source>
-        <translation>O limite fica demasiado longe. O cabo ou a estrutura param o eixo antes do acionamento.</translation>
-    </message>
-    <message>
         <source>The drive stops the axis here by itself, a little beyond the travel.</source>
         <translation>Aqui o acionamento para o eixo por si próprio, um pouco além do curso.</translation>
     </message>
@@ -8254,10 +7918,6 @@ até %1</translation>
         <translation>A velocidade de um comando que não indica velocidade. De fábrica não há limite.</translation>
     </message>
     <message>
-        <source>Without commands the drive brakes with this. Too low: the axis runs on. Too high (factory: 50 turns/s²): the stop shakes the mount.</source>
-        <translation>Sem comandos, o acionamento trava com este valor. Demasiado baixo: o eixo continua. Demasiado alto (fábrica: 50 voltas/s²): a paragem sacode a montagem.</translation>
-    </message>
-    <message>
         <source>The profile trusts the position after power-up (power_up_position), but the drive has no encoder on the axis.</source>
         <translation>O perfil confia na posição após ligar (power_up_position), mas o acionamento não tem encoder no eixo.</translation>
     </message>
@@ -8304,14 +7964,6 @@ até %1</translation>
     <message>
         <source>Note</source>
         <translation>Nota</translation>
-    </message>
-    <message>
-        <source>A line of the operator&apos;s own, such as frequency and polarisation.</source>
-        <translation>Uma linha do próprio operador, como frequência e polarização.</translation>
-    </message>
-    <message>
-        <source>the table of %1 leads no further, and the mount holds</source>
-        <translation>a tabela de %1 não continua, e a montagem mantém a posição</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not the whole path of a file. It must begin with /.</source>
@@ -8390,10 +8042,6 @@ até %1</translation>
         <translation>INTERPOLATION_DEGREE é &quot;%1&quot;. Tem de ser um número de 1 a %2.</translation>
     </message>
     <message>
-        <source>INTERPOLATION is &quot;%1&quot;. Boresight does HERMITE, LAGRANGE and LINEAR.</source>
-        <translation>INTERPOLATION é &quot;%1&quot;. O Boresight faz HERMITE, LAGRANGE e LINEAR.</translation>
-    </message>
-    <message>
         <source>After COVARIANCE_STOP only META_START may follow.</source>
         <translation>Depois de COVARIANCE_STOP só pode vir META_START.</translation>
     </message>
@@ -8454,10 +8102,6 @@ até %1</translation>
         <translation>A tabela de %1 tem uma falha de %2 a %3.</translation>
     </message>
     <message>
-        <source>The rows of %1 at %2 are too uneven for a way between them.</source>
-        <translation>As linhas de %1 às %2 são demasiado irregulares para um caminho entre elas.</translation>
-    </message>
-    <message>
         <source>The table of %1 has nothing above the horizon from %2 to %3.</source>
         <translation>A tabela de %1 não tem nada acima do horizonte de %2 a %3.</translation>
     </message>
@@ -8468,10 +8112,6 @@ até %1</translation>
     <message>
         <source>antenna &quot;%1&quot; is in use</source>
         <translation>a antena &quot;%1&quot; está em uso</translation>
-    </message>
-    <message>
-        <source>Antenna &quot;%1&quot; is in use. North is found with the antenna &quot;main&quot;. Use that one first.</source>
-        <translation>A antena &quot;%1&quot; está em uso. O norte determina-se com a antena &quot;main&quot;. Use primeiro essa.</translation>
     </message>
     <message>
         <source>There is no antenna &quot;%1&quot;. The profile has %2.</source>
@@ -8486,32 +8126,16 @@ até %1</translation>
         <translation>Antena</translation>
     </message>
     <message>
-        <source>The name of the antenna it is tracked with. &quot;main&quot; is that of the table mount. Without this key it is the one that is chosen by hand.</source>
-        <translation>O nome da antena com que é seguido. &quot;main&quot; é a da tabela mount. Sem esta chave é a que foi escolhida à mão.</translation>
-    </message>
-    <message>
         <source>Refraction</source>
         <translation>Refração</translation>
-    </message>
-    <message>
-        <source>How the air bends what is tracked. By kind: Sun, Moon and planets like light, radio sources like radio waves, satellites not at all. The other values hold for all of them. AOS and LOS of satellites stay geometric.</source>
-        <translation>Como o ar desvia o que é seguido. By kind: Sol, Lua e planetas como a luz, fontes de rádio como as ondas de rádio, satélites de modo nenhum. Os outros valores aplicam-se a todos. AOS e LOS dos satélites ficam geométricos.</translation>
     </message>
     <message>
         <source>There is no antenna &quot;%1&quot;. Name one of %2, or add [[antenna]] with this name.</source>
         <translation>Não há nenhuma antena &quot;%1&quot;. Indique uma de %2, ou acrescente [[antenna]] com este nome.</translation>
     </message>
     <message>
-        <source>Its name. &quot;main&quot; is the antenna that the table mount describes.</source>
-        <translation>O seu nome. &quot;main&quot; é a antena que a tabela mount descreve.</translation>
-    </message>
-    <message>
         <source>Offset across</source>
         <translation>Desvio lateral</translation>
-    </message>
-    <message>
-        <source>How far its beam points clockwise of the main beam, measured on the sky at any elevation. A negative value is counterclockwise.</source>
-        <translation>Quanto o seu feixe aponta no sentido horário em relação ao feixe principal, medido no céu a qualquer elevação. Um valor negativo é no sentido anti-horário.</translation>
     </message>
     <message>
         <source>Offset up</source>
@@ -8520,10 +8144,6 @@ até %1</translation>
     <message>
         <source>How far its beam points above the main beam. A negative value is below.</source>
         <translation>Quanto o seu feixe aponta acima do feixe principal. Um valor negativo é abaixo.</translation>
-    </message>
-    <message>
-        <source>%1 antennas are too many. The most is %2.</source>
-        <translation>%1 antenas são demasiadas. O máximo é %2.</translation>
     </message>
     <message>
         <source>&quot;main&quot; is the name of the antenna that the table mount describes. Choose another name.</source>
@@ -8548,10 +8168,6 @@ até %1</translation>
     <message>
         <source>The transmit output %1 does not work: %2</source>
         <translation>A saída de emissão %1 não funciona: %2</translation>
-    </message>
-    <message>
-        <source>Boresight counts it as off and tries to switch it again</source>
-        <translation>O Boresight considera-a desligada e volta a tentar comutá-la</translation>
     </message>
     <message>
         <source>Do not transmit: the output may still be on. Check it, or choose another one (transmit.output on the page Profile)</source>
@@ -8598,16 +8214,8 @@ até %1</translation>
         <translation>espera-se &quot;LATITUDE,LONGITUDE,METROS&quot; ou um objeto JSON</translation>
     </message>
     <message>
-        <source>a part of the line is no number</source>
-        <translation>uma parte da linha não é um número</translation>
-    </message>
-    <message>
         <source>the time is not HH:MM:SS</source>
         <translation>a hora não é HH:MM:SS</translation>
-    </message>
-    <message>
-        <source>the text is no JSON object</source>
-        <translation>o texto não é um objeto JSON</translation>
     </message>
     <message>
         <source>the object has no latitude, longitude and altitude</source>
@@ -8626,10 +8234,6 @@ até %1</translation>
         <translation>espera-se um tópico, sem + # e $</translation>
     </message>
     <message>
-        <source>Whether the position of a balloon or a rocket arrives, to be tracked: by UDP on a port of this computer, or by a topic of the MQTT broker.</source>
-        <translation>Se chega a posição de um balão ou foguetão, para ser seguido: por UDP numa porta deste computador, ou por um tópico do broker MQTT.</translation>
-    </message>
-    <message>
         <source>UDP port of the positions. radiosonde_auto_rx sends to 55673.</source>
         <translation>Porta UDP das posições. O radiosonde_auto_rx envia para 55673.</translation>
     </message>
@@ -8646,10 +8250,6 @@ até %1</translation>
         <translation>Indicativo</translation>
     </message>
     <message>
-        <source>Only reports with this call sign count. Empty: every report counts, and only one thing may fly.</source>
-        <translation>Só contam as comunicações com este indicativo. Vazio: conta qualquer comunicação, e só pode voar um.</translation>
-    </message>
-    <message>
         <source>Longest silence</source>
         <translation>Silêncio mais longo</translation>
     </message>
@@ -8662,20 +8262,12 @@ até %1</translation>
         <translation>Voo mais rápido</translation>
     </message>
     <message>
-        <source>A position that needs a higher speed from the one before is refused.</source>
-        <translation>Uma posição que exija uma velocidade maior desde a anterior é recusada.</translation>
-    </message>
-    <message>
         <source>an address of this computer is expected while position.source is &quot;udp&quot;</source>
         <translation>espera-se um endereço deste computador enquanto position.source é &quot;udp&quot;</translation>
     </message>
     <message>
         <source>Output</source>
         <translation>Saída</translation>
-    </message>
-    <message>
-        <source>An output that is on only while the beam is on its target: file:PATH, mqtt:TOPIC, command:PROGRAM with its arguments, dtr:PORT or rts:PORT. Let it hold the transmitter. Empty: none.</source>
-        <translation>Uma saída que só está ligada enquanto o feixe está no alvo: file:CAMINHO, mqtt:TÓPICO, command:PROGRAMA com os seus argumentos, dtr:PORTA ou rts:PORTA. Faça com que retenha o emissor. Vazio: nenhuma.</translation>
     </message>
     <message>
         <source>The output is on while the beam is nearer to the target than this part of the beam width. At 0.5 the antenna sends half of its best power to the target.</source>
@@ -8688,10 +8280,6 @@ até %1</translation>
     <message>
         <source>With &quot;off&quot; the output stays off while the mount is simulated, because the real antenna points elsewhere.</source>
         <translation>Com &quot;off&quot; a saída fica desligada enquanto a montagem é simulada, porque a antena real aponta para outro lado.</translation>
-    </message>
-    <message>
-        <source>the position is where the mount stands</source>
-        <translation>a posição é onde está a montagem</translation>
     </message>
     <message>
         <source>No position to track: %1</source>
@@ -8756,10 +8344,6 @@ até %1</translation>
     <message>
         <source>off: %1</source>
         <translation>desligada: %1</translation>
-    </message>
-    <message>
-        <source>The output before has not answered yet.</source>
-        <translation>A saída anterior ainda não respondeu.</translation>
     </message>
     <message>
         <source>a path from / on is expected after the colon</source>
@@ -8866,10 +8450,6 @@ até %1</translation>
         <translation>Se o satélite é um favorito, com uma estrela e um lugar na linha do tempo.</translation>
     </message>
     <message>
-        <source>The mount aims at where the tracked satellite is this much later.</source>
-        <translation>A montagem aponta para onde o satélite seguido está este tempo mais tarde.</translation>
-    </message>
-    <message>
         <source>Whether the mount stands still while WSJT-X transmits. It catches up in the next receive period.</source>
         <translation>Se a montagem fica parada enquanto o WSJT-X emite. Recupera no período de receção seguinte.</translation>
     </message>
@@ -8880,18 +8460,6 @@ até %1</translation>
     <message>
         <source>The program before AOS runs this long before AOS. It never runs before LOS of the previous pass.</source>
         <translation>O programa antes de AOS corre este tempo antes de AOS. Nunca corre antes de LOS da passagem anterior.</translation>
-    </message>
-    <message>
-        <source>A program that runs when a pass of the armed schedule begins. Its form is that of &quot;Program before AOS&quot;.</source>
-        <translation>Um programa que corre quando começa uma passagem da agenda armada. A forma é a de &quot;Programa antes do AOS&quot;.</translation>
-    </message>
-    <message>
-        <source>A program that runs when a pass of the armed schedule ends, also when it ends early. Its form is that of &quot;Program before AOS&quot;.</source>
-        <translation>Um programa que corre quando termina uma passagem da agenda armada, mesmo antes do tempo. A forma é a de &quot;Programa antes do AOS&quot;.</translation>
-    </message>
-    <message>
-        <source>A program that runs when a fault ends the armed schedule. Its form is that of &quot;Program before AOS&quot;.</source>
-        <translation>Um programa que corre quando uma falha termina a agenda armada. A forma é a de &quot;Programa antes do AOS&quot;.</translation>
     </message>
     <message>
         <source>Which of two overlapping passes is tracked: the pass of the more important satellite, the longer pass, or the pass that begins first.</source>
@@ -9030,10 +8598,6 @@ até %1</translation>
         <translation>O rotor deixou de responder em movimento</translation>
     </message>
     <message>
-        <source>Boresight sent a stop. Boresight sends another one as soon as an answer comes. Until then the rotator may run to where it was sent last</source>
-        <translation>O Boresight enviou uma paragem. O Boresight envia outra assim que vier uma resposta. Até lá, o rotor pode continuar até ao último destino enviado</translation>
-    </message>
-    <message>
         <source>Look at the mount. Check the power of the box and the cable.</source>
         <translation>Observe a montagem. Verifique a alimentação da caixa e o cabo.</translation>
     </message>
@@ -9070,10 +8634,6 @@ até %1</translation>
         <translation>Desligue o rotor na sua caixa.</translation>
     </message>
     <message>
-        <source>the bus names no port; write for example %1</source>
-        <translation>o barramento não indica porta; escreva por exemplo %1</translation>
-    </message>
-    <message>
         <source>%1 answers as a %2</source>
         <translation>%1 responde como um %2</translation>
     </message>
@@ -9084,10 +8644,6 @@ até %1</translation>
     <message>
         <source>The rotator refuses the question for both axes. If it has no elevation, set elevation.driver to &quot;none&quot;</source>
         <translation>O rotor recusa a pergunta sobre os dois eixos. Se não tiver elevação, ponha elevation.driver em &quot;none&quot;</translation>
-    </message>
-    <message>
-        <source>Check its power, the cable, and its speed (bus.baud, %1)</source>
-        <translation>Verifique a alimentação, o cabo e a velocidade (bus.baud, %1)</translation>
     </message>
     <message>
         <source>%1 is gone. Plug its cable in again</source>
@@ -9104,10 +8660,6 @@ até %1</translation>
     <message>
         <source>%1: %2. Check its power, its address and its network</source>
         <translation>%1: %2. Verifique a alimentação, o endereço e a rede</translation>
-    </message>
-    <message>
-        <source>%1 is no CAN bus. A moteus needs fdcanusb:PATH or socketcan:INTERFACE</source>
-        <translation>%1 não é um barramento CAN. Um moteus precisa de fdcanusb:PATH ou socketcan:INTERFACE</translation>
     </message>
     <message>
         <source>The driver &quot;%1&quot; needs fdcanusb:PATH or socketcan:INTERFACE.</source>
@@ -9254,10 +8806,6 @@ até %1</translation>
         <translation>%1. O Boresight tenta de novo pelo menos a cada 30 s</translation>
     </message>
     <message>
-        <source>The object is &quot;%1&quot;, and above it is &quot;%2&quot;. Write a file for each object.</source>
-        <translation>O objeto é &quot;%1&quot; e acima está &quot;%2&quot;. Escreva um ficheiro para cada objeto.</translation>
-    </message>
-    <message>
         <source>The device on %1 is not %2. It sent &quot;%3&quot;</source>
         <translation>O dispositivo em %1 não é %2. Enviou &quot;%3&quot;</translation>
     </message>
@@ -9322,14 +8870,6 @@ até %1</translation>
         <translation>Compare o curso do perfil com os limites do rotador e verifique a sua alimentação.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is no address with a port; write for example %2</source>
-        <translation>&apos;%1&apos; não é um endereço com uma porta; escreva por exemplo %2</translation>
-    </message>
-    <message>
-        <source>What turns the axis. Each axis may have its own driver. &quot;gs232&quot; is a Yaesu GS-232A, a GS-232B or a box that speaks as they do. &quot;rotctld&quot; is any rotator that Hamlib drives. &quot;simple&quot; is simulated only: a rotator of whole degrees without a watchdog. With &quot;none&quot; the mount has no such axis.</source>
-        <translation>O que roda o eixo. Cada eixo pode ter o seu próprio controlador. &quot;gs232&quot; é um Yaesu GS-232A, um GS-232B ou uma caixa que fala como eles. &quot;rotctld&quot; é qualquer rotador que o Hamlib controla. &quot;simple&quot; é só simulado: um rotor de graus inteiros sem watchdog. Com &quot;none&quot; a montagem não tem esse eixo.</translation>
-    </message>
-    <message>
         <source>%1: %2. Check that rotctld runs there. Check its address, its port and the network</source>
         <translation>%1: %2. Verifique se o rotctld corre lá. Verifique o seu endereço, a sua porta e a rede</translation>
     </message>
@@ -9386,14 +8926,6 @@ até %1</translation>
         <translation>O ficheiro da última passagem não pode ser lido: %1. A próxima passagem substitui-o.</translation>
     </message>
     <message>
-        <source>Boresight stopped during this pass</source>
-        <translation>O Boresight parou durante esta passagem</translation>
-    </message>
-    <message>
-        <source>The last pass before this start was of %1. It was tracked for %2 s. The night report now has it.</source>
-        <translation>A última passagem antes deste arranque foi de %1. Foi seguida durante %2 s. O relatório da noite já a inclui.</translation>
-    </message>
-    <message>
         <source>stands still while WSJT-X transmits</source>
         <translation>parada enquanto o WSJT-X transmite</translation>
     </message>
@@ -9416,10 +8948,6 @@ até %1</translation>
     <message>
         <source>The listener of this client has the right &quot;read&quot; (listeners.list in the profile).</source>
         <translation>A escuta deste cliente tem o direito &quot;read&quot; (listeners.list no perfil).</translation>
-    </message>
-    <message>
-        <source>this is no GS-232 command</source>
-        <translation>isto não é um comando GS-232</translation>
     </message>
     <message>
         <source>azimuth %1 is outside 0°…450°</source>
@@ -9450,10 +8978,6 @@ até %1</translation>
         <translation>&quot;tcp:%1&quot; não indica um endereço IP e uma porta. Um exemplo: tcp:127.0.0.1:4534</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no IP address and no network</source>
-        <translation>&quot;%1&quot; não é um endereço IP nem uma rede</translation>
-    </message>
-    <message>
         <source>protocol, rights and place are expected, like &quot;gs232b drive tcp:127.0.0.1:4534&quot;</source>
         <translation>espera-se protocolo, direitos e lugar, como &quot;gs232b drive tcp:127.0.0.1:4534&quot;</translation>
     </message>
@@ -9472,10 +8996,6 @@ até %1</translation>
     <message>
         <source>Further listeners</source>
         <translation>Outras escutas</translation>
-    </message>
-    <message>
-        <source>is no program for rotators (%1)</source>
-        <translation>não é um programa para rotores (%1)</translation>
     </message>
     <message>
         <source>refused: its address is not permitted (%1)</source>
@@ -9498,20 +9018,8 @@ até %1</translation>
         <translation>%1 escuta em %2</translation>
     </message>
     <message>
-        <source>%1 serves it already</source>
-        <translation>%1 já o serve</translation>
-    </message>
-    <message>
-        <source>%1 exists and is no link to a terminal</source>
-        <translation>%1 existe e não é uma ligação a um terminal</translation>
-    </message>
-    <message>
         <source>The mount no longer follows another rotator: %1</source>
         <translation>A montagem já não segue outro rotor: %1</translation>
-    </message>
-    <message>
-        <source>Check that rotctld, its rotator and the limits of this mount. Then follow it again</source>
-        <translation>Verifique esse rotctld, o seu rotor e os limites desta montagem. Depois volte a segui-lo</translation>
     </message>
     <message>
         <source>Another command came before the rotctld had answered. Track it again.</source>
@@ -9520,10 +9028,6 @@ até %1</translation>
     <message>
         <source>%1 does not answer</source>
         <translation>%1 não responde</translation>
-    </message>
-    <message>
-        <source>The answer &quot;%1&quot; is not that of a rotctld</source>
-        <translation>A resposta &quot;%1&quot; não é a de um rotctld</translation>
     </message>
     <message>
         <source>the mount does not follow %1</source>
@@ -9546,20 +9050,8 @@ até %1</translation>
         <translation>%1 é o servidor do próprio Boresight. Indique o rotctld de outro rotor.</translation>
     </message>
     <message>
-        <source>another rotator was asked for, and refused</source>
-        <translation>foi pedido outro rotor, e recusado</translation>
-    </message>
-    <message>
         <source>%1 turns this mount. Name the rotctld of another rotator.</source>
         <translation>%1 move esta montagem. Indique o rotctld de outro rotor.</translation>
-    </message>
-    <message>
-        <source>nothing for a rotator</source>
-        <translation>nada para um rotor</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is no EasyComm command</source>
-        <translation>&quot;%1&quot; não é um comando EasyComm</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is outside -3600°…3600°</source>
@@ -9594,10 +9086,6 @@ até %1</translation>
         <translation>/dev/ttyUSB0 ou 192.168.1.20:4001</translation>
     </message>
     <message>
-        <source>The box is a GS-232A, a GS-232B, or one that speaks as they do.</source>
-        <translation>A caixa é uma GS-232A, uma GS-232B ou uma que fala como elas.</translation>
-    </message>
-    <message>
         <source>Connect asks for the position. Nothing moves.</source>
         <translation>Conectar pergunta a posição. Nada se move.</translation>
     </message>
@@ -9616,14 +9104,6 @@ até %1</translation>
     <message>
         <source>End other programs that use the port.</source>
         <translation>Termine outros programas que usam a porta.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is no place to listen. tcp:ADDRESS:PORT, pty:/PATH or unix:/PATH is expected</source>
-        <translation>&quot;%1&quot; não é um lugar de escuta. Espera-se tcp:ENDEREÇO:PORTA, pty:/CAMINHO ou unix:/CAMINHO</translation>
-    </message>
-    <message>
-        <source>a path takes no addresses, here &quot;%1&quot;. Only programs of this computer reach it</source>
-        <translation>um caminho não aceita endereços, aqui &quot;%1&quot;. Só programas deste computador lhe chegam</translation>
     </message>
     <message>
         <source>moteus drives on a CAN bus, or the simulated mount</source>
@@ -9654,10 +9134,6 @@ até %1</translation>
         <translation>não é possível servir o socket %1: %2</translation>
     </message>
     <message>
-        <source>%1 exists and is no socket</source>
-        <translation>%1 existe e não é um socket</translation>
-    </message>
-    <message>
         <source>another program listens there</source>
         <translation>outro programa escuta aí</translation>
     </message>
@@ -9682,10 +9158,6 @@ até %1</translation>
         <translation>O rotctld corre no computador que tem o cabo do rotor. Exemplo: rotctld -m 901 -r /dev/ttyUSB0</translation>
     </message>
     <message>
-        <source>On this computer add -t %1 to it. Boresight itself uses %2.</source>
-        <translation>Neste computador acrescente-lhe -t %1. O próprio Boresight usa a %2.</translation>
-    </message>
-    <message>
         <source>Connect asks rotctld for the limits and for the position. Nothing moves.</source>
         <translation>Conectar pergunta ao rotctld os limites e a posição. Nada se move.</translation>
     </message>
@@ -9708,10 +9180,6 @@ até %1</translation>
     <message>
         <source>turns at %1°/s, the fastest jog rate</source>
         <translation>roda a %1°/s, a velocidade manual mais rápida</translation>
-    </message>
-    <message>
-        <source>The step leads to %1 / %2. That is outside the limits.</source>
-        <translation>O passo leva a %1 / %2. Isso fica fora dos limites.</translation>
     </message>
     <message>
         <source>Park now</source>
@@ -9746,14 +9214,6 @@ até %1</translation>
         <translation>Observe a antena. Prima Estacionar agora quando o trabalho acabar</translation>
     </message>
     <message>
-        <source>The wind is unknown. No reading came since %1</source>
-        <translation>O vento é desconhecido. Não chegou nenhuma leitura desde %1</translation>
-    </message>
-    <message>
-        <source>Boresight does not park the mount because of that</source>
-        <translation>O Boresight não estaciona a montagem por causa disso</translation>
-    </message>
-    <message>
         <source>Check the anemometer and its program, and wind.source on the page Profile. Park the mount if a strong wind is possible</source>
         <translation>Verifique o anemómetro e o seu programa, e wind.source na página Perfil. Estacione a montagem se for possível vento forte</translation>
     </message>
@@ -9766,10 +9226,6 @@ até %1</translation>
         <translation>deixa a montagem mover-se com vento até às %1</translation>
     </message>
     <message>
-        <source>The wind was unknown. No reading came after %1, until now</source>
-        <translation>O vento era desconhecido. Depois de %1 não chegou nenhuma leitura até agora</translation>
-    </message>
-    <message>
         <source>The wind reached %1 m/s. The limit is %2 m/s</source>
         <translation>O vento atingiu %1 m/s. O limite é %2 m/s</translation>
     </message>
@@ -9780,10 +9236,6 @@ até %1</translation>
     <message>
         <source>The wind does not forbid any motion.</source>
         <translation>O vento não proíbe nenhum movimento.</translation>
-    </message>
-    <message>
-        <source>This is not a command. The commands are take, release, stop, reset-stop, override-wind, satellites, status, transmit, track TARGET, antennas, antenna NAME and those of the schedule.</source>
-        <translation>Isto não é um comando. Os comandos são take, release, stop, reset-stop, override-wind, satellites, status, transmit, track ALVO, antennas, antenna NOME e os da agenda.</translation>
     </message>
     <message>
         <source>wind</source>
@@ -9864,10 +9316,6 @@ até %1</translation>
     <message>
         <source>Calm time</source>
         <translation>Tempo de acalmia</translation>
-    </message>
-    <message>
-        <source>The wind must stay below the lower limit so long. Nothing moves by itself then.</source>
-        <translation>O vento tem de ficar abaixo do limite inferior durante este tempo. Depois nada se move por si.</translation>
     </message>
     <message>
         <source>Mean of a gust</source>
@@ -10018,10 +9466,6 @@ até %1</translation>
         <translation>espera-se udp:PORTA, udp:ENDEREÇO:PORTA, mqtt:TÓPICO ou http://HOST/CAMINHO</translation>
     </message>
     <message>
-        <source>the wind speed is no number</source>
-        <translation>a velocidade do vento não é um número</translation>
-    </message>
-    <message>
         <source>the wind speed is not within 0 to 150 m/s</source>
         <translation>a velocidade do vento não está entre 0 e 150 m/s</translation>
     </message>
@@ -10058,10 +9502,6 @@ até %1</translation>
         <translation>O Boresight obedece aos comandos do broker</translation>
     </message>
     <message>
-        <source>Give the broker users and passwords, and enter those of Boresight on the page Profile (mqtt.user)</source>
-        <translation>Dê ao broker utilizadores e palavras-passe e introduza os do Boresight na página Perfil (mqtt.user)</translation>
-    </message>
-    <message>
         <source>A command has at most %1 bytes.</source>
         <translation>Um comando tem no máximo %1 bytes.</translation>
     </message>
@@ -10086,10 +9526,6 @@ até %1</translation>
         <translation>acaba a parte seguida da passagem de %1</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no command. Known are: ELEVATION, AZIMUTH ELEVATION, +AZIMUTH +ELEVATION, bearing LOCATOR, bearing LOCATOR long, stop, hold, park, ?</source>
-        <translation>&quot;%1&quot; não é um comando. Os comandos são: ELEVATION, AZIMUTH ELEVATION, +AZIMUTH +ELEVATION, bearing LOCATOR, bearing LOCATOR long, stop, hold, park, ?</translation>
-    </message>
-    <message>
         <source>Beginning of the topics &quot;state&quot; and &quot;availability&quot; that Boresight publishes, and of &quot;command&quot; and &quot;stop&quot; that it reads.</source>
         <translation>Início dos tópicos &quot;state&quot; e &quot;availability&quot; que o Boresight publica, e de &quot;command&quot; e &quot;stop&quot; que lê.</translation>
     </message>
@@ -10104,10 +9540,6 @@ até %1</translation>
     <message>
         <source>Home Assistant</source>
         <translation>Home Assistant</translation>
-    </message>
-    <message>
-        <source>Whether Home Assistant finds the mount by itself. Needs mqtt.publish. The buttons for STOP and park appear as far as mqtt.commands permits them.</source>
-        <translation>Se o Home Assistant encontra a montagem sozinho. Precisa de mqtt.publish. Os botões de STOP e de estacionar aparecem na medida em que mqtt.commands os permite.</translation>
     </message>
     <message>
         <source>Discovery prefix</source>
@@ -10130,10 +9562,6 @@ até %1</translation>
         <translation>perdeu-se a ligação ao broker</translation>
     </message>
     <message>
-        <source>the connection to the broker is another one</source>
-        <translation>a ligação ao broker é outra</translation>
-    </message>
-    <message>
         <source>By MQTT a motion needs an azimuth and an elevation, such as &quot;120.5 30&quot;, because a message may arrive twice.</source>
         <translation>Por MQTT um movimento precisa de um azimute e de uma elevação, como &quot;120.5 30&quot;, porque uma mensagem pode chegar duas vezes.</translation>
     </message>
@@ -10148,6 +9576,594 @@ até %1</translation>
     <message>
         <source>The broker does not let Boresight read the topic %1. No command arrives. Permit this topic in the access list of the broker.</source>
         <translation>O broker não deixa o Boresight ler o tópico %1. Nenhum comando chega. Permita este tópico na lista de acesso do broker.</translation>
+    </message>
+    <message>
+        <source>Check the supply, the battery and the cable. If they are right, lower the acceleration.</source>
+        <translation>Verifique a alimentação, a bateria e o cabo. Se estiverem bem, baixe a aceleração.</translation>
+    </message>
+    <message>
+        <source>Read the fault of the drive with boresightctl scan.</source>
+        <translation>Leia a falha do acionamento com boresightctl scan.</translation>
+    </message>
+    <message>
+        <source>Check the supply of the drive. Look for another program that stopped the drive.</source>
+        <translation>Verifique a alimentação do acionamento. Procure outro programa que tenha parado o acionamento.</translation>
+    </message>
+    <message>
+        <source>Check the encoder of the drive and the CAN cable.</source>
+        <translation>Verifique o codificador do acionamento e o cabo CAN.</translation>
+    </message>
+    <message>
+        <source>Check the mode and the fault of the drive. Look for another program that commands the drive.</source>
+        <translation>Verifique o modo e a falha do acionamento. Procure outro programa que comande o acionamento.</translation>
+    </message>
+    <message>
+        <source>Boresight commands this drive only from the first motion on. STOP takes the drive over and holds its axis</source>
+        <translation>O Boresight só comanda este acionamento a partir do primeiro movimento. STOP assume o acionamento e mantém o seu eixo</translation>
+    </message>
+    <message>
+        <source>Check the wires between the BNO055 of the sensor and its board. Then switch the sensor off and on</source>
+        <translation>Verifique os fios entre o BNO055 do sensor e a sua placa. Depois desligue e ligue o sensor</translation>
+    </message>
+    <message>
+        <source>Boresight allows only motions that lead out. Boresight starts no motion by itself</source>
+        <translation>O Boresight só permite movimentos que saem de lá. O Boresight não inicia nenhum movimento por si</translation>
+    </message>
+    <message>
+        <source>Jog the antenna out of this direction on the page Jog, or change the limits</source>
+        <translation>Na página Manual, leve a antena para fora desta direção, ou altere os limites</translation>
+    </message>
+    <message>
+        <source>Check rotctld, its rotator and the limits of this mount. Then track the rotator again</source>
+        <translation>Verifique o rotctld, o seu rotor e os limites desta montagem. Depois volte a seguir o rotor</translation>
+    </message>
+    <message>
+        <source>Open the page North, drop the points and take new points. To keep a point that is still right, press Use again on the page Model</source>
+        <translation>Abra a página Norte, retire os pontos e tome pontos novos. Para manter um ponto que ainda está certo, prima Usar na página Modelo</translation>
+    </message>
+    <message>
+        <source>Boresight sent a stop, and sends another stop as soon as an answer comes. Until then the rotator may run to its last target</source>
+        <translation>O Boresight enviou uma paragem e envia outra assim que vier uma resposta. Até lá, o rotor pode continuar até ao seu último alvo</translation>
+    </message>
+    <message>
+        <source>Check the power and the plugs of the board. If the board was taken away, remove it from bus.watched.</source>
+        <translation>Verifique a alimentação e as fichas da placa. Se a placa foi retirada, apague-a de bus.watched.</translation>
+    </message>
+    <message>
+        <source>Set users and passwords at the broker. Enter the user of Boresight on the page Profile (mqtt.user)</source>
+        <translation>Defina utilizadores e palavras-passe no broker. Introduza o utilizador do Boresight na página Perfil (mqtt.user)</translation>
+    </message>
+    <message>
+        <source>End the other program, then press Reconnect. If it controls another mount, give this mount another name</source>
+        <translation>Termine o outro programa e prima Reconectar. Se ele controlar outra montagem, dê outro nome a esta montagem</translation>
+    </message>
+    <message>
+        <source>Boresight counts the output as off and tries to switch it again</source>
+        <translation>O Boresight considera a saída desligada e volta a tentar comutá-la</translation>
+    </message>
+    <message>
+        <source>The wind is unknown. No reading has come since %1</source>
+        <translation>O vento é desconhecido. Não chegou nenhuma leitura desde %1</translation>
+    </message>
+    <message>
+        <source>Boresight does not park the mount</source>
+        <translation>O Boresight não estaciona a montagem</translation>
+    </message>
+    <message>
+        <source>bus &apos;socketcan:&apos; names no interface. Write for example socketcan:can0</source>
+        <translation>o barramento &apos;socketcan:&apos; não indica nenhuma interface. Escreva por exemplo socketcan:can0</translation>
+    </message>
+    <message>
+        <source>the bus names no port. Write for example %1</source>
+        <translation>o barramento não indica nenhuma porta. Escreva por exemplo %1</translation>
+    </message>
+    <message>
+        <source>the path of a port must not have control characters</source>
+        <translation>o caminho de uma porta não pode ter caracteres de controlo</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not an address with a port. Write for example %2</source>
+        <translation>&apos;%1&apos; não é um endereço com uma porta. Escreva por exemplo %2</translation>
+    </message>
+    <message>
+        <source>the points fit without this term</source>
+        <translation>os pontos ajustam-se sem este termo</translation>
+    </message>
+    <message>
+        <source>Point %1 is %2 away from the fit of the other points.</source>
+        <translation>O ponto %1 está a %2 do ajuste dos outros pontos.</translation>
+    </message>
+    <message>
+        <source>All points have nearly the same elevation, so azimuth offset and collimation cannot be separated. Take a point much higher or lower, or a point over the top.</source>
+        <translation>Todos os pontos têm quase a mesma elevação, por isso não se distinguem o desvio do azimute e a colimação. Tome um ponto muito mais alto ou mais baixo, ou um ponto por cima do topo.</translation>
+    </message>
+    <message>
+        <source>System calibration of the sensor is %1 of 3, but %2 is needed. Its heading is not referred to magnetic north yet.</source>
+        <translation>A calibração do sistema do sensor é %1 de 3, mas são precisos %2. O seu rumo ainda não está referido ao norte magnético.</translation>
+    </message>
+    <message>
+        <source>Are the drives powered? Is the cable plugged in at both ends? Does the bus have 120 ohm at both ends?</source>
+        <translation>Os acionamentos têm alimentação? O cabo está ligado nas duas pontas? O barramento tem 120 ohm nas duas pontas?</translation>
+    </message>
+    <message>
+        <source>only the operator may do this</source>
+        <translation>só o operador pode fazer isto</translation>
+    </message>
+    <message>
+        <source>Another client re-armed the drives while this client kept sending. Pause this client for %1 s, or send R 1.</source>
+        <translation>Outro cliente rearmou os acionamentos enquanto este cliente continuava a enviar. Pause este cliente durante %1 s, ou envie R 1.</translation>
+    </message>
+    <message>
+        <source>this client has control</source>
+        <translation>este cliente tem o controlo</translation>
+    </message>
+    <message>
+        <source>asks for a position outside the limits (%1). The mount goes to the nearest permitted position</source>
+        <translation>pede uma posição fora dos limites (%1). A montagem vai para a posição permitida mais próxima</translation>
+    </message>
+    <message>
+        <source>The cable wrap of the %1 is unknown. Enter the position of the axis. Only slow jog works.</source>
+        <translation>A volta do cabo do %1 é desconhecida. Introduza a posição do eixo. Só o jog lento funciona.</translation>
+    </message>
+    <message>
+        <source>this rotator does not have this function</source>
+        <translation>este rotor não tem esta função</translation>
+    </message>
+    <message>
+        <source>The mount tracks a target, and the change would move the mount. Press Hold first.</source>
+        <translation>A montagem segue um alvo, e a alteração moveria a montagem. Prima Manter primeiro.</translation>
+    </message>
+    <message>
+        <source>The mount moves to a target, and the change would move the mount elsewhere. Wait until it stands still, or press Hold.</source>
+        <translation>A montagem move-se para um alvo, e a alteração moveria a montagem para outro lugar. Espere até estar parada, ou prima Manter.</translation>
+    </message>
+    <message>
+        <source>Antenna &quot;%1&quot; is in use. Use the antenna &quot;main&quot; to find north.</source>
+        <translation>A antena &quot;%1&quot; está em uso. Use a antena &quot;main&quot; para achar o norte.</translation>
+    </message>
+    <message>
+        <source>The travel and the limits of the axes do not permit this direction over the top.</source>
+        <translation>O curso e os limites dos eixos não permitem esta direção por cima do topo.</translation>
+    </message>
+    <message>
+        <source>The wind was unknown. No reading came after %1</source>
+        <translation>O vento era desconhecido. Não chegou nenhuma leitura depois de %1</translation>
+    </message>
+    <message>
+        <source>steel disturbs its compass near %1 (result of the swing)</source>
+        <translation>o aço perturba a bússola dele perto de %1 (resultado do giro)</translation>
+    </message>
+    <message>
+        <source>Check the power, WiFi and cable of the sensor</source>
+        <translation>Verifique a alimentação, o WiFi e o cabo do sensor</translation>
+    </message>
+    <message>
+        <source>The difference follows the motor current, %1 per ampere (correlation %2). Move the sensor away from motors and their cables, or twist the cables</source>
+        <translation>A diferença acompanha a corrente dos motores, %1 por ampere (correlação %2). Afaste o sensor dos motores e dos seus cabos, ou torça os cabos</translation>
+    </message>
+    <message>
+        <source>The difference began while the mount moved. Check the motor current, iron near the compass, the azimuth direction of the sensor and the coupling</source>
+        <translation>A diferença começou enquanto a montagem se movia. Verifique a corrente dos motores, ferro junto da bússola, o sentido de azimute do sensor e o acoplamento</translation>
+    </message>
+    <message>
+        <source>Fix has nothing to write. Change the marked settings by hand. Each line explains how</source>
+        <translation>Corrigir não tem nada a escrever. Mude à mão as configurações assinaladas. Cada linha explica como</translation>
+    </message>
+    <message>
+        <source>Check the power and the plugs of the board, and the bus cable.</source>
+        <translation>Verifique a alimentação e as fichas da placa, e o cabo do barramento.</translation>
+    </message>
+    <message>
+        <source>Take the board off the bus. If the board drives an axis, enter its id in the profile. If it does something else, name it in bus.watched.</source>
+        <translation>Retire a placa do barramento. Se a placa mover um eixo, introduza o seu id no perfil. Se fizer outra coisa, dê-lhe um nome em bus.watched.</translation>
+    </message>
+    <message>
+        <source>Check the power and the plugs of the board, and the bus cable. If the board has another id, enter this id in the profile.</source>
+        <translation>Verifique a alimentação e as fichas da placa, e o cabo do barramento. Se a placa tiver outro id, introduza esse id no perfil.</translation>
+    </message>
+    <message>
+        <source>If you exchanged the board, check calibration and gains. If not, check whether another mount is connected.</source>
+        <translation>Se trocou a placa, verifique a calibração e os ganhos. Se não, verifique se está ligada outra montagem.</translation>
+    </message>
+    <message>
+        <source>The limit is too far out. The cable or the frame stops the axis before the drive does.</source>
+        <translation>O limite está demasiado longe. O cabo ou a estrutura param o eixo antes do acionamento.</translation>
+    </message>
+    <message>
+        <source>Without commands the drive brakes with this deceleration. Too low: the axis runs on. Too high (factory: 50 turns/s²): the stop shakes the mount.</source>
+        <translation>Sem comandos, o acionamento trava com esta desaceleração. Demasiado baixa: o eixo continua. Demasiado alta (fábrica: 50 voltas/s²): a paragem sacode a montagem.</translation>
+    </message>
+    <message>
+        <source>the line has no command for a rotator</source>
+        <translation>a linha não tem nenhum comando para um rotor</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not an EasyComm command</source>
+        <translation>&quot;%1&quot; não é um comando EasyComm</translation>
+    </message>
+    <message>
+        <source>The server sent: &quot;%1&quot;.</source>
+        <translation>O servidor enviou: &quot;%1&quot;.</translation>
+    </message>
+    <message>
+        <source>The cache has no elements of this source.</source>
+        <translation>A cache não tem elementos desta fonte.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not an address</source>
+        <translation>&quot;%1&quot; não é um endereço</translation>
+    </message>
+    <message>
+        <source>the address must not contain a user name or a password</source>
+        <translation>o endereço não pode conter um nome de utilizador nem uma palavra-passe</translation>
+    </message>
+    <message>
+        <source>The answer &quot;%1&quot; is not from a rotctld</source>
+        <translation>A resposta &quot;%1&quot; não é de um rotctld</translation>
+    </message>
+    <message>
+        <source>Check the power of the rotator, the cable, and the speed (bus.baud, %1)</source>
+        <translation>Verifique a alimentação do rotor, o cabo e a velocidade (bus.baud, %1)</translation>
+    </message>
+    <message>
+        <source>The box is a GS-232A, a GS-232B or a compatible box.</source>
+        <translation>A caixa é uma GS-232A, uma GS-232B ou uma caixa compatível.</translation>
+    </message>
+    <message>
+        <source>this is not a GS-232 command</source>
+        <translation>isto não é um comando GS-232</translation>
+    </message>
+    <message>
+        <source> None of the possible places is near this angle.</source>
+        <translation> Nenhum dos lugares possíveis fica perto deste ângulo.</translation>
+    </message>
+    <message>
+        <source>Boresight uses the previous version: %1</source>
+        <translation>O Boresight usa a versão anterior: %1</translation>
+    </message>
+    <message>
+        <source>The drive did not report whether its position was set since then</source>
+        <translation>O acionamento não comunicou se a sua posição foi definida desde então</translation>
+    </message>
+    <message>
+        <source>The drive reports %1. No cable wrap of this angle lies within %2° of the travel. Enter the angle</source>
+        <translation>O acionamento comunica %1. Nenhuma volta do cabo deste ângulo fica a menos de %2° do curso. Introduza o ângulo</translation>
+    </message>
+    <message>
+        <source>The position that the drive reports fits only %1</source>
+        <translation>A posição que o acionamento comunica só corresponde a %1</translation>
+    </message>
+    <message>
+        <source>The nearest possible position is %1 from the position in the journal. The axis moved while Boresight did not watch it</source>
+        <translation>A posição possível mais próxima está a %1 da posição do diário. O eixo moveu-se enquanto o Boresight não o vigiava</translation>
+    </message>
+    <message>
+        <source>The axis may have moved since then. The drive cannot distinguish places %1 apart, so the journal does not show which place is right</source>
+        <translation>O eixo pode ter-se movido desde então. O acionamento não distingue lugares a %1 um do outro, por isso o diário não mostra que lugar está certo</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a place to listen. tcp:ADDRESS:PORT, pty:/PATH or unix:/PATH is expected</source>
+        <translation>&quot;%1&quot; não é um lugar de escuta. Espera-se tcp:ENDEREÇO:PORTA, pty:/CAMINHO ou unix:/CAMINHO</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is neither an IP address nor a network</source>
+        <translation>&quot;%1&quot; não é um endereço IP nem uma rede</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; must not follow a path. Only programs of this computer reach a path</source>
+        <translation>&quot;%1&quot; não pode seguir-se a um caminho. Só programas deste computador chegam a um caminho</translation>
+    </message>
+    <message>
+        <source>This is not a command. The commands are take, release, stop, reset-stop, override-wind, satellites, status, transmit, track TARGET, antennas, antenna NAME and the commands of the schedule.</source>
+        <translation>Isto não é um comando. Os comandos são take, release, stop, reset-stop, override-wind, satellites, status, transmit, track ALVO, antennas, antenna NOME e os comandos da agenda.</translation>
+    </message>
+    <message>
+        <source>A setting that requires a stop was changed while driving</source>
+        <translation>Uma configuração que exige paragem foi alterada durante o acionamento</translation>
+    </message>
+    <message>
+        <source>Firmware that Boresight does not support</source>
+        <translation>Firmware que o Boresight não suporta</translation>
+    </message>
+    <message>
+        <source>The axis did not move while no reply came. Its position is still known</source>
+        <translation>O eixo não se moveu enquanto não veio resposta. A sua posição continua conhecida</translation>
+    </message>
+    <message>
+        <source>The axis moved %1 while no reply came. Its position is still known</source>
+        <translation>O eixo moveu-se %1 enquanto não veio resposta. A sua posição continua conhecida</translation>
+    </message>
+    <message>
+        <source>The mount did not move while no reply came. Its position is still known</source>
+        <translation>A montagem não se moveu enquanto não veio resposta. A sua posição continua conhecida</translation>
+    </message>
+    <message>
+        <source>Azimuth moved %1 and elevation %2 while no reply came. The position is still known</source>
+        <translation>O azimute moveu-se %1 e a elevação %2 enquanto não veio resposta. A posição continua conhecida</translation>
+    </message>
+    <message>
+        <source>Boresight is writing the settings of the drives. Wait until this ends.</source>
+        <translation>O Boresight está a escrever as configurações dos acionamentos. Espere até terminar.</translation>
+    </message>
+    <message>
+        <source>Boresight is reading or writing the gains. Wait until this ends.</source>
+        <translation>O Boresight está a ler ou a escrever os ganhos. Espere até terminar.</translation>
+    </message>
+    <message>
+        <source>%1 is not a CAN bus. A moteus needs fdcanusb:PATH or socketcan:INTERFACE</source>
+        <translation>%1 não é um barramento CAN. Um moteus precisa de fdcanusb:PATH ou socketcan:INTERFACE</translation>
+    </message>
+    <message>
+        <source>An earlier start has used this position. It counts once.</source>
+        <translation>Um arranque anterior já usou esta posição. Só conta uma vez.</translation>
+    </message>
+    <message>
+        <source>The entered position is %1 min old. It is valid for %2 min.</source>
+        <translation>A posição introduzida tem %1 min. É válida durante %2 min.</translation>
+    </message>
+    <message>
+        <source>The entered time is in the future. Check the clock of this computer.</source>
+        <translation>A hora introduzida está no futuro. Verifique o relógio deste computador.</translation>
+    </message>
+    <message>
+        <source>Boresight did not ask for the axis position of the %1.</source>
+        <translation>O Boresight não perguntou a posição do eixo do %1.</translation>
+    </message>
+    <message>
+        <source>%1 is a list of many authorities. Name the authority that signed the certificate of the broker. With an empty mqtt.ca_file Boresight trusts the authorities of this computer</source>
+        <translation>%1 é uma lista de muitas autoridades. Indique a autoridade que assinou o certificado do broker. Com mqtt.ca_file vazio, o Boresight confia nas autoridades deste computador</translation>
+    </message>
+    <message>
+        <source>Boresight ended during this pass</source>
+        <translation>O Boresight terminou durante esta passagem</translation>
+    </message>
+    <message>
+        <source>The last pass before this start was a pass of %1. It was tracked for %2 s. It is in the night report.</source>
+        <translation>A última passagem antes deste arranque foi uma passagem de %1. Foi seguida durante %2 s. Está no relatório da noite.</translation>
+    </message>
+    <message>
+        <source>Boresight treats this as a tilted sensor. The elevation of the beam stays unchanged.</source>
+        <translation>O Boresight trata isto como um sensor inclinado. A elevação do feixe não muda.</translation>
+    </message>
+    <message>
+        <source>The mount tracks the target of a client, and the change would move the mount. Press Hold first.</source>
+        <translation>A montagem segue o alvo de um cliente, e a alteração moveria a montagem. Prima Manter primeiro.</translation>
+    </message>
+    <message>
+        <source>The profile would then be inconsistent: %1. Change this setting first.</source>
+        <translation>O perfil ficaria então incoerente: %1. Mude primeiro esta configuração.</translation>
+    </message>
+    <message>
+        <source>done, from %1 of %2 readings. Left out: %3</source>
+        <translation>pronto, de %1 de %2 leituras. Ficaram de fora: %3</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a command. The commands are ELEVATION, AZIMUTH ELEVATION, +AZIMUTH +ELEVATION, bearing LOCATOR, bearing LOCATOR long, stop, hold, park and ?</source>
+        <translation>&quot;%1&quot; não é um comando. Os comandos são ELEVATION, AZIMUTH ELEVATION, +AZIMUTH +ELEVATION, bearing LOCATOR, bearing LOCATOR long, stop, hold, park e ?</translation>
+    </message>
+    <message>
+        <source>The step leads to %1 / %2, outside the limits.</source>
+        <translation>O passo leva a %1 / %2, fora dos limites.</translation>
+    </message>
+    <message>
+        <source>the beam misses the zenith by %1</source>
+        <translation>o feixe falha o zénite por %1</translation>
+    </message>
+    <message>
+        <source>a part of the line is not a number</source>
+        <translation>uma parte da linha não é um número</translation>
+    </message>
+    <message>
+        <source>the text is not a JSON object</source>
+        <translation>o texto não é um objeto JSON</translation>
+    </message>
+    <message>
+        <source>What turns the axis. Each axis may have its own driver. &quot;gs232&quot; is a Yaesu GS-232A, a GS-232B or a compatible box. &quot;rotctld&quot; is any rotator that Hamlib drives. &quot;simple&quot; is simulated only: a rotator of whole degrees without a watchdog. With &quot;none&quot; the mount has no such axis.</source>
+        <translation>O que roda o eixo. Cada eixo pode ter o seu próprio controlador. &quot;gs232&quot; é um Yaesu GS-232A, um GS-232B ou uma caixa compatível. &quot;rotctld&quot; é qualquer rotor que o Hamlib controla. &quot;simple&quot; é só simulado: um rotor de graus inteiros sem watchdog. Com &quot;none&quot; a montagem não tem esse eixo.</translation>
+    </message>
+    <message>
+        <source>Whether Home Assistant finds the mount by itself. Needs mqtt.publish. The buttons for STOP and park appear only if mqtt.commands permits them.</source>
+        <translation>Se o Home Assistant encontra a montagem sozinho. Precisa de mqtt.publish. Os botões de STOP e de estacionar só aparecem se mqtt.commands os permitir.</translation>
+    </message>
+    <message>
+        <source>Name of the antenna that tracks the satellite. &quot;main&quot; is the antenna of the table mount. Without this key Boresight uses the antenna chosen by hand.</source>
+        <translation>Nome da antena que segue o satélite. &quot;main&quot; é a antena da tabela mount. Sem esta chave o Boresight usa a antena escolhida à mão.</translation>
+    </message>
+    <message>
+        <source>Number of the satellite in the catalogue of NORAD.</source>
+        <translation>Número do satélite no catálogo NORAD.</translation>
+    </message>
+    <message>
+        <source>A note of one line, such as frequency and polarisation.</source>
+        <translation>Uma nota de uma linha, como frequência e polarização.</translation>
+    </message>
+    <message>
+        <source>Satellites with older elements are not tracked. The error of a low orbit grows by 1 to 3 km a day.</source>
+        <translation>Os satélites com elementos mais antigos não são seguidos. O erro de uma órbita baixa cresce 1 a 3 km por dia.</translation>
+    </message>
+    <message>
+        <source>The mount aims at the place where the tracked satellite will be after this time.</source>
+        <translation>A montagem aponta para o lugar onde o satélite seguido estará depois deste tempo.</translation>
+    </message>
+    <message>
+        <source>Which refraction of the air Boresight applies. By kind: Sun, Moon and planets like light, radio sources like radio waves, satellites not at all. The other values hold for all targets. AOS and LOS of satellites stay geometric.</source>
+        <translation>Que refração do ar o Boresight aplica. By kind: Sol, Lua e planetas como a luz, fontes de rádio como as ondas de rádio, satélites sem refração. Os outros valores aplicam-se a todos os alvos. AOS e LOS dos satélites ficam geométricos.</translation>
+    </message>
+    <message>
+        <source>The mount moves on only when the Moon is this part of the beam width away from the direction of the mount. 0: only the interval counts.</source>
+        <translation>A montagem só avança quando a Lua está a esta parte da largura do feixe da direção da montagem. 0: só conta o intervalo.</translation>
+    </message>
+    <message>
+        <source>How Boresight receives the position of a balloon or a rocket to track: by UDP on a port of this computer, or by a topic of the MQTT broker.</source>
+        <translation>Como o Boresight recebe a posição de um balão ou foguetão para seguir: por UDP numa porta deste computador, ou por um tópico do broker MQTT.</translation>
+    </message>
+    <message>
+        <source>Only reports with this call sign count. Empty: every report counts. Then only one balloon or rocket may fly.</source>
+        <translation>Só contam as comunicações com este indicativo. Vazio: conta qualquer comunicação. Nesse caso só pode voar um balão ou foguetão.</translation>
+    </message>
+    <message>
+        <source>A position is refused if the balloon or rocket had to fly faster than this to reach it.</source>
+        <translation>Uma posição é recusada se o balão ou foguetão tivesse de voar mais depressa do que isto para lá chegar.</translation>
+    </message>
+    <message>
+        <source>Name of the antenna. &quot;main&quot; is the antenna that the table mount describes.</source>
+        <translation>Nome da antena. &quot;main&quot; é a antena que a tabela mount descreve.</translation>
+    </message>
+    <message>
+        <source>How far its beam points clockwise of the main beam, measured on the sky at any elevation. A negative value is counter-clockwise.</source>
+        <translation>Quanto o seu feixe aponta no sentido horário em relação ao feixe principal, medido no céu a qualquer elevação. Um valor negativo é no sentido anti-horário.</translation>
+    </message>
+    <message>
+        <source>%1 antennas are too many. The maximum is %2.</source>
+        <translation>%1 antenas são demasiadas. O máximo é %2.</translation>
+    </message>
+    <message>
+        <source>An output that is on only while the beam is on its target: file:PATH, mqtt:TOPIC, command:PROGRAM with its arguments, dtr:PORT or rts:PORT. Use it as the interlock of the transmitter. Empty: none.</source>
+        <translation>Uma saída que só está ligada enquanto o feixe está no alvo: file:CAMINHO, mqtt:TÓPICO, command:PROGRAMA com os seus argumentos, dtr:PORTA ou rts:PORTA. Use-a como encravamento do emissor. Vazio: nenhuma.</translation>
+    </message>
+    <message>
+        <source>not set</source>
+        <translation>não definido</translation>
+    </message>
+    <message>
+        <source>%1 points are too many. The maximum is %2.</source>
+        <translation>%1 pontos são demasiados. O máximo é %2.</translation>
+    </message>
+    <message>
+        <source>%1 keep-outs are too many. The maximum is %2.</source>
+        <translation>%1 zonas proibidas são demasiadas. O máximo é %2.</translation>
+    </message>
+    <message>
+        <source>Counter-clockwise side of the keep-out.</source>
+        <translation>Lado anti-horário da zona proibida.</translation>
+    </message>
+    <message>
+        <source>Clockwise side of the keep-out. A keep-out from 350 to 10 passes through north.</source>
+        <translation>Lado horário da zona proibida. Uma zona proibida de 350 a 10 passa pelo norte.</translation>
+    </message>
+    <message>
+        <source>Lower side of the keep-out.</source>
+        <translation>Lado inferior da zona proibida.</translation>
+    </message>
+    <message>
+        <source>Upper side of the keep-out.</source>
+        <translation>Lado superior da zona proibida.</translation>
+    </message>
+    <message>
+        <source>A program that runs when a pass of the armed schedule begins. It has the same form as &quot;Program before AOS&quot;.</source>
+        <translation>Um programa que corre quando começa uma passagem da agenda armada. Tem a mesma forma que &quot;Programa antes do AOS&quot;.</translation>
+    </message>
+    <message>
+        <source>A program that runs when a pass of the armed schedule ends, also if the pass ends early. It has the same form as &quot;Program before AOS&quot;.</source>
+        <translation>Um programa que corre quando termina uma passagem da agenda armada, também se a passagem terminar antes do tempo. Tem a mesma forma que &quot;Programa antes do AOS&quot;.</translation>
+    </message>
+    <message>
+        <source>A program that runs when a fault ends the armed schedule. It has the same form as &quot;Program before AOS&quot;.</source>
+        <translation>Um programa que corre quando uma falha termina a agenda armada. Tem a mesma forma que &quot;Programa antes do AOS&quot;.</translation>
+    </message>
+    <message>
+        <source>Whether somebody has checked that each axis turns in the direction of this file. Until then every motion is short and slow. Without this key a real mount is unconfirmed.</source>
+        <translation>Se alguém verificou que cada eixo gira no sentido deste ficheiro. Até lá, cada movimento é curto e lento. Sem esta chave, uma montagem real está por confirmar.</translation>
+    </message>
+    <message>
+        <source>The state of the drives after the program ends. &quot;hold&quot; needs servo.timeout_mode 10 in the drives. Without this mode they only damp.</source>
+        <translation>O estado dos acionamentos depois de o programa terminar. &quot;hold&quot; precisa de servo.timeout_mode 10 nos acionamentos. Sem este modo só amortecem.</translation>
+    </message>
+    <message>
+        <source>Which client moves the mount. &quot;first&quot;: the first client, until it has sent no motion command for 10 s. &quot;last&quot;: the client with the latest motion command, as with Hamlib. &quot;locked&quot;: only the client of &quot;Locked to&quot;.</source>
+        <translation>Que cliente move a montagem. &quot;first&quot;: o primeiro cliente, até não enviar nenhum comando de movimento durante 10 s. &quot;last&quot;: o cliente com o último comando de movimento, como no Hamlib. &quot;locked&quot;: só o cliente de &quot;Reservado a&quot;.</translation>
+    </message>
+    <message>
+        <source>The wind must stay below the lower limit for this time. Then the mount may move, but nothing moves by itself.</source>
+        <translation>O vento tem de ficar abaixo do limite inferior durante este tempo. Depois a montagem pode mover-se, mas nada se move por si.</translation>
+    </message>
+    <message>
+        <source>%1 serves this path already</source>
+        <translation>%1 já serve este caminho</translation>
+    </message>
+    <message>
+        <source>is not a program for rotators (%1)</source>
+        <translation>não é um programa para rotores (%1)</translation>
+    </message>
+    <message>
+        <source>%1 exists and is not a link to a terminal</source>
+        <translation>%1 existe e não é uma ligação a um terminal</translation>
+    </message>
+    <message>
+        <source>%1 exists and is not a socket</source>
+        <translation>%1 existe e não é um socket</translation>
+    </message>
+    <message>
+        <source>On this computer use the option -t %1. Boresight itself uses %2.</source>
+        <translation>Neste computador use a opção -t %1. O próprio Boresight usa a %2.</translation>
+    </message>
+    <message>
+        <source>the position is the site of the mount</source>
+        <translation>a posição é o local da montagem</translation>
+    </message>
+    <message>
+        <source>another rotator was requested, and refused</source>
+        <translation>foi pedido outro rotor, e recusado</translation>
+    </message>
+    <message>
+        <source>the table of %1 has ended, and the mount holds</source>
+        <translation>a tabela de %1 terminou, e a montagem mantém a posição</translation>
+    </message>
+    <message>
+        <source>Boresight connected to the broker again</source>
+        <translation>o Boresight voltou a ligar-se ao broker</translation>
+    </message>
+    <message>
+        <source>Nobody has confirmed the directions of the axes. Boresight moves the mount at most 2° at 5°/s, by a jog or by M of a client. Check that each axis turns in the direction of the profile. Then confirm the directions in the guide of the window, or run boresightctl confirm-directions PROFILE and start again.</source>
+        <translation>Ninguém confirmou os sentidos dos eixos. O Boresight move a montagem no máximo 2° a 5°/s, por movimento manual ou por M de um cliente. Verifique se cada eixo gira no sentido do perfil. Depois confirme os sentidos no guia da janela, ou execute boresightctl confirm-directions PERFIL e inicie de novo.</translation>
+    </message>
+    <message>
+        <source>End the other program, or give this mount another name in its profile</source>
+        <translation>Termine o outro programa, ou dê a esta montagem outro nome no seu perfil</translation>
+    </message>
+    <message>
+        <source>The previous output has not answered yet.</source>
+        <translation>A saída anterior ainda não respondeu.</translation>
+    </message>
+    <message>
+        <source>%1 stands still and needs %2 Nm, %3 % of the %4 Nm allowed: more than the %5 Nm of weight and friction</source>
+        <translation>o %1 está parado e precisa de %2 Nm, %3 % dos %4 Nm permitidos: mais do que os %5 Nm do peso e do atrito</translation>
+    </message>
+    <message>
+        <source>INTERPOLATION is &quot;%1&quot;. Boresight supports HERMITE, LAGRANGE and LINEAR.</source>
+        <translation>INTERPOLATION é &quot;%1&quot;. O Boresight suporta HERMITE, LAGRANGE e LINEAR.</translation>
+    </message>
+    <message>
+        <source>The object is &quot;%1&quot;, but the object above is &quot;%2&quot;. Write a file for each object.</source>
+        <translation>O objeto é &quot;%1&quot;, mas o objeto acima é &quot;%2&quot;. Escreva um ficheiro para cada objeto.</translation>
+    </message>
+    <message>
+        <source>The rows of %1 at %2 are too uneven to interpolate between them.</source>
+        <translation>As linhas de %1 às %2 são demasiado irregulares para interpolar entre elas.</translation>
+    </message>
+    <message>
+        <source>The axis was %1 away from its set-point. Put the gains back, or check what blocks the axis</source>
+        <translation>O eixo esteve a %1 do valor comandado. Reponha os ganhos ou verifique o que bloqueia o eixo</translation>
+    </message>
+    <message>
+        <source>the wind speed is not a number</source>
+        <translation>a velocidade do vento não é um número</translation>
+    </message>
+    <message>
+        <source>Boresight takes each message of the topic %1 for a command (mqtt.commands). Choose another topic</source>
+        <translation>O Boresight trata cada mensagem do tópico %1 como um comando (mqtt.commands). Escolha outro tópico</translation>
+    </message>
+    <message>
+        <source>Boresight already uses the topic %1. Choose another topic</source>
+        <translation>O Boresight já usa o tópico %1. Escolha outro tópico</translation>
+    </message>
+    <message>
+        <source>applied despite this warning: %1</source>
+        <translation>aplicado apesar deste aviso: %1</translation>
+    </message>
+    <message>
+        <source>Steel disturbs the compass at this heading (result of the swing). Measure at another heading.</source>
+        <translation>O aço perturba a bússola neste rumo (resultado do giro). Meça noutro rumo.</translation>
     </message>
 </context>
 <context>
@@ -11221,16 +11237,16 @@ velocidade %1</translation>
         <translation>Calibração: sistema %1, giroscópio %2, acelerômetro %3, magnetômetro %4 de 3</translation>
     </message>
     <message>
-        <source>System: it follows the other three. At 0 the heading is not tied to north.</source>
-        <translation>Fusão de todos: segue os outros três. Em 0 o rumo não está ligado ao norte.</translation>
-    </message>
-    <message>
         <source>Magnetometer: move the sensor in figures of eight, away from iron and motors. On the mast, turn the mount through its range.</source>
         <translation>Magnetômetro: mova o sensor em forma de oito, longe de ferro e motores; no mastro, gire a montagem por todo o seu curso.</translation>
     </message>
     <message>
         <source>Calibration: not reported</source>
         <translation>Calibração: não informada</translation>
+    </message>
+    <message>
+        <source>System: this value follows the other three. At 0 the heading is not referred to north.</source>
+        <translation>Sistema: este valor segue os outros três. Em 0 o rumo não está referido ao norte.</translation>
     </message>
 </context>
 <context>
@@ -11594,6 +11610,53 @@ velocidade %1</translation>
     </message>
 </context>
 <context>
+    <name>boresight::ui::DeclinationBox</name>
+    <message>
+        <source>Yes</source>
+        <translation>Sim</translation>
+    </message>
+    <message>
+        <source>The headings stay as the sensor sends them</source>
+        <translation>Os rumos ficam como o sensor os envia</translation>
+    </message>
+    <message>
+        <source>No</source>
+        <translation>Não</translation>
+    </message>
+    <message>
+        <source>Boresight applies the declination of the site in place of the sensor&apos;s</source>
+        <translation>O Boresight aplica a declinação do local em vez da do sensor</translation>
+    </message>
+    <message>
+        <source>Where the declination is applied</source>
+        <translation>Onde se aplica a declinação</translation>
+    </message>
+    <message>
+        <source>Yes, the sensor applies the declination</source>
+        <translation>Sim, o sensor aplica a declinação</translation>
+    </message>
+    <message>
+        <source>No, Boresight applies the declination</source>
+        <translation>Não, o Boresight aplica a declinação</translation>
+    </message>
+    <message>
+        <source>Does the sensor apply the declination of this site?</source>
+        <translation>O sensor aplica a declinação deste local?</translation>
+    </message>
+    <message>
+        <source>Change…</source>
+        <translation>Alterar…</translation>
+    </message>
+    <message>
+        <source>Change the declination</source>
+        <translation>Alterar a declinação</translation>
+    </message>
+    <message>
+        <source>Open the settings of the declination on the page Profile</source>
+        <translation>Abrir as definições da declinação na página Perfil</translation>
+    </message>
+</context>
+<context>
     <name>boresight::ui::DeviationPlot</name>
     <message>
         <source>%1 samples, first harmonic %2, second %3, scatter %4</source>
@@ -11646,10 +11709,6 @@ velocidade %1</translation>
         <translation>Sentido de %1</translation>
     </message>
     <message>
-        <source>at rest</source>
-        <translation>em repouso</translation>
-    </message>
-    <message>
         <source>clockwise, seen from above</source>
         <translation>horário, visto de cima</translation>
     </message>
@@ -11672,6 +11731,10 @@ velocidade %1</translation>
     <message>
         <source>Seen from the side: a growing elevation raises the antenna</source>
         <translation>Visto de lado: uma elevação crescente levanta a antena</translation>
+    </message>
+    <message>
+        <source>standing still</source>
+        <translation>parado</translation>
     </message>
 </context>
 <context>
@@ -11803,10 +11866,6 @@ velocidade %1</translation>
         <translation>Retomar barramento</translation>
     </message>
     <message>
-        <source>Leave the adapter to other tools (tview, moteus_tool). Nothing moves until it is taken back.</source>
-        <translation>Deixar o adaptador a outras ferramentas (tview, moteus_tool). Nada se move até ser retomado.</translation>
-    </message>
-    <message>
         <source>known</source>
         <translation>conhecida</translation>
     </message>
@@ -11897,6 +11956,10 @@ Mantenha pessoas e cordas longe da antena. STOP termina a prova.</translation>
     <message>
         <source>Move the mount at %1 and stop the commands?</source>
         <translation>Mover a montagem a %1 e cortar as ordens?</translation>
+    </message>
+    <message>
+        <source>Leave the adapter to other tools (tview, moteus_tool). Nothing moves until you take the bus back.</source>
+        <translation>Deixar o adaptador a outras ferramentas (tview, moteus_tool). Nada se move até retomar o barramento.</translation>
     </message>
 </context>
 <context>
@@ -12430,18 +12493,10 @@ trocar os motores</translation>
 (segurar)</translation>
     </message>
     <message>
-        <source>Turn azimuth back at %1 while held</source>
-        <translation>Girar o azimute para trás a %1 enquanto premido</translation>
-    </message>
-    <message>
         <source>AZ ↻
 (hold)</source>
         <translation>AZ ↻
 (segurar)</translation>
-    </message>
-    <message>
-        <source>Turn azimuth on at %1 while held</source>
-        <translation>Girar o azimute para a frente a %1 enquanto premido</translation>
     </message>
     <message>
         <source>EL ↓
@@ -12527,6 +12582,14 @@ trocar os motores</translation>
         <source>The box of the rotator decides the direction. If an axis moves the wrong way, reverse it at its motor or at the box.</source>
         <translation>É a caixa do rotor que decide o sentido. Se um eixo se mover no sentido errado, inverta-o no motor ou na caixa.</translation>
     </message>
+    <message>
+        <source>Turn azimuth counter-clockwise at %1 while held</source>
+        <translation>Girar o azimute no sentido anti-horário a %1 enquanto premido</translation>
+    </message>
+    <message>
+        <source>Turn azimuth clockwise at %1 while held</source>
+        <translation>Girar o azimute no sentido horário a %1 enquanto premido</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::GuideNorth</name>
@@ -12595,14 +12658,6 @@ trocar os motores</translation>
         <translation>Sol, Lua (Ctrl+9)</translation>
     </message>
     <message>
-        <source>Point the antenna at a landmark with a known bearing, and type the bearing. Or use the Sun or the Moon. This mount has no sensor. To find north later, press Next. Everything else works without it.</source>
-        <translation>Aponte a antena para um marco de azimute conhecido e escreva esse azimute. Ou use o Sol ou a Lua. Esta montagem não tem sensor. Sem nada disto prima Seguinte: o norte pode esperar, tudo o resto funciona.</translation>
-    </message>
-    <message>
-        <source>Point the antenna at a landmark with a known bearing, and type the bearing. Or use the sensor, the Sun or the Moon. To find north later, press Next. Everything else works without it.</source>
-        <translation>Aponte a antena para um marco de azimute conhecido e escreva esse azimute. Ou use o sensor, o Sol ou a Lua. Sem nada disto prima Seguinte: o norte pode esperar, tudo o resto funciona.</translation>
-    </message>
-    <message>
         <source>Press Confirm to keep it. To replace it, type the true azimuth of the antenna.</source>
         <translation>Prima Confirmar para o manter. Para o substituir, escreva para onde a antena aponta realmente.</translation>
     </message>
@@ -12633,6 +12688,14 @@ trocar os motores</translation>
     <message>
         <source>antenna &quot;%1&quot; is in use: choose &quot;main&quot; first</source>
         <translation>a antena &quot;%1&quot; está em uso: escolha primeiro &quot;main&quot;</translation>
+    </message>
+    <message>
+        <source>Point the antenna at a landmark with a known bearing, and type the bearing. Or use the Sun or the Moon. This mount has no sensor. To find north later, press Next. Everything else works without north.</source>
+        <translation>Aponte a antena para um marco de azimute conhecido e escreva esse azimute. Ou use o Sol ou a Lua. Esta montagem não tem sensor. Para achar o norte mais tarde, prima Seguinte. Tudo o resto funciona sem o norte.</translation>
+    </message>
+    <message>
+        <source>Point the antenna at a landmark with a known bearing, and type the bearing. Or use the sensor, the Sun or the Moon. To find north later, press Next. Everything else works without north.</source>
+        <translation>Aponte a antena para um marco de azimute conhecido e escreva esse azimute. Ou use o sensor, o Sol ou a Lua. Para achar o norte mais tarde, prima Seguinte. Tudo o resto funciona sem o norte.</translation>
     </message>
 </context>
 <context>
@@ -12706,8 +12769,8 @@ trocar os motores</translation>
         <translation>Para o passo anterior (Alt+Esquerda)</translation>
     </message>
     <message>
-        <source>Nothing may move before step %1, %2, is done: %3</source>
-        <translation>Nada se pode mover antes de o passo %1, %2, estar feito: %3</translation>
+        <source>Nothing may move before step %1 (%2) is done: %3</source>
+        <translation>Nada se pode mover antes de o passo %1 (%2) estar feito: %3</translation>
     </message>
 </context>
 <context>
@@ -12852,10 +12915,6 @@ trocar os motores</translation>
         <translation>escolher …</translation>
     </message>
     <message>
-        <source>enter where the mount stands first</source>
-        <translation>indique primeiro onde está a montagem</translation>
-    </message>
-    <message>
         <source>this is the site in the profile</source>
         <translation>este é o local do perfil</translation>
     </message>
@@ -12910,6 +12969,10 @@ trocar os motores</translation>
     <message>
         <source>Store this place in the profile</source>
         <translation>Guardar este lugar no perfil</translation>
+    </message>
+    <message>
+        <source>enter the site of the mount first</source>
+        <translation>introduza primeiro o local da montagem</translation>
     </message>
 </context>
 <context>
@@ -12979,10 +13042,6 @@ trocar os motores</translation>
         <translation>Marcar aqui o fim %1 de %2</translation>
     </message>
     <message>
-        <source>The %1 end of %2 is where the axis stands now</source>
-        <translation>O fim %1 de %2 é onde o eixo está agora</translation>
-    </message>
-    <message>
         <source>these are the ends in force</source>
         <translation>estes são os fins em vigor</translation>
     </message>
@@ -12997,6 +13056,10 @@ trocar os motores</translation>
     <message>
         <source>Write these ends into the profile and connect again. Nothing moves.</source>
         <translation>Escrever estes fins no perfil e ligar de novo. Nada se move.</translation>
+    </message>
+    <message>
+        <source>The %1 end of %2 is the present position of the axis</source>
+        <translation>O fim %1 de %2 é a posição atual do eixo</translation>
     </message>
 </context>
 <context>
@@ -13105,8 +13168,8 @@ trocar os motores</translation>
         <translation>Manter controlo</translation>
     </message>
     <message>
-        <source>Clients stay refused. Hand over later on the Clients page</source>
-        <translation>Os clientes continuam recusados. A página Clientes entrega mais tarde</translation>
+        <source>Boresight still refuses clients. Hand over later on the Clients page</source>
+        <translation>O Boresight continua a recusar clientes. Entregue mais tarde na página Clientes</translation>
     </message>
 </context>
 <context>
@@ -13895,10 +13958,6 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
         <translation>Nova zona proibida</translation>
     </message>
     <message>
-        <source>Add a keep-out around where the mount points</source>
-        <translation>Acrescentar uma zona proibida em torno de onde a montagem aponta</translation>
-    </message>
-    <message>
         <source>Remove</source>
         <translation>Retirar</translation>
     </message>
@@ -13945,6 +14004,10 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
     <message>
         <source>Select a row first.</source>
         <translation>selecione primeiro uma linha</translation>
+    </message>
+    <message>
+        <source>Add a keep-out around the present direction of the mount</source>
+        <translation>Acrescentar uma zona proibida em torno da direção atual da montagem</translation>
     </message>
 </context>
 <context>
@@ -14323,8 +14386,8 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
         <translation>Move muito devagar para lá e para cá. Encontra a folga da engrenagem pelo binário</translation>
     </message>
     <message>
-        <source>Swings a little at four frequencies. Shows the highest one that the axis follows</source>
-        <translation>Oscila um pouco a quatro frequências. Mostra a mais alta que o eixo segue</translation>
+        <source>Swings a little at four frequencies. Shows the highest frequency that the axis follows</source>
+        <translation>Oscila um pouco a quatro frequências. Mostra a frequência mais alta que o eixo segue</translation>
     </message>
 </context>
 <context>
@@ -14459,12 +14522,12 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
         <translation>Nota: frequência, polarização, …</translation>
     </message>
     <message>
-        <source>A note about this satellite. Enter stores it, Esc takes back what was typed</source>
-        <translation>Uma nota sobre este satélite. Enter guarda-a, Esc desfaz o que foi escrito</translation>
-    </message>
-    <message>
         <source>Note: %1</source>
         <translation>Nota: %1</translation>
+    </message>
+    <message>
+        <source>A note about this satellite. Enter stores the note. Esc restores the old note</source>
+        <translation>Uma nota sobre este satélite. Enter guarda a nota. Esc repõe a nota anterior</translation>
     </message>
 </context>
 <context>
@@ -14746,44 +14809,44 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
         <translation>Elementos</translation>
     </message>
     <message>
-        <source>how long until it rises</source>
-        <translation>quanto falta até nascer</translation>
-    </message>
-    <message>
-        <source>TCA, when it is highest</source>
-        <translation>TCA, quando está mais alto</translation>
-    </message>
-    <message>
-        <source>from rise to set</source>
-        <translation>de nascer a pôr-se</translation>
-    </message>
-    <message>
-        <source>for how long horizon, keep-outs and limits hide it</source>
-        <translation>durante quanto tempo o horizonte, as zonas proibidas e os limites o escondem</translation>
-    </message>
-    <message>
-        <source>whether the cable ends during the pass, and what that loses</source>
-        <translation>se o cabo acaba durante a passagem, e quanto se perde com isso</translation>
-    </message>
-    <message>
-        <source>for how long the Sun shines on it</source>
-        <translation>durante quanto tempo o Sol o ilumina</translation>
-    </message>
-    <message>
-        <source>age of its elements in days</source>
-        <translation>idade dos seus elementos em dias</translation>
-    </message>
-    <message>
         <source>the highest elevation of the pass</source>
         <translation>a elevação mais alta da passagem</translation>
     </message>
     <message>
-        <source>AOS, when it rises above the horizon, without refraction</source>
-        <translation>AOS, quando nasce acima do horizonte, sem refração</translation>
+        <source>AOS: the satellite rises above the horizon, without refraction</source>
+        <translation>AOS: o satélite nasce acima do horizonte, sem refração</translation>
     </message>
     <message>
-        <source>LOS, when it sets, without refraction</source>
-        <translation>LOS, quando se põe, sem refração</translation>
+        <source>time until the satellite rises</source>
+        <translation>tempo até o satélite nascer</translation>
+    </message>
+    <message>
+        <source>TCA: the satellite is highest</source>
+        <translation>TCA: o satélite está no ponto mais alto</translation>
+    </message>
+    <message>
+        <source>LOS: the satellite sets, without refraction</source>
+        <translation>LOS: o satélite põe-se, sem refração</translation>
+    </message>
+    <message>
+        <source>time from rise to set</source>
+        <translation>tempo desde nascer até se pôr</translation>
+    </message>
+    <message>
+        <source>how long horizon, keep-outs and limits hide the satellite</source>
+        <translation>durante quanto tempo o horizonte, as zonas proibidas e os limites escondem o satélite</translation>
+    </message>
+    <message>
+        <source>whether the cable ends during the pass, and how much of the pass is lost</source>
+        <translation>se o cabo acaba durante a passagem, e quanto da passagem se perde</translation>
+    </message>
+    <message>
+        <source>how long the satellite is in sunlight</source>
+        <translation>durante quanto tempo o satélite está ao sol</translation>
+    </message>
+    <message>
+        <source>age of the elements in days</source>
+        <translation>idade dos elementos em dias</translation>
     </message>
 </context>
 <context>
@@ -14844,7 +14907,7 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
         <translation>Mapa</translation>
     </message>
     <message>
-        <source>The way of the selected satellite over the Earth</source>
+        <source>The path of the selected satellite over the Earth</source>
         <translation>O caminho do satélite selecionado sobre a Terra</translation>
     </message>
 </context>
@@ -15136,10 +15199,6 @@ el %2</translation>
         <translation>Curso do cabo de azimute</translation>
     </message>
     <message>
-        <source>The angle on the sky between the target and where the mount points</source>
-        <translation>O ângulo no céu entre o alvo e a direção da montagem</translation>
-    </message>
-    <message>
         <source>The angle of the azimuth axis. At 0° the cable is not wound. The ring around the sky shows the travel.</source>
         <translation>O ângulo do eixo de azimute. Em 0° o cabo não está enrolado. O anel em volta do céu mostra o curso.</translation>
     </message>
@@ -15154,6 +15213,10 @@ el %2</translation>
     <message>
         <source>Zoom in on the target (Ctrl+0, Ctrl++, Ctrl+- or wheel)</source>
         <translation>Ampliar em torno do alvo (Ctrl+0, Ctrl++, Ctrl+- ou roda)</translation>
+    </message>
+    <message>
+        <source>The angle on the sky between the target and the direction of the mount</source>
+        <translation>O ângulo no céu entre o alvo e a direção da montagem</translation>
     </message>
 </context>
 <context>
@@ -16089,10 +16152,6 @@ Defina estes à mão, porque só o construtor da montagem conhece os valores:
         <translation>Resíduos no céu</translation>
     </message>
     <message>
-        <source>%1 points; the largest residual is %2 now and %3 with the fit</source>
-        <translation>%1 pontos; o maior resíduo é %2 agora e %3 com o ajuste</translation>
-    </message>
-    <message>
         <source>N</source>
         <translation>N</translation>
     </message>
@@ -16111,6 +16170,10 @@ Defina estes à mão, porque só o construtor da montagem conhece os valores:
     <message>
         <source>longest: ┄ %1  — %2</source>
         <translation>maior: ┄ %1  — %2</translation>
+    </message>
+    <message>
+        <source>%1 points. The largest residual is %2 now and %3 with the fit</source>
+        <translation>%1 pontos. O maior resíduo é %2 agora e %3 com o ajuste</translation>
     </message>
 </context>
 <context>
@@ -16155,10 +16218,6 @@ Defina estes à mão, porque só o construtor da montagem conhece os valores:
         <translation>Como são comandados os motores da montagem</translation>
     </message>
     <message>
-        <source>Where the rotator answers</source>
-        <translation>Onde o rotor responde</translation>
-    </message>
-    <message>
         <source>Speed of the serial port</source>
         <translation>Velocidade da porta série</translation>
     </message>
@@ -16169,10 +16228,6 @@ Defina estes à mão, porque só o construtor da montagem conhece os valores:
     <message>
         <source>%1, for example %2</source>
         <translation>%1, por exemplo %2</translation>
-    </message>
-    <message>
-        <source>Enter where the rotator answers, for example %1.</source>
-        <translation>Indique onde o rotor responde, por exemplo %1.</translation>
     </message>
     <message>
         <source>Not connected. Something else answers there.</source>
@@ -16187,12 +16242,20 @@ Defina estes à mão, porque só o construtor da montagem conhece os valores:
         <translation>Em uso. Responde como: %1.</translation>
     </message>
     <message>
-        <source>It must not move yet: %1</source>
-        <translation>Ainda não se pode mover: %1</translation>
-    </message>
-    <message>
         <source>Connect replaces the zeros, the travel and north in the profile of this mount. To keep them, duplicate the mount first (tab Mount, Profile).</source>
         <translation>Conectar substitui os zeros, o curso e o norte no perfil desta montagem. Para os guardar, duplique primeiro a montagem (separador Montagem, Perfil).</translation>
+    </message>
+    <message>
+        <source>Port or address of the rotator</source>
+        <translation>Porta ou endereço do rotor</translation>
+    </message>
+    <message>
+        <source>Enter the port or the address of the rotator, for example %1.</source>
+        <translation>Introduza a porta ou o endereço do rotor, por exemplo %1.</translation>
+    </message>
+    <message>
+        <source>The mount must not move yet: %1</source>
+        <translation>A montagem ainda não se pode mover: %1</translation>
     </message>
 </context>
 <context>
@@ -16594,16 +16657,16 @@ A menos de 3 dB: %4 s
         <translation>Escolha primeiro uma passagem.</translation>
     </message>
     <message>
-        <source>Go to where the satellite rises and track it until it sets. Then the mount holds</source>
-        <translation>Ir para onde o satélite nasce e segui-lo até se pôr. Depois a montagem fica parada</translation>
-    </message>
-    <message>
         <source>now %1</source>
         <translation>agora %1</translation>
     </message>
     <message>
         <source>The station has no elements of this satellite any more.</source>
         <translation>A estação já não tem elementos deste satélite.</translation>
+    </message>
+    <message>
+        <source>Go to the place where the satellite rises, and track it until it sets. Then the mount holds</source>
+        <translation>Ir para o lugar onde o satélite nasce e segui-lo até se pôr. Depois a montagem fica parada</translation>
     </message>
 </context>
 <context>
@@ -16863,16 +16926,8 @@ A menos de 3 dB: %4 s
         <translation>Agora não: %1</translation>
     </message>
     <message>
-        <source>Change…</source>
-        <translation>Mudar…</translation>
-    </message>
-    <message>
         <source>True</source>
         <translation>Verdad.</translation>
-    </message>
-    <message>
-        <source>Change the declination</source>
-        <translation>Mudar a declinação</translation>
     </message>
     <message>
         <source>Use the sensor</source>
@@ -16885,14 +16940,6 @@ A menos de 3 dB: %4 s
     <message>
         <source>Sensor minus axis</source>
         <translation>Sensor menos eixo</translation>
-    </message>
-    <message>
-        <source>Where the declination is applied</source>
-        <translation>Quem soma a declinação</translation>
-    </message>
-    <message>
-        <source>Open the settings of the declination on the page Profile</source>
-        <translation>Quem soma a declinação, o valor ou o modelo dela: abre estes ajustes na página Perfil</translation>
     </message>
     <message>
         <source>No sensor is set. The simulated mount has one on its boom</source>
@@ -17731,20 +17778,12 @@ Em comparação com a montagem em uso:
         <translation>Locator, nome de um satélite, azel 120,30</translation>
     </message>
     <message>
-        <source>Type a target first.</source>
-        <translation>Escreva primeiro um alvo.</translation>
-    </message>
-    <message>
         <source>The site is not set. Enter it on the page Profile.</source>
         <translation>O local não está definido. Introduza-o na página Perfil.</translation>
     </message>
     <message>
         <source>Track file…</source>
         <translation>Seguir ficheiro…</translation>
-    </message>
-    <message>
-        <source>Track the way of a file</source>
-        <translation>Seguir o caminho de um ficheiro</translation>
     </message>
     <message>
         <source>Tables and OEM (*.txt *.csv *.tsv *.dat *.oem *.kvn)</source>
@@ -17785,6 +17824,10 @@ Para onde outro rotor aponta, segundo o seu rotctld: rotctld:10.0.0.7:4533</tran
     <message>
         <source>Select a target first.</source>
         <translation>Selecione primeiro um alvo.</translation>
+    </message>
+    <message>
+        <source>Track the path in a file</source>
+        <translation>Seguir o caminho de um ficheiro</translation>
     </message>
 </context>
 <context>
@@ -18049,8 +18092,15 @@ Para onde outro rotor aponta, segundo o seu rotctld: rotctld:10.0.0.7:4533</tran
         <translation>O Boresight propõe %1. Olhe para a montagem antes de confirmar.</translation>
     </message>
     <message>
-        <source>first select where the axis stands</source>
-        <translation>selecione primeiro onde está o eixo</translation>
+        <source>first select the position of the axis</source>
+        <translation>selecione primeiro a posição do eixo</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::TypedTarget</name>
+    <message>
+        <source>Type a target first.</source>
+        <translation>Escreva primeiro um alvo.</translation>
     </message>
 </context>
 <context>

@@ -31,7 +31,7 @@ TEST(SimulateOnCan, NobodyAnswersOnAnEmptyInterface)
 {
     auto scan = scanOf("socketcan:vcan1");
     EXPECT_EQ(scan.waitForEnd(), 1);
-    EXPECT_THAT(scan.errors().toStdString(), HasSubstr("no controller answered on socketcan:vcan1"));
+    EXPECT_THAT(scan.errors().toStdString(), HasSubstr("no controller replied on socketcan:vcan1"));
 }
 
 TEST(SimulateOnCan, AnAbsentInterfaceIsNamed)

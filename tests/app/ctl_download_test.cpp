@@ -33,7 +33,7 @@ TEST_F(CtlDownload, AnAddressIsReadFromTheCache)
     EXPECT_EQ(refused.status, 1);
     EXPECT_THAT(refused.errors, AllOf(StartsWith("Boresight downloads element sets"),
                                       HasSubstr("http://127.0.0.1:1/a.tle: The download has failed: "),
-                                      HasSubstr("The cache has no elements of it.")));
+                                      HasSubstr("The cache has no elements of this source.")));
     qputenv("XDG_CACHE_HOME", before);
 }
 

@@ -74,7 +74,7 @@ TEST(Decode, SaysWhatIsWrong)
         EXPECT_EQ(outcome.status, 2) << line;
         return outcome.errors;
     };
-    EXPECT_THAT(refusal("decode drive 00"), HasSubstr("\"drive\" is no CAN identifier"));
+    EXPECT_THAT(refusal("decode drive 00"), HasSubstr("\"drive\" is not a CAN identifier"));
     EXPECT_THAT(refusal("decode 20000000 00"), HasSubstr("29 bits"));
     EXPECT_THAT(refusal("decode 8001 0100x0"), HasSubstr("'x' at place 5"));
     EXPECT_THAT(refusal("decode 8001 010"), HasSubstr("an odd number"));

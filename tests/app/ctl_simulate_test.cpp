@@ -116,7 +116,7 @@ protected:
         clock.start();
         return clock;
     }();
-    // by the clock of the test, from the fastest line
+    // start of the device's clock on the clock of the test, computed from the fastest line
     mutable double m_startOfTruth = std::numeric_limits<double>::infinity();
 };
 
@@ -189,7 +189,7 @@ TEST_F(SimulateTest, ItsSensorPublishesAtABrokerAsWell)
     EXPECT_NEAR(heard.back().elevation.degrees(), 10.0, 2.0);
     EXPECT_EQ(heard[3].heading, heard[2].heading) << "frozen, for it is not without noise";
     EXPECT_THAT(m_device->errors().toStdString(), HasSubstr("s: the sensor publishes on roof/\n"));
-    EXPECT_THAT(m_device->errors().toStdString(), HasSubstr("begins: the sensor says one value again and again\n"));
+    EXPECT_THAT(m_device->errors().toStdString(), HasSubstr("begins: the sensor repeats one value\n"));
     m_device->terminate();
     EXPECT_EQ(m_device->waitForEnd(), 0);
 }
@@ -205,7 +205,7 @@ TEST_F(SimulateTest, ABrokerThatTakesNobodyIsOneLineHoweverOftenItIsTried)
     });
     const QString address = QStringLiteral("127.0.0.1:%1").arg(nobody.serverPort());
     start({QStringLiteral("--sensor-mqtt"), address});
-    ASSERT_TRUE(fakes::waitUntil([&] { return attempts == 3; }));  // by then the problem of two of them was reported
+    ASSERT_TRUE(fakes::waitUntil([&] { return attempts == 3; }));  // two of them have failed by then
     EXPECT_EQ(m_device->errors().count(QStringLiteral("MQTT broker ") + address), 1)
         << m_device->errors().toStdString();
 }
@@ -235,7 +235,7 @@ TEST_F(SimulateTest, BoardsFreshFromTheBoxAreSaidToShareAnId)
     start({QStringLiteral("--factory")});
     scan();
     EXPECT_EQ(scanStatus, 1);
-    EXPECT_THAT(scanned, HasSubstr("id 1: a controller answers, but its UUID never arrives complete"));
+    EXPECT_THAT(scanned, HasSubstr("id 1: a controller replies, but its UUID never arrives complete"));
     EXPECT_THAT(scanned, HasSubstr("Probably two controllers have this id"));
 }
 
@@ -246,10 +246,10 @@ TEST_F(SimulateTest, InjectedFaultsAreAnnouncedAndSeenByScan)
     ASSERT_TRUE(fakes::waitUntil([&] { return m_device->errors().contains(QStringLiteral("ends:")); }));
     EXPECT_THAT(m_device->errors().toStdString(),
                 HasSubstr("s: begins: elevation: drive fault 38, over temperature\n"));
-    EXPECT_THAT(m_device->errors().toStdString(), HasSubstr("s: ends: both axes: answers 0.02 s late\n"));
+    EXPECT_THAT(m_device->errors().toStdString(), HasSubstr("s: ends: both axes: replies 0.02 s late\n"));
     scan();
     EXPECT_EQ(scanStatus, 1);
-    EXPECT_THAT(scanned, HasSubstr("id 1: register map version 4 is not known here (5 is)"));
+    EXPECT_THAT(scanned, HasSubstr("id 1: register map version 4 is unknown. Boresight supports version 5."));
     EXPECT_THAT(scanned, HasSubstr("id 2: fault 38, over temperature"));
 }
 
@@ -258,7 +258,7 @@ TEST_F(SimulateTest, SilenceTellsWhatToCheck)
     start({QStringLiteral("--silence")});
     scan();
     EXPECT_EQ(scanStatus, 1);
-    EXPECT_THAT(scanned, HasSubstr("no controller answered on fdcanusb:"));
+    EXPECT_THAT(scanned, HasSubstr("no controller replied on fdcanusb:"));
 }
 
 TEST_F(SimulateTest, AnAdapterThatRefusesIsNamedAsTheCause)
@@ -313,8 +313,8 @@ TEST_F(SimulateTest, AxisStopsWhenTheServiceIsKilledInMotion)
     ASSERT_TRUE(moving) << "the axis never moved";
     service.kill();
     EXPECT_EQ(service.waitForEnd(), -1);
-    // Until then the service may have sent commands, so a busy computer must not count as a longer motion. A device
-    // that did not run reads the last commands later.
+    // The service may have sent commands until it was killed, and a device that did not run reads the last commands
+    // later. So delays of a busy computer must not count as a longer motion.
     const double gone = lateness(*moving);
     const auto still =
         waitForTruth([&](const Truth& now) { return now.time > moving->time + gone + 0.25 + longestPause(); });

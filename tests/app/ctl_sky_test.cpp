@@ -113,8 +113,8 @@ TEST_F(CtlSkyTest, EphemerisReportsWhatHasNoAnswer)
 {
     const Outcome bad = ephemeris("--format csv", "2024-05-10T04:50:02Z\nsoon 2\n2023-99-01\n");
     EXPECT_EQ(bad.status, 1);
-    EXPECT_THAT(bad.errors, HasSubstr("-:2: \"soon 2\" is no time: expected UTC like"));
-    EXPECT_THAT(bad.errors, HasSubstr("-:3: \"2023-99-01\" is no time"));
+    EXPECT_THAT(bad.errors, HasSubstr("-:2: \"soon 2\" is not a time: expected UTC like"));
+    EXPECT_THAT(bad.errors, HasSubstr("-:3: \"2023-99-01\" is not a time"));
     EXPECT_THAT(bad.output, HasSubstr("301.839621"));
     const Outcome later = ctl(QStringList{QStringLiteral("ephemeris"), QStringLiteral("--elements"), elements} +
                                   words("--norad 43614 --site 0,0,0 --times -"),
@@ -208,7 +208,7 @@ TEST_F(CtlSkyTest, PassesReportWhatTheListCannotShow)
     const Outcome down = passes(elements, "--from 2024-05-10 --days 1 --min-el 89 --norad 25544");
     EXPECT_EQ(down.status, 0);
     EXPECT_EQ(down.output, "name,norad,aos_utc,aos_az,tca_utc,tca_az,max_el,los_utc,los_az,flags\n");
-    EXPECT_THAT(down.errors, HasSubstr("ISS (ZARYA) (25544) does not come above 89.0° in this time"));
+    EXPECT_THAT(down.errors, HasSubstr("ISS (ZARYA) (25544) does not rise above 89.0° in this time"));
 
     const QString damaged = write("damaged.tle", kStation + kDamaged);
     const Outcome some = passes(damaged, "--from 2024-05-10 --days 0.1");

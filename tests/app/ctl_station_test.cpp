@@ -134,7 +134,7 @@ TEST_F(CtlStation, TracksATarget)
     EXPECT_TRUE(fakes::waitUntil(tracks)) << "goto came from the same computer";
     const Outcome again = ask("track AZEL 120,40");
     EXPECT_EQ(again.status, 0) << again.errors;
-    EXPECT_THAT(again.output, HasSubstr("The station tracks 120.00° 40.00°. The operator has the control"));
+    EXPECT_THAT(again.output, HasSubstr("The station tracks 120.00° 40.00°. The operator has control"));
     EXPECT_EQ(ask("goto 113 40").status, 1);
     EXPECT_EQ(ask("release").status, 0);
     const Outcome unknown = ask("track noaa 99");

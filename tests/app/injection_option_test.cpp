@@ -64,19 +64,19 @@ TEST(InjectionOption, EveryPartCanBeLeftOut)
 TEST(InjectionOption, ErrorsNameTheOptionAndWhatItExpects)
 {
     EXPECT_EQ(refusal("wind", "az:x@5"),
-              "--wind az:x@5: \"x\" is not a number; expected [AXIS:]TORQUE[@START][+DURATION]");
+              "--wind az:x@5: \"x\" is not a number. Expected [AXIS:]TORQUE[@START][+DURATION]");
     EXPECT_THAT(refusal("wind", "+30"), HasSubstr("value is missing"));
     EXPECT_THAT(refusal("wind", "nan"), HasSubstr("is not a number"));
-    EXPECT_THAT(refusal("late", "soon"), HasSubstr("\"soon\" is no time"));
+    EXPECT_THAT(refusal("late", "soon"), HasSubstr("\"soon\" is not a time"));
     EXPECT_THAT(refusal("late", "11"), HasSubstr("outside 0…10"));
     EXPECT_THAT(refusal("lose", "1.5"), HasSubstr("outside 0…1"));
-    EXPECT_THAT(refusal("fault", "az:38.5"), HasSubstr("no whole number"));
+    EXPECT_THAT(refusal("fault", "az:38.5"), HasSubstr("not a whole number"));
     EXPECT_THAT(refusal("fault", "0"), HasSubstr("outside 1…255"));
-    EXPECT_THAT(refusal("silence", "up"), HasSubstr("\"up\" is no axis (az or el)"));
-    EXPECT_THAT(refusal("silence", "el@"), HasSubstr("the start \"\" is no time"));
-    EXPECT_THAT(refusal("silence", "el@-1"), HasSubstr("the start \"-1\" is no time"));
-    EXPECT_THAT(refusal("silence", "el@1e9"), HasSubstr("the start \"1e9\" is no time"));
-    EXPECT_THAT(refusal("silence", "el+0"), HasSubstr("the duration \"0\" is no time above 0"));
+    EXPECT_THAT(refusal("silence", "up"), HasSubstr("\"up\" is not an axis"));
+    EXPECT_THAT(refusal("silence", "el@"), HasSubstr("the start \"\" is not a time"));
+    EXPECT_THAT(refusal("silence", "el@-1"), HasSubstr("the start \"-1\" is not a time"));
+    EXPECT_THAT(refusal("silence", "el@1e9"), HasSubstr("the start \"1e9\" is not a time"));
+    EXPECT_THAT(refusal("silence", "el+0"), HasSubstr("the duration \"0\" is not a time above 0"));
     EXPECT_THAT(refusal("supply", "az:20"), HasSubstr("concerns both axes"));
     EXPECT_EQ(findInjectionOption("gremlins"), nullptr);
 }
@@ -94,9 +94,9 @@ TEST(InjectionOption, IsDescribedInWordsWithUnits)
 {
     EXPECT_EQ(describe(*parse("wind", "az:30")), "azimuth: wind of 30 Nm towards larger angles");
     EXPECT_EQ(describe(*parse("fault", "el:38")), "elevation: drive fault 38, over temperature");
-    EXPECT_EQ(describe(*parse("late", "20ms")), "both axes: answers 0.02 s late");
+    EXPECT_EQ(describe(*parse("late", "20ms")), "both axes: replies 0.02 s late");
     EXPECT_EQ(describe(*parse("power-loss", "")), "the mount has no power");
-    EXPECT_EQ(describe(*parse("power-loss", "el:30")), "the mount has no power; by hand it is turned to 30°");
+    EXPECT_EQ(describe(*parse("power-loss", "el:30")), "the mount has no power. Somebody turns it to 30° by hand");
     EXPECT_EQ(describe(*parse("bus-off", "")), "the adapter is off the bus");
 }
 

@@ -86,7 +86,7 @@ TEST(NextProfile, NothingOfASimulationReachesAFileOfARealMount)
     EXPECT_EQ(rig.realFiles(), before);
 }
 
-// Otherwise the simulation would continue with limits that the mount does not have any more.
+// A simulation with the old profile would have limits that the mount does not have any more.
 // REQ-PROFILE-17a
 TEST(NextProfile, AChangedProfileIsSimulatedAnew)
 {
@@ -131,7 +131,7 @@ TEST(NextProfile, EverySimulationOfAProfileThatHasChangedIsKept)
     EXPECT_EQ(eldest->pointing.azimuthOffset, 37.4_deg);
     EXPECT_EQ(eldest->jog.slow, realMount().jog.slow);
     EXPECT_EQ(second->jog.slow, 0.7_deg_s);
-    // A simulation in which nothing was set leaves nothing to keep.
+    // A simulation without changes is not kept as an old copy.
     ASSERT_TRUE(profile::saveProfile(realMount(), rig.options.profilePath));
     EXPECT_EQ(rig.first(), realMount());
     EXPECT_FALSE(QFile::exists(old + QLatin1Char('3')));
@@ -326,7 +326,7 @@ TEST(NextProfile, WhatDoesNotGoWithTheMountsOwnProfileIsReported)
     EXPECT_EQ(rig.realFiles(), before);
 }
 
-// Story: after switching to it such a mount was the current one, with which the program does not start.
+// Story: such a mount was selected and became the current one. After that the program did not start any more.
 TEST(NextProfile, AMountOfTheListThatCannotBeARealOneIsNotConnected)
 {
     ProfileRig rig;

@@ -53,7 +53,7 @@ TEST(ScanReport, WhatWasNotToldIsAQuestionMark)
     one.known.values.resize(4);
     EXPECT_THAT(table(std::vector{one}), HasSubstr("203031  ?         ?    ?     ?      ?        ?"));
     ASSERT_EQ(problems(std::vector{one}).size(), 1u);
-    EXPECT_THAT(problems(std::vector{one})[0].toStdString(), HasSubstr("did not answer every question"));
+    EXPECT_THAT(problems(std::vector{one})[0].toStdString(), HasSubstr("some questions got no reply"));
 }
 
 TEST(ScanReport, AnActiveLimitIsNoFault)
@@ -100,13 +100,14 @@ TEST(ScanReport, UnknownRegisterMapIsSaid)
     change(one, Register::RegisterMapVersion, 4);
     const auto wrong = problems(std::vector{one});
     ASSERT_EQ(wrong.size(), 1u);
-    EXPECT_THAT(wrong[0].toStdString(), HasSubstr("id 2: register map version 4 is not known here (5 is)"));
+    EXPECT_THAT(wrong[0].toStdString(),
+                HasSubstr("id 2: register map version 4 is unknown. Boresight supports version 5."));
 }
 
 TEST(ScanReport, SilenceTellsWhatToCheck)
 {
     EXPECT_THAT(silenceText(QStringLiteral("socketcan:can0")).toStdString(),
-                HasSubstr("no controller answered on socketcan:can0"));
+                HasSubstr("no controller replied on socketcan:can0"));
     EXPECT_THAT(silenceText(QStringLiteral("socketcan:can0")).toStdString(), HasSubstr("120 Ω"));
 }
 

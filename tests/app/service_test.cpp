@@ -172,7 +172,7 @@ TEST_F(ServiceTest, HangUpDoesNotTakeTheProfileOfAnotherMount)
     write(profiles + QStringLiteral("/current"), "field.toml\n");
     send(SIGHUP);
     EXPECT_TRUE(says("the profile was not applied, so the previous profile stays in force")) << errors();
-    EXPECT_THAT(errors(), HasSubstr("roof.toml, which is not the current mount any more: restart it"));
+    EXPECT_THAT(errors(), HasSubstr("roof.toml. The current mount is another one: restart boresightd"));
     expectOrderlyEnd();
 }
 

@@ -72,6 +72,7 @@ TEST(SimulateOptions, WhatTheSensorHidesIsTheOperatorsChoice)
                                 "--sensor-noise",
                                 "0",
                                 "--sensor-per-ampere=0.2",
+                                "--sensor-steel=200,230,15",
                                 "--sensor-declination",
                                 "7",
                                 "--sensor-calibration",
@@ -90,6 +91,7 @@ TEST(SimulateOptions, WhatTheSensorHidesIsTheOperatorsChoice)
     EXPECT_EQ((std::array{truth.a1, truth.b1, truth.a2, truth.b2}), (std::array{1_deg, 2_deg, 3_deg, -4_deg}));
     EXPECT_EQ(truth.noise, Angle());
     EXPECT_EQ(truth.perAmpere, 0.2_deg);
+    EXPECT_EQ((std::array{truth.steelFrom, truth.steelTo, truth.steel}), (std::array{200_deg, 230_deg, 15_deg}));
     EXPECT_EQ(truth.declination, 7_deg);
     EXPECT_EQ(truth.calibration,
               (orientation::Calibration{.system = 0, .gyro = 1, .accelerometer = 2, .magnetometer = 3}));
@@ -127,8 +129,8 @@ TEST(SimulateOptions, RefuseWithTheOptionsName)
     EXPECT_THAT(refusal({"--pty", "--factory"}), HasSubstr("--pty needs a value"));
     EXPECT_THAT(refusal({"--pty", "p", "--az-id", "127"}), HasSubstr("--az-id \"127\": expected an id, 1…126"));
     EXPECT_THAT(refusal({"--pty", "p", "--factory=yes"}), HasSubstr("--factory takes no value"));
-    EXPECT_THAT(refusal({"--pty", "p", "--gremlins"}), HasSubstr("there is no option --gremlins"));
-    EXPECT_THAT(refusal({"p"}), HasSubstr("\"p\" is no option."));
+    EXPECT_THAT(refusal({"--pty", "p", "--gremlins"}), HasSubstr("there is not an option --gremlins"));
+    EXPECT_THAT(refusal({"p"}), HasSubstr("\"p\" is not an option."));
     EXPECT_THAT(refusal({"--pty", "p", "--wind"}), HasSubstr("--wind : the value is missing"));
     EXPECT_THAT(refusal({"--can", "vcan0", "--bus-off", "@5"}), HasSubstr("need --pty"));
 }

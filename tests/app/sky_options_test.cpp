@@ -67,9 +67,9 @@ TEST(SkyOptions, AreRefusedWithWhatIsExpected)
                 HasSubstr("--elements: \"http://example.org/a\" does not begin with https://"));
     EXPECT_EQ(refusalOfPasses({"--elements", "a", "--site", "1,2,3"}), "--from UTC is missing");
     EXPECT_EQ(refusalOfPasses({"--elements", "a", "--site", "1,2,3", "--from", "now"}), "--days D is missing");
-    EXPECT_EQ(refusalOfPasses({"--times", "a"}), "there is no option --times");
+    EXPECT_EQ(refusalOfPasses({"--times", "a"}), "there is not an option --times");
     EXPECT_EQ(refusalOfPasses({"--elements", "--site"}), "--elements needs a value");
-    EXPECT_THAT(refusalOfPasses({"a.tle"}), HasSubstr("\"a.tle\" is no option"));
+    EXPECT_THAT(refusalOfPasses({"a.tle"}), HasSubstr("\"a.tle\" is not an option"));
     for (const char* const site : {"38.757,-9.117", "91,0,0", "0,361,0", "0,0,1e6", "0,0,0,0", "0,0,x", "nan,0,0"}) {
         EXPECT_THAT(refusalOfPasses(with(kPasses, {"--site", site})), HasSubstr("expected LAT,LON,ALT (degrees north"));
     }
@@ -82,7 +82,7 @@ TEST(SkyOptions, AreRefusedWithWhatIsExpected)
     EXPECT_THAT(refusalOfPasses(with(kPasses, {"--norad", "1.5"})), HasSubstr("expected a catalogue number"));
     EXPECT_THAT(refusalOfPasses(with(kPasses, {"--norad", "1000000000"})), HasSubstr("expected a catalogue number"));
     EXPECT_THAT(refusalOfPasses(with(kPasses, {"--format", "xml"})), HasSubstr("expected csv, table or json"));
-    EXPECT_THAT(refusalOfPasses(with(kPasses, {"--from", "soon"})), HasSubstr("--from \"soon\" is no time"));
+    EXPECT_THAT(refusalOfPasses(with(kPasses, {"--from", "soon"})), HasSubstr("--from \"soon\" is not a time"));
 }
 
 // REQ-CTL-03
@@ -96,7 +96,7 @@ TEST(SkyOptions, ABodyIsNoSatellite)
               "--doppler is for a satellite: give --elements and --norad with it");
     EXPECT_EQ(refusalOfEphemeris(with(kEphemeris, {"--refraction", "optical"})),
               "--refraction \"optical\": expected none, light or radio");
-    EXPECT_EQ(refusalOfPasses(with(kPasses, {"--refraction", "light"})), "there is no option --refraction");
+    EXPECT_EQ(refusalOfPasses(with(kPasses, {"--refraction", "light"})), "there is not an option --refraction");
     EXPECT_THAT(refusalOfEphemeris({"--body", "pluto"}),
                 HasSubstr("--body \"pluto\": expected one of sun, moon, mercury,"));
     EXPECT_EQ(refusalOfEphemeris({"--body", "mars", "--site", "1,2,3", "--times", "-"}), "accepted");
@@ -112,7 +112,7 @@ TEST(SkyOptions, ATableStandsForAllElse)
 {
     EXPECT_EQ(refusalOfEphemeris({"--table", "a.oem", "--site", "1,2,3", "--times", "-"}), "accepted");
     EXPECT_THAT(refusalOfEphemeris({"--table", "a.oem", "--body", "sun", "--site", "1,2,3", "--times", "-"}),
-                HasSubstr("--table stands for all else"));
+                HasSubstr("--table is used alone"));
     EXPECT_EQ(refusalOfEphemeris({"--table", "a.oem"}), "--site LAT,LON,ALT is missing");
 }
 

@@ -35,7 +35,7 @@ TEST(SkyTime, RefusesWhatIsNoTime)
         EXPECT_FALSE(parseSkyTime(text)) << text;
     }
     EXPECT_EQ(textOf(parseSkyTime("10.5.2024").error()),
-              "\"10.5.2024\" is no time: expected UTC like 2024-05-10T04:50:02Z, or Unix seconds");
+              "\"10.5.2024\" is not a time: expected UTC like 2024-05-10T04:50:02Z, or Unix seconds");
 }
 
 TEST(SkyTime, IsWrittenWithTheDigitsThatItTakes)

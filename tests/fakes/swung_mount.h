@@ -12,7 +12,7 @@
 // They serve the statistics of the fits, and share only types with them. All values in degrees.
 namespace boresight::fakes {
 
-// What deflects the compass needle.
+// The cause of the deflection of the compass needle.
 enum class Needle
 {
     // Exactly a first harmonic up to 8° and a second up to 3°, with uniform amplitudes and random phases.
@@ -32,10 +32,10 @@ struct SwungMount
     double firstPhase = 0.0;
     double secondAmplitude = 0.0;
     double secondPhase = 0.0;
-    double hardForward = 0.0;  // as a part of the Earth's horizontal field
+    double hardForward = 0.0;  // size as a part of the Earth's horizontal field
     double hardRight = 0.0;
     double softIron[2][2] = {{0.0, 0.0}, {0.0, 0.0}};
-    double askew = 0.0;      // of the box about the vertical
+    double askew = 0.0;      // rotation of the box about the vertical
     double steelFrom = 0.0;  // azimuth of the axis where the steel begins, 30° wide
     double steelStep = 0.0;  // added to the heading there
     double noise = 0.5;      // rms of a reading
@@ -43,7 +43,7 @@ struct SwungMount
     double outliers =
         0.005;             // part of the readings that point anywhere, as when quaternions are averaged across a flip
     double latency = 0.5;  // s; the fit assumes 0.5
-    double roll = 0.0;     // of the box about the boom
+    double roll = 0.0;     // rotation of the box about the boom
     double gravityBias = 0.0;  // m/s², of the accelerometer
 
     [[nodiscard]] double north() const { return terms.azimuthOffset.degrees(); }

@@ -22,7 +22,7 @@ namespace {
 
 using namespace boresight::orbit;
 
-constexpr std::size_t kOneForEver = 5'000;  // one of this number of answers never ends, and costs as much as 500 others
+constexpr std::size_t kOneForEver = 5'000;  // one of this number of answers never ends, and takes as long as 500 others
 constexpr int kMostLooks = 100'000;
 
 // One cache for all inputs. Each input continues with the result of the previous one.

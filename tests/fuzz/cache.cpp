@@ -70,7 +70,7 @@ Grammar grammar()
         R"({"etag":"\"one\"","failures":0,"fetched":1795000000,"last_modified":"Sat, 21 Nov 2026 00:00:00 GMT",)"
         R"("last_try":1795000000,"problem":""})",
         R"({"etag":"","failures":3,"fetched":null,"last_modified":"","last_try":1795003600,)"
-        R"("problem":"The server answers 403 Forbidden. The server says: \"Too many questions\"."})"};
+        R"("problem":"The server answers 403 Forbidden. The server sent: \"Too many questions\"."})"};
     grammar.tokens = {"\"etag\"",     "\"last_modified\"",
                       "\"last_try\"", "\"fetched\"",
                       "\"failures\"", "\"problem\"",

@@ -184,7 +184,7 @@ Grammar grammar()
 void feed(std::span<const std::uint8_t> input)
 {
     const std::string_view text = asText(input);
-    // in XML both end a line
+    // in XML, LF and CR both end a line
     const auto endsLine = [](char character) { return character == '\n' || character == '\r'; };
     const auto lines = static_cast<int>(std::ranges::count_if(text, endsLine)) + 1;
     const ElementList list = readElements(text);

@@ -24,8 +24,8 @@
 namespace boresight::fuzz {
 namespace {
 
-// A campaign with nearly all inputs refused, or nearly all unharmed, tests little. Few inputs do not prove a
-// percentage.
+// A campaign tests little if nearly all its inputs are refused, or nearly all are accepted. With few inputs the share
+// is not judged.
 constexpr double kLeastAccepted = 5.0;  // percent
 constexpr double kMostAccepted = 60.0;
 constexpr std::size_t kEnoughForShare = 5'000;

@@ -98,7 +98,7 @@ private:
                        : Result<>();
     }
 
-    // This word of the client's command. Nothing if the session shows the command cut or changed.
+    // The word with this number in the client's command. Empty if the session shows the command truncated or changed.
     [[nodiscard]] std::optional<std::string> word(int index) const
     {
         const std::string shown = session->habits().lastCommand().toStdString();

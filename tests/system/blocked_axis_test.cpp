@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a drive does against an obstacle after the mount was stopped because of it. The integrators of the simulated
-// drives wind up to the allowed torque, as those of real drives do.
+// A drive at an obstacle, after the mount was stopped because of it. The integrators of the simulated drives wind up to
+// the allowed torque, as those of real drives do.
 #include "tests/system/simulated_station.h"
 
 #include <gmock/gmock.h>
@@ -138,7 +138,8 @@ TEST_P(BlockedAxis, TorqueAtRestIsToldInNewtonMetres)
     EXPECT_TRUE(rig.status().alarms.empty());
     rig.link->inject({.kind = FaultKind::Wind, .axis = axis, .duration = Seconds(10.0), .value = 28.0});
     rig.run(Seconds(4.0));
-    EXPECT_TRUE(rig.alarmSays(QStringLiteral("stands and needs"))) << "20 Nm are what weight and friction may need";
+    EXPECT_TRUE(rig.alarmSays(QStringLiteral("stands still and needs")))
+        << "20 Nm are what weight and friction may need";
     EXPECT_TRUE(rig.alarmSays(QStringLiteral(" Nm of weight and friction")));
     EXPECT_FALSE(fault());
     rig.run(Seconds(15.0));

@@ -57,8 +57,8 @@ TEST(OwnStalls, ASecondOneMayMeetTheResumption)
     }
 }
 
-// Story: in a row of stalls each one compared the axes with set-points that had run on, and the sixth exceeded the
-// limit. A busy computer stalls several times in a row.
+// Story: a busy computer stalled six times in a row. After each stall the axes were compared with set-points that had
+// gone on during the stall, and the sixth difference exceeded the limit.
 TEST(OwnStalls, ARowOfThemDoesNotEndTheMotion)
 {
     struct Row

@@ -172,7 +172,7 @@ protected:
         m_isRest = pass.rest.has_value();
         return truth;
     }
-    // Of what is over: the rest of another pass may go on.
+    // The report without passes that are still tracked: the rest of another pass may go on.
     [[nodiscard]] schedule::NightReport report() const
     {
         schedule::NightReport report = night().report;

@@ -117,21 +117,21 @@ std::vector<TermStatus> sixPointTerms()
 
 std::vector<BodyNow> bodiesAt(UtcTime now)
 {
-    return {
-        {.body = ephemeris::Body::Sun,
-         .direction = {143.2_deg, 52.1_deg},
-         .isUp = true,
-         .obstacle = {},
-         .obstacleOverTheTop = {},
-         .nextRise = now + std::chrono::hours(11),
-         .nextSet = now + std::chrono::minutes(214)},
-        {.body = ephemeris::Body::Moon,
-         .direction = {301.7_deg, -11.4_deg},
-         .isUp = false,
-         .obstacle = QStringLiteral("it is below the lowest elevation 5.0°"),
-         .obstacleOverTheTop = QStringLiteral("The travel and the limits of the axes do not reach it over the top."),
-         .nextRise = now + std::chrono::minutes(338),
-         .nextSet = std::nullopt}};
+    return {{.body = ephemeris::Body::Sun,
+             .direction = {143.2_deg, 52.1_deg},
+             .isUp = true,
+             .obstacle = {},
+             .obstacleOverTheTop = {},
+             .nextRise = now + std::chrono::hours(11),
+             .nextSet = now + std::chrono::minutes(214)},
+            {.body = ephemeris::Body::Moon,
+             .direction = {301.7_deg, -11.4_deg},
+             .isUp = false,
+             .obstacle = QStringLiteral("it is below the lowest elevation 5.0°"),
+             .obstacleOverTheTop =
+                 QStringLiteral("The travel and the limits of the axes do not permit this direction over the top."),
+             .nextRise = now + std::chrono::minutes(338),
+             .nextSet = std::nullopt}};
 }
 
 CalibrationStatus sample(const StationStatus& status)

@@ -42,8 +42,8 @@ constexpr Setting kSettings[] = {
     {"servo.default_velocity_limit", "0.025 turns/s (9°/s)", nullptr, "none", Verdict::Advised,
      "The speed of a command that names no speed. The factory sets no limit."},
     {"servo.default_accel_limit", "0.166667 turns/s² (60°/s²)", nullptr, "50 turns/s² (18000°/s²)", Verdict::Advised,
-     "Without commands the drive brakes with this. Too low: the axis runs on. Too high (factory: 50 turns/s²): the "
-     "stop shakes the mount."},
+     "Without commands the drive brakes with this deceleration. Too low: the axis runs on. Too high (factory: 50 "
+     "turns/s²): the stop shakes the mount."},
     {"motor_position.rotor_to_output_ratio", "0.00666667", nullptr, "1", Verdict::Dangerous,
      "the gear as the profile has it (gear_ratio, gear_in): with another one every angle is wrong. To be changed by "
      "hand only: the gains change with the square of it"},
@@ -242,7 +242,7 @@ StationStatus asking(Axis axis, int places, Angle period, bool proposed)
     (axis == Axis::Azimuth ? status.azimuth : status.elevation).turnKnown = false;
     one.turnQuestion = question;
     const QString why =
-        QStringLiteral("The cable wrap of the %1 is unknown. Enter where the axis is. Only slow jog works.")
+        QStringLiteral("The cable wrap of the %1 is unknown. Enter the position of the axis. Only slow jog works.")
             .arg(axis == Axis::Azimuth ? QStringLiteral("azimuth drive") : QStringLiteral("elevation drive"));
     status.permissions = withoutPointing(why);
     status.permissions.refuse(setAction(axis), why);

@@ -9,7 +9,7 @@ namespace boresight::samples {
 inline constexpr UtcTime kUtc = std::chrono::sys_days{std::chrono::year{2026} / 11 / 21} + std::chrono::hours(17) +
                                 std::chrono::minutes(5) + std::chrono::seconds(59);
 
-// with the settings that Boresight wants, and a crash-stop test made at noon
+// A drive with the settings that Boresight wants, and a crash-stop test made at noon.
 [[nodiscard]] DriveStatus drive(Axis axis);
 void place(StationStatus& status, AxisPosition actual, AxisPosition commanded, AxisPosition target);
 void dropTarget(StationStatus& status);

@@ -352,7 +352,7 @@ StationStatus fighting()
         .driving = true,
         .inControl = true,
         .advice = QStringLiteral("This Gpredict updates only every 10°. Set Threshold to 0.1 in its Antenna Control."),
-        .controlObstacle = QStringLiteral("it has control")};
+        .controlObstacle = QStringLiteral("this client has control")};
     status.clients[1] = {.id = 2,
                          .address = QStringLiteral("192.168.100.109:50112"),
                          .program = QStringLiteral("CQRLOG"),

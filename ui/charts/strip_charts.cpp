@@ -158,7 +158,7 @@ void StripCharts::chooseWindow(std::chrono::seconds window)
     m_time->setWindow(window);
     for (StripChart* const chart : m_strips) {
         chart->setWindow(window);
-        chart->setForm(chart->form());  // the present contents do not tell the new scale
+        chart->setForm(chart->form());  // draws again with the new scale, because the contents are the same
     }
     refresh();
 }

@@ -12,7 +12,7 @@ class GpredictSettings
     Q_DECLARE_TR_FUNCTIONS(GpredictSettings)
 };
 
-// A server that listens on all addresses is reached at whichever address the other computer can use.
+// If the server listens on all addresses, the other computer may need any of them, so no address is shown.
 QString host(const StationStatus& status)
 {
     const QString listening = status.listening.section(QLatin1Char(':'), 0, -2);

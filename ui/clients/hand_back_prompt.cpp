@@ -13,7 +13,7 @@ HandBackPrompt::HandBackPrompt(RequestDesk& desk, QWidget* parent)
     setText(tr("Clients are waiting. Hand back?"));
     addButton(*m_handBack);
     QPushButton* const dismissing = addButton(tr("Keep control"));
-    dismissing->setToolTip(tr("Clients stay refused. Hand over later on the Clients page"));
+    dismissing->setToolTip(tr("Boresight still refuses clients. Hand over later on the Clients page"));
     connect(m_handBack, &QPushButton::clicked, this, [this] { m_handBack->ask(request::GiveAuthority{}); });
     connect(dismissing, &QPushButton::clicked, this, &HandBackPrompt::dismiss);
 }

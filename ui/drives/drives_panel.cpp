@@ -203,10 +203,11 @@ void DrivesPanel::showStatus(const StationStatus& status)
     const Sentence arming = armingSentence(drivesOf(status));
     m_arming->setValue(arming.text, arming.tone, arming.symbol);
     const bool released = drivesOf(status).released;
-    m_release->setCommand(released ? tr("Take bus back") : tr("Release bus"),
-                          released ? tr("Open the adapter again and read the drives again")
-                                   : tr("Leave the adapter to other tools (tview, moteus_tool). Nothing moves until it "
-                                        "is taken back."));
+    m_release->setCommand(
+        released ? tr("Take bus back") : tr("Release bus"),
+        released
+            ? tr("Open the adapter again and read the drives again")
+            : tr("Leave the adapter to other tools (tview, moteus_tool). Nothing moves until you take the bus back."));
     m_release->setBlocked(status.permissions.reason(released ? Action::TakeBus : Action::ReleaseBus));
     showProof();
     showWhetherPossible(status);

@@ -130,8 +130,7 @@ void ProtectionPanel::showStatus(const StationStatus& status)
     showWhetherPossible(status);
 }
 
-// An obstacle to motion has priority over the progress of the reading. When the table is long there is no other place
-// for both.
+// The line shows either an obstacle to motion or the progress of the reading. The obstacle has priority.
 void ProtectionPanel::showDriveCheck(const DrivesStatus& drives)
 {
     const BoardWork& work = drives.gearWork;

@@ -213,7 +213,7 @@ void TurnPage::showAnswer()
         m_selected->setValue(angle ? tr("stands at %1").arg(angleText(*angle, 1)) : tr("nothing selected"),
                              Tone::Secondary);
     }
-    m_answer->setBlocked(!angle               ? tr("first select where the axis stands")
+    m_answer->setBlocked(!angle               ? tr("first select the position of the axis")
                          : m_fresh.isActive() ? tr("read the question first")
                                               : m_status.permissions.reason(chooseTurnAction(*m_axis)));
 }

@@ -20,7 +20,7 @@ void drawBox(QPainter& painter, const QRectF& box, const QString& words, const Q
     painter.drawText(box, Qt::AlignCenter, words);
 }
 
-// The 120 Ω at an end of the cable.
+// The termination of 120 Ω at an end of the cable.
 void drawTermination(QPainter& painter, double x)
 {
     painter.drawLine(QPointF(x, kCableY), QPointF(x, kCableY + 6));
@@ -85,7 +85,7 @@ void BusPicture::paintEvent(QPaintEvent* /*event*/)
         if (same && i > 0) {
             drawSymbol(painter, Symbol::Warning, QRectF(ends[i] - 5, 1, 10, 10), theme.warning);
         }
-        if (off) {  // taken off
+        if (off) {  // the disconnected board
             painter.setPen(QPen(theme.text, 2.5));
             painter.drawLine(QPointF(ends[i] - 5, 46), QPointF(ends[i] + 5, 56));
             painter.drawLine(QPointF(ends[i] - 5, 56), QPointF(ends[i] + 5, 46));

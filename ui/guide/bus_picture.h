@@ -3,7 +3,8 @@
 
 #include <QWidget>
 
-// How adapter and boards hang on one cable: terminated at both ends, both boards on it, or one of them taken off.
+// A picture of the bus: the adapter and the boards on one cable, terminated at both ends. It shows both boards
+// connected, or one of them disconnected.
 namespace boresight::ui {
 
 class BusPicture : public QWidget

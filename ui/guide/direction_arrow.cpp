@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kHead = 9.0;  // px, length of the arrow's head
 
-// On the screen: degrees counter-clockwise from the right, as Qt's arcs count.
+// `degrees`: counter-clockwise from the right, like the angles of Qt's arcs.
 QPointF onCircle(QPointF centre, double radius, double degrees)
 {
     const double radians = degrees * std::numbers::pi / 180.0;
@@ -60,7 +60,7 @@ void DirectionArrow::setTurning(Turning turning)
 void DirectionArrow::describe()
 {
     const bool azimuth = m_axis == Axis::Azimuth;
-    setAccessibleDescription(m_turning == Turning::Rests ? tr("at rest")
+    setAccessibleDescription(m_turning == Turning::Rests ? tr("standing still")
                              : m_turning == Turning::Grows
                                  ? (azimuth ? tr("clockwise, seen from above") : tr("upwards"))
                              : azimuth ? tr("counter-clockwise, seen from above")

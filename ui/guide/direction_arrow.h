@@ -5,8 +5,9 @@
 
 #include <QWidget>
 
-// Which way an axis turns, as an arrow: azimuth seen from above, clockwise for a growing angle; elevation seen from the
-// side, upwards for a growing angle. At rest the arrow of the growing angle in grey, in motion the one of that motion.
+// An arrow that shows in which direction an axis turns. Azimuth is seen from above: clockwise when the angle grows.
+// Elevation is seen from the side: upwards when the angle grows. While the axis stands still, the arrow is grey and
+// shows the growing angle. While the axis moves, the arrow shows the present direction.
 namespace boresight::ui {
 
 enum class Turning

@@ -126,7 +126,7 @@ void GuideBoards::assign(Axis axis)
 {
     const auto& boards = drivesOf(m_status).boards;
     if (boards.size() != 1) {
-        return;  // the button says so
+        return;  // the button shows the reason
     }
     const int id = m_status.profile->axis(axis).id;
     askFirst(

@@ -6,8 +6,9 @@
 
 #include <array>
 
-// Boards from the factory all have one id. This part of the step Connect leads through it: one board alone on the bus,
-// the operator says which axis it turns, the station writes the id, reads it back and stores it, then the other board.
+// All boards come from the factory with the same id. This part of the step Connect gives each board its own id. Only
+// one board is on the bus. The operator says which axis it turns. The station writes the id, reads it back and stores
+// it. Then the other board follows.
 namespace boresight::ui {
 
 class BusPicture;
@@ -20,7 +21,7 @@ public:
     explicit GuideBoards(RequestDesk& desk, QWidget* parent = nullptr);
 
     void showStatus(const StationStatus& status);
-    // There is something to say or to do.
+    // True if there is something to report or to do.
     [[nodiscard]] static bool isNeeded(const StationStatus& status);
 
 private:

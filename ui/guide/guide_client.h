@@ -8,7 +8,7 @@
 class QPlainTextEdit;
 class QPushButton;
 
-// The guide's last step: what a Gpredict must be told, ready to be copied, and whether a program is there already.
+// The guide's step for a client: the settings for Gpredict, ready to be copied, and whether a program is connected.
 namespace boresight::ui {
 
 class ValueLabel;

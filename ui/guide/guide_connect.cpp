@@ -49,7 +49,7 @@ QString line(const StationStatus& status, Axis axis)
         .arg(quantity(one.busVoltage, QStringLiteral("V")), quantity(one.boardTemperature, QStringLiteral("°C")));
 }
 
-// Empty where the mount has no drives that answer by themselves.
+// Empty if the mount has no such drives.
 QStringList linesOfDrives(const StationStatus& status)
 {
     QStringList lines;
@@ -66,7 +66,7 @@ QStringList linesOfDrives(const StationStatus& status)
     return lines;
 }
 
-// A simulated drive is named so, one by one: it answers as a real one does.
+// Marks each simulated drive, because it answers like a real one.
 QStringList tagged(QStringList drives, bool simulated)
 {
     if (simulated) {
@@ -152,8 +152,8 @@ void GuideConnect::showEvent(QShowEvent* event)
 
 void GuideConnect::showAdapters(const std::vector<Adapter>& adapters)
 {
-    // The bus of the command line comes with the first status, which may come after the first list. A rotator that is
-    // in use is in none of the lists.
+    // The bus of the command line is known only with the first status, which may come after the first list. A rotator
+    // in use is in neither list.
     const bool isListed = std::ranges::find(m_adapters, busInUse(), &Adapter::bus) != m_adapters.end();
     const bool isChosen = !m_adapters.empty() && !m_status.drives;
     const QString selected = isListed || isChosen ? selectedBus() : busInUse();
@@ -172,7 +172,7 @@ void GuideConnect::showAdapters(const std::vector<Adapter>& adapters)
     }
     auto at = std::ranges::find(m_adapters, selected, &Adapter::bus);
     if (at == m_adapters.end()) {
-        at = std::ranges::find(m_adapters, true, &Adapter::recognised);  // another device is the operator's choice
+        at = std::ranges::find(m_adapters, true, &Adapter::recognised);  // the operator has to choose any other device
     }
     m_list->setCurrentRow(at == m_adapters.end() ? -1 : static_cast<int>(at - m_adapters.begin()));
     showButtons();
@@ -209,7 +209,7 @@ void GuideConnect::showStatus(const StationStatus& status)
         }
     }
     if (busInUse() != before) {
-        m_result.reset();  // it belongs to what was before
+        m_result.reset();  // the result belongs to the previous bus
         Q_EMIT m_host.adaptersWanted(busInUse());
     }
     showButtons();
@@ -238,7 +238,7 @@ void GuideConnect::showButtons()
     showBoards();
 }
 
-// Nothing is left to apply.
+// The reason why nothing is left to apply.
 QString GuideConnect::whyAlready() const
 {
     if (m_choice->isListed()) {
@@ -262,7 +262,7 @@ void GuideConnect::showBoards()
     }
 }
 
-// The simulated mount in use leaves the bus that its profile names.
+// If the simulated mount is in use, the bus in the profile stays.
 ProfileChange::Edit GuideConnect::useSelected() const
 {
     if (!m_choice->isListed()) {
@@ -272,7 +272,7 @@ ProfileChange::Edit GuideConnect::useSelected() const
     return [bus, ids = idsFound()](profile::Profile& profile) { profile::useBus(profile, bus, ids); };
 }
 
-// By what the last look at the selected bus has found; which is which is seen when they move.
+// The ids that were found on the selected bus. Which drive turns which axis shows when they move.
 std::vector<int> GuideConnect::idsFound() const
 {
     std::vector<int> ids;

@@ -14,9 +14,9 @@ class QListWidget;
 class QPlainTextEdit;
 class QPushButton;
 
-// The guide's first step: what turns the mount, the adapters of this computer by the names they call themselves, who
-// answers on the selected one, and taking it for the mount. On the bus that the station works on, the station itself
-// says who is there.
+// The guide's first step. It shows the kinds of rotators, the adapters of this computer by their own names, and the
+// drives that answer on the selected adapter. Connect uses the selected adapter for the mount. If the station already
+// uses the bus, the station reports the drives.
 namespace boresight::ui {
 
 class BusPicture;
@@ -59,13 +59,13 @@ private:
     StationStatus m_status;
     std::vector<Adapter> m_adapters;
     std::optional<ScanResult> m_result;
-    QString m_scanning;  // the bus that is being looked at
+    QString m_scanning;  // the bus that is being scanned
     ValueLabel* m_notice;
     RotatorChoice* m_choice;
     QListWidget* m_list;
     QPlainTextEdit* m_found;
     BusPicture* m_picture;
-    GuideBoards* m_boards;  // in its place
+    GuideBoards* m_boards;  // shown in place of m_picture
     QPushButton* m_refresh;
     CommandButton* m_scan;
     CommandButton* m_use;

@@ -86,8 +86,10 @@ void GuideDirections::addAxis(QGridLayout& grid, Axis axis, RequestDesk& desk)
     row.hold = new HoldButtons(desk, *m_notice, tr("Test move"), this);
     const QString rate = rateText(kRate);
     if (azimuth) {
-        row.hold->addButton(JogDirection::Left, tr("AZ ↺\n(hold)"), tr("Turn azimuth back at %1 while held").arg(rate));
-        row.hold->addButton(JogDirection::Right, tr("AZ ↻\n(hold)"), tr("Turn azimuth on at %1 while held").arg(rate));
+        row.hold->addButton(JogDirection::Left, tr("AZ ↺\n(hold)"),
+                            tr("Turn azimuth counter-clockwise at %1 while held").arg(rate));
+        row.hold->addButton(JogDirection::Right, tr("AZ ↻\n(hold)"),
+                            tr("Turn azimuth clockwise at %1 while held").arg(rate));
     } else {
         row.hold->addButton(JogDirection::Down, tr("EL ↓\n(hold)"), tr("Lower elevation at %1 while held").arg(rate));
         row.hold->addButton(JogDirection::Up, tr("EL ↑\n(hold)"), tr("Raise elevation at %1 while held").arg(rate));
@@ -111,7 +113,7 @@ void GuideDirections::showStatus(const StationStatus& status)
 {
     for (const Axis axis : kAxes) {
         if (!sameMotor(status.profile->axis(axis), m_status.profile->axis(axis))) {
-            m_rows[axisIndex(axis)].origin.reset();  // what was seen was another motor, or the other way
+            m_rows[axisIndex(axis)].origin.reset();  // the observed motion was that of another motor or direction
         }
     }
     m_status = status;
@@ -154,7 +156,7 @@ void GuideDirections::showButtons()
     const bool both =
         m_status.drives && std::ranges::all_of(kAxes, [this](Axis axis) { return driveOf(m_status, axis).present; });
     const bool single = missingAxis(m_status).has_value();
-    m_swap->setVisible(!single && m_status.drives);  // else there is nothing to exchange
+    m_swap->setVisible(!single && m_status.drives);  // otherwise there is nothing to exchange
     const bool ownCount = std::ranges::any_of(
         kAxes, [this](Axis axis) { return profile::kindOf(m_status.profile->axis(axis).driver).countsItself; });
     m_atTheBox->setValue(ownCount ? tr("The box of the rotator decides the direction. If an axis moves the wrong way, "

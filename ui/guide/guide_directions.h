@@ -11,9 +11,10 @@
 
 class QGridLayout;
 
-// The guide's step that shows which motor is which: each axis is moved a little while a button is held, the arrow says
-// which way it should have gone, and one press puts right what went wrong. Until the operator has confirmed it the
-// station moves nothing farther than 2° or faster than 5 °/s (core/station/first_moves.h).
+// The guide's step that shows which motor turns which axis. An axis moves slowly while a button is held. The arrow
+// shows in which direction it should move. One press exchanges the motors or reverses a direction. Until the operator
+// has confirmed the directions, the station moves the mount at most 2° far and at most at 5 °/s
+// (core/station/first_moves.h).
 namespace boresight::ui {
 
 class CommandButton;
@@ -27,7 +28,7 @@ class GuideDirections : public QWidget
 
 public:
     static constexpr AngularRate kRate = 1_deg_s;
-    static constexpr Angle kSeen = 0.3_deg;  // an eye beside the mast sees it
+    static constexpr Angle kSeen = 0.3_deg;  // a person beside the mast sees this motion
 
     GuideDirections(ProfileChange& change, RequestDesk& desk, QWidget* parent = nullptr);
 
@@ -42,7 +43,7 @@ private:
         ValueLabel* moved = nullptr;
         std::optional<Angle> origin{};
         Angle farthest{};
-        bool turnKnown = false;  // its angles are then others
+        bool turnKnown = false;  // when the wrap becomes known the angles change
     };
 
     void addAxis(QGridLayout& grid, Axis axis, RequestDesk& desk);
@@ -56,7 +57,7 @@ private:
     std::array<Row, 2> m_rows;  // by axis
     CommandButton* m_swap;
     CommandButton* m_confirm;
-    ValueLabel* m_atTheBox;  // where a direction is changed that is not changed here
+    ValueLabel* m_atTheBox;  // for an axis that can only be reversed at its motor or box
 };
 
 }  // namespace boresight::ui

@@ -26,9 +26,9 @@ namespace boresight::ui {
 
 namespace {
 
-constexpr Angle kNearZenith = 5_deg;  // so near to it an azimuth says little
+constexpr Angle kNearZenith = 5_deg;  // this near to the zenith an azimuth is not accurate
 
-// What the history of the North panel says that is in force; null: nothing.
+// The calibration in effect, from the history of the North panel. Null: none.
 const CalibrationHistoryEntry* inForce(const StationStatus& status)
 {
     const auto& history = calibrationOf(status).history;
@@ -36,7 +36,7 @@ const CalibrationHistoryEntry* inForce(const StationStatus& status)
     return found == history.end() ? nullptr : &*found;
 }
 
-// Empty: nobody has told this mount where north is, or it was told of other drives or another place.
+// Empty: north is unknown for this mount, or was found with other drives or at another place.
 QString knownText(const StationStatus& status, Angle offset)
 {
     if (offset == Angle{} || !calibrationOf(status).otherMount.isEmpty()) {
@@ -59,11 +59,11 @@ QString explanation(const QString& known, bool sensor)
     return known.isEmpty() && !sensor ? GuideNorth::tr(
                                             "Point the antenna at a landmark with a known bearing, and type the "
                                             "bearing. Or use the Sun or the Moon. This mount has no sensor. To find "
-                                            "north later, press Next. Everything else works without it.")
+                                            "north later, press Next. Everything else works without north.")
            : known.isEmpty()
                ? GuideNorth::tr(
                      "Point the antenna at a landmark with a known bearing, and type the bearing. Or use the sensor, "
-                     "the Sun or the Moon. To find north later, press Next. Everything else works without it.")
+                     "the Sun or the Moon. To find north later, press Next. Everything else works without north.")
                : known + QLatin1Char(' ') +
                      GuideNorth::tr("Press Confirm to keep it. To replace it, type the true azimuth of the antenna.");
 }
@@ -95,7 +95,8 @@ GuideNorth::GuideNorth(ProfileChange& change, RequestDesk& desk, QWidget* parent
     m_hold->addAxis(Axis::Azimuth, help, help);
     build();
     connect(m_truth, &QDoubleSpinBox::valueChanged, this, &GuideNorth::type);
-    connect(m_truth->findChild<QLineEdit*>(), &QLineEdit::textEdited, this, &GuideNorth::type);  // emptied, too
+    connect(m_truth->findChild<QLineEdit*>(), &QLineEdit::textEdited, this,
+            &GuideNorth::type);  // also when the field was emptied
     connect(m_replace, &QCheckBox::toggled, this, &GuideNorth::showEffect);
     connect(m_set, &QPushButton::clicked, this, [this] { m_change.ask(*m_set, edit()); });
     connect(m_set, &CommandButton::accepted, this, &GuideNorth::taken);
@@ -127,7 +128,8 @@ void GuideNorth::build()
     grid->addWidget(m_set, 2, 2);
     grid->addWidget(m_effect, 3, 0, 1, 3);
     grid->addWidget(m_panel, 4, 0, 1, 2, Qt::AlignLeft);
-    grid->addWidget(m_replace, 4, 2, Qt::AlignLeft);  // in a row that is there: 700 px hold no more
+    grid->addWidget(m_replace, 4, 2,
+                    Qt::AlignLeft);  // in an existing row, because a window of 700 px has no room for another one
     grid->addWidget(m_notice, 6, 0, 1, 3);
     grid->setColumnStretch(1, 1);
     grid->setRowStretch(5, 1);
@@ -139,7 +141,7 @@ void GuideNorth::showStatus(const StationStatus& status)
         status.profile->bus != m_status.profile->bus || status.profile->mount.name != m_status.profile->mount.name;
     m_status = status;
     if (another) {
-        forget();  // it was typed for the other mount
+        forget();  // the value was typed for the other mount
     }
     m_hold->setRate(status.profile->jog.slow);
     m_hold->showStatus(status);
@@ -147,7 +149,8 @@ void GuideNorth::showStatus(const StationStatus& status)
     showEffect();
 }
 
-// The mount may have moved meanwhile, or north been found elsewhere. A window that was only out of sight keeps it.
+// The mount may have moved meanwhile, or north may have been found elsewhere. If only the window was hidden, the typed
+// value stays.
 void GuideNorth::showEvent(QShowEvent* event)
 {
     QWidget::showEvent(event);
@@ -157,14 +160,14 @@ void GuideNorth::showEvent(QShowEvent* event)
     }
 }
 
-// Emptied, or with no more than a sign in it, the field still has the number from before.
+// An empty field, or one with only a sign, still returns the previous number.
 void GuideNorth::type()
 {
     m_typed = m_truth->hasAcceptableInput();
     showEffect();
 }
 
-// Once is not for ever: the next one is typed, and meant, again.
+// The next value must be typed and confirmed again.
 void GuideNorth::forget()
 {
     m_typed = false;
@@ -233,7 +236,7 @@ void GuideNorth::showEffect()
     const profile::Profile& now = m_change.applied();
     const bool known = isBeamKnown();
     const Angle beam = known ? m_status.actual->azimuth : Angle{};
-    if (known && !m_typed && m_truth->hasAcceptableInput()) {  // else somebody is typing
+    if (known && !m_typed && m_truth->hasAcceptableInput()) {  // otherwise the operator is typing
         const QSignalBlocker silent(m_truth);
         m_truth->setValue(beam.degrees());
     }

@@ -10,11 +10,11 @@ class QCheckBox;
 class QDoubleSpinBox;
 class QPushButton;
 
-// The guide's step for north: where the antenna says it points, and where it really points. Only the azimuth offset of
-// the pointing model changes, at once; the antenna stays where it is, and so do the numbers of its cable. The field
-// shows what the beam reads until somebody types, and again when the step is left or another mount connected; and a
-// north that is known is replaced only when that is ticked too.
-// The North panel, which asks the sensor, the Sun or the Moon instead, is one press away.
+// The guide's step for north. It shows the direction that the mount reports, and the operator enters the true
+// direction. Only the azimuth offset of the pointing model changes, at once. The antenna does not move, and the angles
+// of its cable do not change. The field shows the azimuth of the beam until the operator types. It shows it again after
+// the operator has left the step or connected another mount. A known north is replaced only if the operator has ticked
+// this. A button opens the North panel, which finds north with the sensor, the Sun or the Moon.
 namespace boresight::ui {
 
 class CommandButton;
@@ -32,7 +32,7 @@ public:
 
 Q_SIGNALS:
     void done();         // the station has taken the new north
-    void panelWanted();  // the North panel
+    void panelWanted();  // asks for the North panel
 
 protected:
     void showEvent(QShowEvent* event) override;
@@ -56,8 +56,8 @@ private:
     ValueLabel* m_pointing;
     ValueLabel* m_effect;
     QDoubleSpinBox* m_truth;
-    bool m_typed = false;  // into m_truth
-    bool m_known = false;  // where north is, before anything is typed
+    bool m_typed = false;  // the operator has typed into m_truth
+    bool m_known = false;  // north was already known
     QCheckBox* m_replace;
     HoldButtons* m_hold;
     CommandButton* m_set;

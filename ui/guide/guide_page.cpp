@@ -34,8 +34,8 @@ auto placeOf(GuideStep step)
     return std::ranges::find(kGuideSteps, step);
 }
 
-// Whose progress it is. The simulated mount and a real one share the profile, and so does a rotator of another kind.
-// What was seen of the one says nothing of the other.
+// The mount that the progress belongs to. The simulated mount, the real mount and a rotator of another kind share a
+// profile, but the progress of one is not valid for another.
 QString mountOf(const StationStatus& status)
 {
     QString mount = QString::fromStdString(status.profile->mount.name);
@@ -46,7 +46,7 @@ QString mountOf(const StationStatus& status)
     return status.simulated ? mount + QStringLiteral(" (simulated)") : mount;
 }
 
-// Steps whose page moves the mount by hand.
+// True for steps whose page moves the mount by hand.
 bool moves(GuideStep step)
 {
     return step == GuideStep::Directions || step == GuideStep::Travel || step == GuideStep::Level ||
@@ -65,7 +65,7 @@ GuidePage::GuidePage(ProfileDraft& draft, RequestDesk& desk, HostDesk& host, con
       m_hint(new ValueLabel(tr("What is in the way"), fonts::label(), {}, this))
 {
     setAccessibleName(tr("Commissioning guide"));
-    // Tab goes in the order in which they are made.
+    // The Tab key follows the order of creation.
     makeSteps();
     makePages(desk, host);
     m_back = makeButton(tr("Back"), tr("To the previous step (Alt+Left)"), &GuidePage::back);
@@ -143,7 +143,7 @@ void GuidePage::build()
     for (QPushButton* const button : {m_back, m_next, m_confirm, m_finish}) {
         row->addWidget(button);
     }
-    QSizePolicy stays = m_confirm->sizePolicy();  // the others do not move when a step has nothing to confirm
+    QSizePolicy stays = m_confirm->sizePolicy();  // the other buttons do not move when a step has nothing to confirm
     stays.setRetainSizeWhenHidden(true);
     m_confirm->setSizePolicy(stays);
     m_title->setStretching(true);
@@ -152,7 +152,7 @@ void GuidePage::build()
     keepHeightOfShownPage(*m_pages);
     column->addLayout(steps);
     column->addWidget(m_title);
-    column->addWidget(m_hint);  // in the place of the title
+    column->addWidget(m_hint);  // shown in place of the title
     column->addWidget(m_pages, 1);
     column->addLayout(row);
 }
@@ -168,7 +168,7 @@ void GuidePage::showStatus(const StationStatus& status)
 {
     m_status = status;
     const QString mount = mountOf(status);
-    if (mount != m_progress.mount) {  // another mount: what was said of the one says nothing of the other
+    if (mount != m_progress.mount) {  // the progress of another mount is not valid for this one
         const bool first = m_progress.mount.isEmpty();
         m_progress.mount = mount;
         if (!first) {
@@ -224,11 +224,11 @@ void GuidePage::back()
     }
     do {
         --at;
-    } while (!applies(*at, m_status));  // the first step is of every mount
+    } while (!applies(*at, m_status));  // ends, because the first step applies to every mount
     go(*at);
 }
 
-// Only what the station shows and what the operator has confirmed is done.
+// A step is done only if the station shows it or the operator has confirmed it. Otherwise it counts as skipped.
 void GuidePage::next()
 {
     const GuideStep step = m_progress.current;
@@ -274,7 +274,7 @@ void GuidePage::showPage()
 {
     const GuideStep step = m_progress.current;
     const auto at = placeOf(step);
-    m_title->hide();  // until the page has its room: a page that comes is laid out at once, and would widen the window
+    m_title->hide();  // hidden until the new page is laid out, because title and page together would widen the window
     m_hint->hide();
     const int index = static_cast<int>(at - kGuideSteps.begin());
     m_pages->setCurrentIndex(index);
@@ -314,18 +314,18 @@ void GuidePage::showButtons(const StepReport& report)
     m_confirm->setAccessibleName(tr("Confirm: %1").arg(what));
 }
 
-// What stands in the way of the page's motions, and where it is mended.
+// The reason why the mount cannot move, and where to remove it.
 void GuidePage::showHint()
 {
     const GuideStep step = m_progress.current;
-    // The page is as high as the smallest window allows. It shows its own errors.
+    // The page of this step needs the full height of the smallest window, and shows its own errors.
     const bool full = step == GuideStep::Protection;
     QString hint;
     if (const auto axis = askingAxis(m_status); axis && !full) {
         hint = tr("The cable wrap of the %1 is unknown. Press Ctrl+9 to enter it, and F3 to return").arg(name(*axis));
     } else if (moves(step) && !drivesOf(m_status).armingObstacle.isEmpty() &&
                drivesOf(m_status).driveCheck == DriveCheckState::Done) {
-        hint = tr("Nothing may move before step %1, %2, is done: %3")
+        hint = tr("Nothing may move before step %1 (%2) is done: %3")
                    .arg(numberOf(GuideStep::Protection, m_status))
                    .arg(name(GuideStep::Protection), drivesOf(m_status).armingObstacle);
     } else if (moves(step)) {

@@ -13,10 +13,10 @@
 class QPushButton;
 class QStackedWidget;
 
-// Commissioning of a mount, step by step: a row of the steps with their state, the page of the current one, and Back,
-// Next, the confirmation of what nobody can see, and Finish later. Next never makes a step done. It takes the place of
-// the panels and covers nothing else; any panel's key leads back to them, and the guide goes on where it was. It asks
-// what the panels could ask, and nothing else.
+// Commissioning of a mount, step by step. It shows a row of the steps with their states, the page of the current step,
+// and the buttons Back, Next, Confirm and Finish later. Confirm is for facts that only the operator can see. Next alone
+// never makes a step done. The guide takes the place of the panels and covers nothing else. The key of a panel leads
+// back to it, and the guide continues later at the same step. Everything in the guide can also be done in the panels.
 namespace boresight::ui {
 
 class HostDesk;
@@ -32,15 +32,15 @@ public:
               QWidget* parent = nullptr);
 
     void showStatus(const StationStatus& status);
-    void setOpen(bool on);  // to be kept: the guide is on the screen
-    void focusStep();       // the keyboard is at the current step
+    void setOpen(bool on);  // stores whether the guide is shown
+    void focusStep();       // gives the keyboard to the current step
     void open(GuideStep step);
 
     [[nodiscard]] const GuideProgress& progress() const { return m_progress; }
 
 Q_SIGNALS:
     void closeWanted();
-    void northWanted();  // the panel with the other ways to find north
+    void northWanted();  // asks for the panel with the other ways to find north
     void progressChanged(const boresight::ui::GuideProgress& progress);
 
 private:
@@ -64,7 +64,7 @@ private:
     GuideProgress m_progress;
     StationStatus m_status;
     std::map<GuideStep, StepButton*> m_buttons;
-    std::map<GuideStep, std::function<void(const StationStatus&)>> m_show;  // the status on the page of a step
+    std::map<GuideStep, std::function<void(const StationStatus&)>> m_show;  // shows the status on the page of a step
     QStackedWidget* m_pages;
     ValueLabel* m_title;
     ValueLabel* m_hint;

@@ -18,7 +18,8 @@ class GuideWords
     Q_DECLARE_TR_FUNCTIONS(GuideWords)
 };
 
-// In a settings file; never translated. Before the second form each Next had counted as confirmed.
+// The words in the settings file, never translated. kForm is the version of the text. In version 1 every Next had
+// counted as a confirmation.
 constexpr std::array kWords{"connect", "protection", "directions", "travel", "level",
                             "north",   "site",       "client",     "ready"};
 constexpr QLatin1String kForm("2");
@@ -83,7 +84,7 @@ QString unknownWrap(const StationStatus& status, Axis axis)
                : QString();
 }
 
-// What is wrong, or waits for the operator; empty: nothing.
+// A problem, or what the operator has to do. Empty: nothing.
 QString trouble(GuideStep step, const StationStatus& status)
 {
     switch (step) {
@@ -106,7 +107,7 @@ QString trouble(GuideStep step, const StationStatus& status)
     }
 }
 
-// What the station itself shows of a step; empty: it is done.
+// The reason why the station does not show the step as done. Empty: it is done.
 QString whyNotSeen(GuideStep step, const StationStatus& status)
 {
     switch (step) {
@@ -131,7 +132,7 @@ QString whyNotSeen(GuideStep step, const StationStatus& status)
     }
 }
 
-// As good as the steps before it.
+// The worst state of all steps before.
 StepReport readiness(const StationStatus& status, const GuideProgress& progress)
 {
     StepReport worst{.state = StepState::Done};

@@ -9,12 +9,12 @@
 #include <set>
 #include <span>
 
-// How far a mount is commissioned. What can be seen in the station's status or in the profile is read there and never
-// remembered. Only what nobody can see is kept: the operator has looked, and confirmed it. Plain values.
+// How far a mount is commissioned. The steps that the station's status or the profile show are read from there and are
+// not stored. Only the operator's confirmations of the other steps are stored. Plain values.
 namespace boresight::ui {
 
-// In their order. Protections go before the directions, because the station moves no drive that does not protect the
-// mount by itself, not even a little.
+// In this order. The protection comes before the directions, because the station moves no drive that does not protect
+// the mount by itself, not even a little.
 enum class GuideStep
 {
     Connect,
@@ -25,51 +25,52 @@ enum class GuideStep
     North,
     Site,
     Client,
-    Ready  // what is done and what is not, and the first pass
+    Ready  // summary of the steps, and help for the first pass
 };
 
 inline constexpr std::array kGuideSteps{GuideStep::Connect, GuideStep::Protection, GuideStep::Directions,
                                         GuideStep::Travel,  GuideStep::Level,      GuideStep::North,
                                         GuideStep::Site,    GuideStep::Client,     GuideStep::Ready};
-// Those that commission something.
+// The steps that commission something.
 inline constexpr std::span kWorkSteps = std::span(kGuideSteps).first(kGuideSteps.size() - 1);
 
 enum class StepState
 {
     Open,
-    Done,     // seen in the station, or confirmed by the operator
-    Skipped,  // passed by, and left for later
-    NeedsYou  // something is wrong, or waits for the operator
+    Done,     // shown by the station, or confirmed by the operator
+    Skipped,  // left for later
+    NeedsYou  // there is a problem, or the operator has to act
 };
 
 struct StepReport
 {
     StepState state = StepState::Open;
-    QString why;  // what is wrong, or what is missing; empty when it is done
+    QString why;  // the problem, or what is missing; empty when it is done
 };
 
 struct GuideProgress
 {
-    bool open = false;  // the guide is on the screen
+    bool open = false;  // the guide is shown
     GuideStep current = GuideStep::Connect;
-    std::set<GuideStep> confirmed;  // the operator said that it is right
+    std::set<GuideStep> confirmed;  // the steps that the operator has confirmed
     std::set<GuideStep> skipped;
-    QString mount;  // whose progress it is
+    QString mount;  // the mount that this progress belongs to
 
     bool operator==(const GuideProgress&) const = default;
 };
 
-[[nodiscard]] QString name(GuideStep step);          // "Connect"
-[[nodiscard]] QString title(GuideStep step);         // "Connect: how the drives are reached"
-[[nodiscard]] QString word(StepState state);         // "needs you"
-[[nodiscard]] QString confirmation(GuideStep step);  // what the operator confirms; empty: the station sees it itself
+[[nodiscard]] QString name(GuideStep step);   // "Connect"
+[[nodiscard]] QString title(GuideStep step);  // "Connect: how the drives are reached"
+[[nodiscard]] QString word(StepState state);  // "needs you"
+[[nodiscard]] QString confirmation(
+    GuideStep step);  // the question to the operator; empty: the station shows the step by itself
 
 [[nodiscard]] StepReport reportOf(GuideStep step, const StationStatus& status, const GuideProgress& progress);
-// The mount has what the step is about.
+// True if this step exists for the mount.
 [[nodiscard]] bool applies(GuideStep step, const StationStatus& status);
-[[nodiscard]] int numberOf(GuideStep step, const StationStatus& status);  // among those of this mount, from 1
+[[nodiscard]] int numberOf(GuideStep step, const StationStatus& status);  // counts the steps of this mount, from 1
 
-// For a settings file. What cannot be read counts as nothing done.
+// For a settings file. Unreadable text gives an empty progress.
 [[nodiscard]] QString toText(const GuideProgress& progress);
 [[nodiscard]] GuideProgress guideProgressFrom(const QString& text);
 

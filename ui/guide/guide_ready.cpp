@@ -131,7 +131,7 @@ void GuideReady::showStatus(const StationStatus& status, const GuideProgress& pr
     showFirstPass(status);
 }
 
-// Those of this mount, in two columns without a gap.
+// Puts the steps of this mount into two columns without a gap.
 void GuideReady::place(const std::vector<StepButton*>& buttons)
 {
     if (buttons == m_placed) {

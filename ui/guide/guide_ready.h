@@ -11,8 +11,9 @@
 class QGridLayout;
 class QPushButton;
 
-// The guide's last page: what is done, what was skipped and what needs the operator, each with the way back to it; and
-// what the first pass needs: the line of Gpredict, park, STOP. It follows the station and changes nothing.
+// The guide's last page. It lists the steps that are done, skipped or need the operator, each with a button that opens
+// it. It also shows what the first pass needs: the settings for Gpredict, park and STOP. It shows the station's status
+// and changes nothing.
 namespace boresight::ui {
 
 class StepButton;
@@ -45,7 +46,7 @@ private:
     ValueLabel* m_pass;
     ValueLabel* m_end;
     QPushButton* m_copy;
-    QGridLayout* m_grid;  // of the steps
+    QGridLayout* m_grid;  // of the step buttons
     std::vector<StepButton*> m_placed;
 };
 

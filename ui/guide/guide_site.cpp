@@ -149,7 +149,7 @@ void GuideSite::chooseFolder()
     connect(dialog, &QFileDialog::fileSelected, this, &GuideSite::takeFolder);
 }
 
-// The usual place is not written down: on another computer, or for another user, it is another.
+// The usual folder is not stored, because it differs between computers and users.
 void GuideSite::takeFolder(const QString& folder)
 {
     const bool usual = folder == profile::gpredictFolder({});
@@ -196,7 +196,7 @@ void GuideSite::readLocator()
         m_notice->setValue(place.error().text, Tone::Warning, Symbol::Warning);
         return;
     }
-    const QSignalBlocker latitudeQuiet(m_latitude);  // what is being typed stays as it is
+    const QSignalBlocker latitudeQuiet(m_latitude);  // the text that is being typed stays
     const QSignalBlocker longitudeQuiet(m_longitude);
     m_latitude->setValue(place->latitude.degrees());
     m_longitude->setValue(place->longitude.degrees());
@@ -207,7 +207,7 @@ void GuideSite::readLocator()
 void GuideSite::showGpredict(const profile::GpredictFiles& found)
 {
     if (found.folder != m_folder) {
-        return;  // the answer to what was asked before
+        return;  // the answer to an older request
     }
     m_stations = found.stations;
     m_gpredict->clear();
@@ -241,9 +241,10 @@ ProfileChange::Edit GuideSite::edit() const
 
 void GuideSite::showButton()
 {
-    const bool entered = m_latitude->value() != 0.0 || m_longitude->value() != 0.0;  // nobody's mast stands in that sea
+    const bool entered = m_latitude->value() != 0.0 ||
+                         m_longitude->value() != 0.0;  // 0°, 0° is in the sea, so it means that nothing was entered
     m_choose->setBlocked(m_change.whyNot(m_status, [](profile::Profile&) {}));
-    m_set->setBlocked(!entered                     ? tr("enter where the mount stands first")
+    m_set->setBlocked(!entered                     ? tr("enter the site of the mount first")
                       : m_change.isAlready(edit()) ? tr("this is the site in the profile")
                                                    : m_change.whyNot(m_status, edit()));
 }

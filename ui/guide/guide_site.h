@@ -13,8 +13,9 @@ class QComboBox;
 class QDoubleSpinBox;
 class QLineEdit;
 
-// The guide's step for where the mount stands: degrees or a locator, each follows the other, or a station that a
-// Gpredict on this computer knows; and where that Gpredict keeps its files, with how fresh its satellite data are.
+// The guide's step for the site. The operator enters degrees or a locator, and each changes the other, or chooses a
+// station of Gpredict on this computer. The step also sets the folder of Gpredict, and shows how old its satellite data
+// is.
 namespace boresight::ui {
 
 class CommandButton;
@@ -49,9 +50,9 @@ private:
     ProfileChange& m_change;
     HostDesk& m_host;
     StationStatus m_status;
-    std::optional<profile::SiteSettings> m_shown;  // of the profile, when the fields were filled
+    std::optional<profile::SiteSettings> m_shown;  // of the profile, when the fields were last filled
     std::vector<profile::GpredictStation> m_stations;
-    QString m_folder;  // of Gpredict, as last asked for
+    QString m_folder;  // Gpredict's folder in the last request
     ValueLabel* m_notice;
     ValueLabel* m_gpredictNote;
     QDoubleSpinBox* m_latitude;
@@ -59,7 +60,7 @@ private:
     QDoubleSpinBox* m_height;
     QLineEdit* m_locator;
     QComboBox* m_gpredict;
-    CommandButton* m_choose;  // Gpredict's folder
+    CommandButton* m_choose;  // chooses Gpredict's folder
     CommandButton* m_set;
 };
 

@@ -94,9 +94,9 @@ QPushButton* GuideTravel::makeHere(Axis axis, QDoubleSpinBox& field, const QStri
     QPushButton* const button =
         makePushButton({.text = tr("Here"),
                         .name = tr("Set the %1 end of %2 here").arg(end, name(axis)),
-                        .help = tr("The %1 end of %2 is where the axis stands now").arg(end, name(axis))},
+                        .help = tr("The %1 end of %2 is the present position of the axis").arg(end, name(axis))},
                        parent);
-    // Two fields and two buttons stand beside each other.
+    // The row has room for two fields and two buttons.
     button->setMinimumSize(button->fontMetrics().horizontalAdvance(button->text()) + 2 * kGrid, field.minimumHeight());
     connect(button, &QPushButton::clicked, this, [this, axis, &field] {
         if (const auto& actual = axisOf(m_status, axis).actual) {
@@ -140,7 +140,7 @@ void GuideTravel::showAxis(Axis axis)
     row.hold->showStatus(m_status);
 }
 
-// An end that was not touched keeps its exact value, which the field may have rounded.
+// An end that was not edited keeps its exact value. The field shows it rounded.
 TravelRange GuideTravel::entered(Axis axis) const
 {
     const Row& row = m_rows[axisIndex(axis)];

@@ -11,9 +11,9 @@
 class QDoubleSpinBox;
 class QPushButton;
 
-// The guide's step for the ends of both axes: typed, or driven to while a button is held, and set where the mount
-// stands. The station lets nothing go beyond the travel in force, so unknown ends are found from inside: a wide travel
-// is narrowed. Nothing changes before "Use these ends".
+// The guide's step for the ends of travel of both axes. An end is typed, or the mount is moved there while a button is
+// held, and its position is taken. The station permits no motion beyond the present travel. So unknown ends are found
+// from inside: the operator starts with a wide travel and makes it smaller. Nothing changes before "Use these ends".
 namespace boresight::ui {
 
 class CommandButton;
@@ -31,7 +31,7 @@ public:
     void showStatus(const StationStatus& status);
 
 Q_SIGNALS:
-    void done();  // the station has taken the ends
+    void done();  // the station has accepted the ends
 
 private:
     struct Row  // of one axis
@@ -43,7 +43,7 @@ private:
         QPushButton* maxHere = nullptr;
         LimitBar* bar = nullptr;
         HoldButtons* hold = nullptr;
-        TravelRange shown{};  // of the profile, when the fields were filled
+        TravelRange shown{};  // of the profile, when the fields were last filled
     };
 
     QWidget* makeAxis(Axis axis, RequestDesk& desk);

@@ -117,7 +117,7 @@ Angle GuideZero::truth() const
 
 QString GuideZero::whyNot() const
 {
-    // The zero is read from a standing axis, also where its limits would allow the change in motion.
+    // The axis must stand still while the zero is set, even if the change itself would be possible in motion.
     const QString reason = m_status.permissions.reason(setAction(kAxis));
     return reason.isEmpty() ? m_change.whyNot(m_status, edit()) : reason;
 }

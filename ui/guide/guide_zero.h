@@ -9,8 +9,8 @@
 class QCheckBox;
 class QDoubleSpinBox;
 
-// The guide's step for elevation 0°: what the axis reads now, what it really is, and what the change does to the ends
-// of its travel, told before it is made. The antenna does not move.
+// The guide's step for elevation 0°. It shows the reading of the axis, takes the true elevation, and shows the new ends
+// of travel before the change is made. The antenna does not move.
 namespace boresight::ui {
 
 class CommandButton;
@@ -27,7 +27,7 @@ public:
     void showStatus(const StationStatus& status);
 
 Q_SIGNALS:
-    void done();  // the station has taken the new zero
+    void done();  // the station has accepted the new zero
 
 private:
     void build();
@@ -43,7 +43,7 @@ private:
     ValueLabel* m_explanation;
     ValueLabel* m_reading;
     ValueLabel* m_effect;
-    QWidget* m_entry;  // of the true value
+    QWidget* m_entry;  // the row for the true value
     QDoubleSpinBox* m_truth;
     QCheckBox* m_endsStay;
     HoldButtons* m_hold;

@@ -42,7 +42,7 @@ void ModelChoice::showModels(const RotatorModels& models)
     choose(leadingNumber(currentText()));
 }
 
-// Before the list has come, its number alone.
+// Before the list arrives, the number alone is shown.
 void ModelChoice::choose(int number)
 {
     if (number <= 0) {

@@ -4,7 +4,7 @@
 #include "core/messages/rotator_models.h"
 #include "ui/kit/touch_combo.h"
 
-// One of many models: typing shows those whose number, maker or name has the typed text in it.
+// Chooses one of many rotator models. Typing shows the models whose number, maker or name contains the typed text.
 namespace boresight::ui {
 
 class ModelChoice : public TouchCombo
@@ -16,7 +16,7 @@ public:
 
     void showModels(const RotatorModels& models);
     void choose(int number);
-    // 0: none is chosen.
+    // The number of the chosen model. 0: none.
     [[nodiscard]] int number() const;
     [[nodiscard]] QString whyNone() const;
     [[nodiscard]] const QString& problem() const { return m_models.problem; }

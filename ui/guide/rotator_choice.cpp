@@ -26,7 +26,7 @@ using profile::AxisDriver;
 
 constexpr std::array kSpeeds{600, 1200, 4800, 9600, 19200, 38400, 57600, 115200};  // Bd
 
-// Where no kind is offered there is nothing to choose: the adapters are listed.
+// Without any offer the only kind is the listed adapters.
 std::vector<RotatorOffer> atLeastOne(const std::vector<RotatorOffer>& offers)
 {
     return offers.empty() ? std::vector{RotatorOffer{.isListed = true}} : offers;
@@ -37,7 +37,8 @@ AxisDriver driverOf(const profile::Profile& profile)
     return profile.azimuth.driver == AxisDriver::None ? profile.elevation.driver : profile.azimuth.driver;
 }
 
-// A host alone has the usual port. An IPv6 address is written in brackets before a port, and may stand alone without.
+// A host without a port gets the usual port. An IPv6 address with a port is in brackets. Without a port it needs no
+// brackets.
 QString withPort(const QString& place, int usualPort)
 {
     const auto colons = place.count(QLatin1Char(':'));
@@ -50,7 +51,7 @@ QString withPort(const QString& place, int usualPort)
     return QStringLiteral("%1:%2").arg(host).arg(usualPort);
 }
 
-// Texts of alarms stand without their last full stop.
+// The texts of alarms have no full stop at the end.
 QString sentence(const QString& text)
 {
     return text.endsWith(QLatin1Char('.')) ? text : text + QLatin1Char('.');
@@ -74,7 +75,7 @@ RotatorChoice::RotatorChoice(const std::vector<RotatorOffer>& offers, QWidget* p
       m_kinds(new TouchCombo(tr("What turns the mount"), tr("How the motors of the mount are commanded"), this)),
       m_model(new ModelChoice(this)),
       m_fields(new QWidget(this)),
-      m_place(new TouchCombo(tr("Where the rotator answers"), {}, m_fields)),
+      m_place(new TouchCombo(tr("Port or address of the rotator"), {}, m_fields)),
       m_baud(new TouchCombo(tr("Speed of the serial port"), tr("As the switches of the box are set"), m_fields))
 {
     build();
@@ -96,7 +97,7 @@ void RotatorChoice::build()
     m_kinds->setCurrentIndex(0);
     m_kinds->setVisible(m_offers.size() > 1);
     m_place->setEditable(true);
-    m_place->setCompleter(nullptr);  // what is typed stays as it is
+    m_place->setCompleter(nullptr);  // Qt must not complete the typed text
     m_place->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     QStringList speeds;
     for (const int speed : kSpeeds) {
@@ -150,7 +151,7 @@ void RotatorChoice::showStatus(const StationStatus& status)
     }
 }
 
-// What the operator enters stays until another mount is in force.
+// Shows the rotator of the profile. Called only for another mount or bus, because it replaces the operator's input.
 void RotatorChoice::takeFrom(const profile::Profile& profile)
 {
     const BusName bus = parseBusName(profile.bus).value_or(BusName{});
@@ -205,7 +206,7 @@ Result<std::string> RotatorChoice::bus() const
     }
     if (place.isEmpty()) {
         return failure(ErrorCode::InvalidInput,
-                       tr("Enter where the rotator answers, for example %1.").arg(offer().example));
+                       tr("Enter the port or the address of the rotator, for example %1.").arg(offer().example));
     }
     return parseBusName(busText(place).toStdString()).map([](const BusName& bus) { return toString(bus); });
 }
@@ -244,7 +245,7 @@ bool RotatorChoice::isInUse() const
     return !m_status.simulated && driverOf(profile) == offer().driver && entered && *entered == profile.bus;
 }
 
-// What stands in the way of a place that was entered is read without pointing at the button.
+// The obstacle is shown here, so that the operator need not point at the button to read it.
 QStringList RotatorChoice::words(const QString& obstacle) const
 {
     if (isInUse()) {
@@ -288,7 +289,7 @@ QStringList RotatorChoice::wordsInUse() const
         }
     }
     if (const QString obstacle = m_status.permissions.reason(Action::Move); !obstacle.isEmpty()) {
-        lines << tr("It must not move yet: %1").arg(obstacle);
+        lines << tr("The mount must not move yet: %1").arg(obstacle);
     }
     return lines;
 }

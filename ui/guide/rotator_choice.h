@@ -15,10 +15,10 @@
 #include <utility>
 #include <vector>
 
-// What turns the mount, in the guide's first step: one of the kinds of rotator that there are. A kind is found among
-// the adapters of this computer, or a person enters where it answers, and which model of many it is. Then this says
-// what Connect asks there, what has answered, and what to look at when nothing does. It knows no kind: their drivers
-// describe them.
+// The first part of the guide's first step: the choice of the kind of rotator. Some kinds are listed among the adapters
+// of this computer. For others the operator enters an address or port, and sometimes a model. This widget shows what
+// Connect will send to it, its answer, and what to check if there is no answer. It contains no code for a certain kind:
+// the drivers describe their kinds.
 namespace boresight::ui {
 
 class ModelChoice;
@@ -34,17 +34,19 @@ public:
     void showStatus(const StationStatus& status);
     void showAdapters(const std::vector<Adapter>& adapters);
     void showModels(const RotatorModels& models);
-    void refreshModels();  // asks for them where the chosen kind has any and none are known
+    void refreshModels();  // asks for the models if the chosen kind has models and none are known
 
-    [[nodiscard]] bool isListed() const;      // among the adapters; else it is entered here
-    [[nodiscard]] bool onSerialPort() const;  // those of this computer are offered
+    [[nodiscard]] bool isListed() const;      // the kind is listed among the adapters; otherwise it is entered here
+    [[nodiscard]] bool onSerialPort() const;  // the serial ports of this computer are offered
     [[nodiscard]] QString whyIncomplete() const;
-    [[nodiscard]] ProfileChange::Edit edit() const;                  // of what is complete
-    [[nodiscard]] QStringList words(const QString& obstacle) const;  // why Connect is not offered
+    [[nodiscard]] ProfileChange::Edit edit()
+        const;  // the edit of the profile; call it only if whyIncomplete() is empty
+    [[nodiscard]] QStringList words(const QString& obstacle)
+        const;  // the texts about the chosen rotator, with the reason why Connect is not possible
 
 Q_SIGNALS:
     void changed();
-    void modelsWanted();  // of the kind that is chosen
+    void modelsWanted();  // asks for the models of the chosen kind
 
 private:
     void build();
@@ -58,7 +60,7 @@ private:
     [[nodiscard]] QStringList wordsInUse() const;
 
     std::vector<RotatorOffer> m_offers;
-    std::vector<QString> m_entered;  // the place of each kind
+    std::vector<QString> m_entered;  // what was entered for each kind
     std::size_t m_kind = 0;
     QStringList m_ports;
     StationStatus m_status;

@@ -14,7 +14,7 @@ namespace boresight::ui {
 
 namespace {
 
-constexpr int kStepButtonBar = 4;  // px, under the step that is shown
+constexpr int kStepButtonBar = 4;  // px, below the current step
 constexpr int kMark = 11;          // px
 
 }  // namespace

@@ -5,8 +5,8 @@
 
 #include <QAbstractButton>
 
-// One step of the guide: number, name, and its state by a shape and a word. In the row above the pages the word may
-// find no room, and stands in the tooltip and below the row. On the last page there is room for a line.
+// One step of the guide: number, name, and its state as a shape and a word. In the row above the pages there may be no
+// room for the word. Then it is in the tooltip and below the row. On the last page each step has a line of its own.
 namespace boresight::ui {
 
 class StepButton : public QAbstractButton
@@ -16,13 +16,13 @@ class StepButton : public QAbstractButton
 public:
     enum class Form
     {
-        OfTheRow,  // the step that is shown is underlined
+        OfTheRow,  // the current step is underlined
         Line
     };
 
     StepButton(GuideStep step, Form form, QWidget* parent);
 
-    void setNumber(int number);  // among those that are shown
+    void setNumber(int number);  // its number among the steps that are shown
     void showReport(const StepReport& report);
     [[nodiscard]] StepState state() const { return m_report.state; }
 

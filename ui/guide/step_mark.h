@@ -9,8 +9,8 @@
 
 class QPainter;
 
-// The shape of a step's state, drawn: a tick, an arrow past it, a warning triangle, an empty ring. It never stands
-// without the word.
+// Draws the state of a step as a shape: a tick, an arrow past it, a warning triangle, or an empty ring. The word of the
+// state is always shown, too.
 namespace boresight::ui {
 
 void drawStepMark(QPainter& painter, StepState state, const QRectF& box, const QColor& colour);

@@ -10,7 +10,7 @@ namespace boresight::ui {
 
 namespace {
 
-constexpr QSize kSceneSize(84, 54);  // px: three lines of words are as high
+constexpr QSize kSceneSize(84, 54);  // px, as high as three lines of text
 
 QString sceneText(StepPicture::Scene scene)
 {
@@ -62,7 +62,7 @@ void StepPicture::paintEvent(QPaintEvent* /*event*/)
     }
 }
 
-// From the side: mast, boom with its elements, and the level on it.
+// Side view: the mast, the boom with its elements, and the spirit level on the boom.
 void StepPicture::drawLevel(QPainter& painter)
 {
     const Theme& theme = currentTheme();
@@ -81,7 +81,7 @@ void StepPicture::drawLevel(QPainter& painter)
     painter.drawEllipse(QPointF(42, 15), 4, 4);
 }
 
-// From above: the way between the ends, and the cable that goes with the axis.
+// Top view: the travel between the ends, and the cable that is wound by the axis.
 void StepPicture::drawTravel(QPainter& painter)
 {
     const Theme& theme = currentTheme();

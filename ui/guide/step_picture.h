@@ -5,8 +5,8 @@
 
 class QPainter;
 
-// What hands and eyes do in a step, drawn in the colours of the theme: the spirit level on the antenna, the ends of the
-// travel, the landmark whose bearing is known.
+// A picture of what the operator does in a step, in the colours of the theme: the spirit level on the antenna, the ends
+// of the travel, or the landmark with a known bearing.
 namespace boresight::ui {
 
 class StepPicture : public QWidget

@@ -182,7 +182,8 @@ bool GoToBar::isNumber(QLineEdit& field, const QString& otherwise)
     return false;
 }
 
-// So that the next Esc stops the mount. In a field it would only leave the field.
+// Moves the focus away, so that the next Esc stops the mount. With the focus in a field, Esc would only leave the
+// field.
 void GoToBar::leaveFields()
 {
     if (m_azimuth->hasFocus() || m_elevation->hasFocus()) {

@@ -9,7 +9,7 @@ namespace boresight::ui {
 
 namespace {
 
-// Its value is its description: a readout in words, a picture in numbers.
+// The accessible value of the widget is its description: a readout in words, a picture in numbers.
 class Described : public QAccessibleWidget
 {
 public:

@@ -16,7 +16,7 @@ namespace boresight::ui {
 // The axis that the mount does not have.
 [[nodiscard]] std::optional<Axis> missingAxis(const StationStatus& status);
 [[nodiscard]] const AxisStatus& axisOf(const StationStatus& status, Axis axis);
-// For a mount without such drives these are blank: nothing is known of them.
+// For a mount without drives that can be read, all values are unknown.
 [[nodiscard]] const DrivesStatus& drivesOf(const StationStatus& status);
 [[nodiscard]] const DriveStatus& driveOf(const StationStatus& status, Axis axis);
 // True also for a rotator without such drives that reports nothing now, because it counts the turns itself.

@@ -124,7 +124,8 @@ QWidget* LimitsPanel::makeKeepOutBox()
     auto* const grid = new QGridLayout(box);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setSpacing(4);
-    QPushButton* const add = makeButton(tr("Add keep-out"), tr("Add a keep-out around where the mount points"));
+    QPushButton* const add =
+        makeButton(tr("Add keep-out"), tr("Add a keep-out around the present direction of the mount"));
     QPushButton* const take = makeButton(tr("Remove"), tr("Remove the current keep-out (Del)"));
     grid->addWidget(makeCaption(tr("Keep-outs, clockwise from … to"), *m_keepOuts), 0, 0, 1, 2);
     grid->addWidget(m_keepOuts, 1, 0, 1, 2);

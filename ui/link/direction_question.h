@@ -25,6 +25,7 @@ public:
     // Asks again when the profile changes, and once a second, because the Sun and the mount move.
     void showStatus(const StationStatus& status);
 
+    [[nodiscard]] bool isAbout(const SkyPointing& direction) const { return m_direction == direction; }
     // In the words of the station. Empty if the mount may go there, or there is no answer yet.
     [[nodiscard]] QString whyNot() const;
     // The nearest allowed direction. Empty if the direction itself is allowed, or there is no answer yet.

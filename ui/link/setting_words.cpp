@@ -190,7 +190,7 @@ QString valueText(const Setting& setting, const profile::Profile& profile)
 {
     const QString typed = typedText(setting, profile);
     if (typed.isEmpty()) {
-        return setting.type == SettingType::TextList ? SettingWords::tr("none") : SettingWords::tr("not given");
+        return setting.type == SettingType::TextList ? SettingWords::tr("none") : SettingWords::tr("not set");
     }
     if (setting.secret) {
         return Text::of(profile::kHidden);

@@ -94,7 +94,7 @@ QString noFitText(const CalibrationStatus& calibration)
     if (calibration.points.empty()) {
         return CalibrationWords::tr("No points yet. Take them in step 3");
     }
-    return calibration.noFit.isEmpty() ? CalibrationWords::tr("No fit of these points")
+    return calibration.noFit.isEmpty() ? CalibrationWords::tr("No fit for these points")
                                        : CalibrationWords::tr("No fit: %1").arg(calibration.noFit);
 }
 
@@ -238,7 +238,8 @@ bool proposesFit(const CalibrationStatus& calibration)
                               });
 }
 
-// The rms before and after belongs to the proposal. If that is not the fit of the points, the fit is named.
+// Contains the rms before and after the proposal. If the proposal is not the fit of the points, the text also contains
+// the rms of the fit.
 QString fitText(const CalibrationStatus& calibration)
 {
     if (!calibration.fit) {

@@ -22,7 +22,7 @@ namespace boresight::ui {
 [[nodiscard]] QString termName(const std::string& key);                     // "azimuth offset"
 [[nodiscard]] QString bodyName(ephemeris::Body body);                       // "Sun"
 [[nodiscard]] QString placeText(const BodyNow& body);                       // "az 143.2°  el 32.1°, sets 17:05Z"
-// Points know north more accurately: Apply adjusts the sensor to it.
+// The north from the points is more accurate than that of the sensor. Then Apply keeps it and adjusts the sensor to it.
 [[nodiscard]] bool keepsNorth(const CalibrationProposal& proposal);
 // Every term that changes, before and after: "azimuth offset 0.00° → 37.41°, …".
 [[nodiscard]] QString changeText(const CalibrationProposal& proposal);

@@ -135,8 +135,9 @@ void DeviationPlot::showDots(const std::vector<calibration::SwingDot>& dots, con
     update();
 }
 
-// Samples that the fit has not used may lie far out and do not count. During a swing the scale does not start small.
-// Each side has its own end, so the curve fills the plot and the scatter of the readings is visible.
+// Dots that the fit has not used may lie far out, so they do not change the scale. Before the swing ends, the scale has
+// at least the range kNoSwing. Upper and lower end are independent, so the curve fills the plot and the scatter of the
+// readings is visible.
 void DeviationPlot::fitScale()
 {
     const double atFirst = m_swing ? 0.0 : kNoSwing;

@@ -31,7 +31,7 @@ void ResidualSky::showPoints(const std::vector<PointStatus>& points)
 {
     m_points = points;
     setAccessibleDescription(
-        tr("%1 points; the largest residual is %2 now and %3 with the fit")
+        tr("%1 points. The largest residual is %2 now and %3 with the fit")
             .arg(points.size())
             .arg(angleText(Angle::fromDegrees(largest(false))), angleText(Angle::fromDegrees(largest(true)))));
     update();

@@ -7,9 +7,9 @@
 
 #include <optional>
 
-// The two lines of a cross scan side by side: the reading at each place, the beam fitted to them, and its peak. Offset
-// to the right in degrees, power upwards in dB, with the same scale for both. It takes the remaining room, and a small
-// window has none.
+// The two lines of a cross scan side by side: the readings, the beam fitted to them, and its peak. The offset in
+// degrees increases to the right, the power in dB upwards. Both lines have the same scale. The plot gets the room that
+// the other widgets leave. In a small window it is invisible.
 namespace boresight::ui {
 
 class ScanPlot : public QWidget

@@ -9,6 +9,7 @@
 #include "ui/kit/value_label.h"
 #include "ui/north/calibration_words.h"
 #include "ui/north/compass_dial.h"
+#include "ui/north/declination_box.h"
 #include "ui/north/run_line.h"
 #include "ui/north/sensor_details.h"
 #include "ui/north/sensor_levels.h"
@@ -61,20 +62,18 @@ SensorPage::SensorPage(RequestDesk& desk, ProfileDraft& draft, QWidget* parent)
       m_difference(new ValueLabel(tr("Sensor minus axis"), fonts::small(), QStringLiteral("-000.00°"), this)),
       m_truth(new ValueLabel(tr("True azimuth from the sensor and its uncertainty"), fonts::small(),
                              QStringLiteral("000.0° ± 00.0°"), this)),
-      m_declination(new ValueLabel(tr("Where the declination is applied"), fonts::label(), {}, this)),
-      m_change(makePushButton({.text = tr("Change…"),
-                               .name = tr("Change the declination"),
-                               .help = tr("Open the settings of the declination on the page Profile")},
-                              this)),
       m_offset(new ValueLabel(tr("North from the sensor"), fonts::text(), {}, this)),
       m_run(new RunLine(CalibrationRun::SensorOffset, tr("Average of the sensor"), this)),
       m_notice(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
+      m_declination(new DeclinationBox(desk, m_profileChange, *m_notice, m_overview)),
       m_measure(new CommandButton(tr("Average"), {}, desk, *m_notice, this))
 {
     build();
     connect(m_measure, &QPushButton::clicked, this, &SensorPage::press);
     connect(m_openDetails, &QPushButton::toggled, this, &SensorPage::showDetails);
     connect(m_copy, &QPushButton::clicked, this, &SensorPage::copyDetails);
+    connect(m_declination, &DeclinationBox::settingsWanted, this,
+            [this] { Q_EMIT settingsWanted(QStringLiteral("declination")); });
     showDetails(false);
 }
 
@@ -96,56 +95,31 @@ void SensorPage::build()
     right->addLayout(values);
     right->addWidget(m_levels);
     right->addStretch(1);
-    for (ValueLabel* const line : {m_declination, m_offset, m_notice}) {
-        line->setStretching(true);
-    }
-    m_declination->setLines(3);
+    m_offset->setStretching(true);
+    m_notice->setStretching(true);
     m_notice->setCollapsing(true);  // shown in place of the offset, until the next press
-    auto* const overview = new QHBoxLayout(m_overview);
+    auto* const readings = new QHBoxLayout;
+    readings->setSpacing(4);
+    readings->addWidget(m_dial);
+    readings->addLayout(right, 1);
+    auto* const overview = new QVBoxLayout(m_overview);
     overview->setContentsMargins(0, 0, 0, 0);
     overview->setSpacing(4);
-    overview->addWidget(m_dial);
-    overview->addLayout(right, 1);
+    overview->addLayout(readings);
+    overview->addWidget(m_declination);
+    overview->addStretch(1);
     m_table->horizontalHeader()->setStretchLastSection(true);
     auto* const grid = new QGridLayout(this);
     grid->setContentsMargins(6, 4, 6, 0);
     grid->setSpacing(4);
     grid->addWidget(m_overview, 0, 0, 1, 2);
     grid->addWidget(m_table, 0, 0, 1, 2);
-    grid->addWidget(makeDeclinationRow(), 1, 0, 1, 2);
-    grid->addWidget(m_measure, 2, 0);
-    grid->addWidget(makeRunLine(), 2, 1);
-    grid->addWidget(m_offset, 3, 0, 1, 2);
-    grid->addWidget(m_notice, 4, 0, 1, 2);
+    grid->addWidget(m_measure, 1, 0);
+    grid->addWidget(makeRunLine(), 1, 1);
+    grid->addWidget(m_offset, 2, 0, 1, 2);
+    grid->addWidget(m_notice, 3, 0, 1, 2);
     grid->setRowStretch(0, 1);
     grid->setColumnStretch(1, 1);
-}
-
-QWidget* SensorPage::makeDeclinationRow()
-{
-    auto* const box = new QWidget(this);
-    auto* const row = new QHBoxLayout(box);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(4);
-    row->addWidget(m_declination, 1);
-    row->addWidget(m_change);
-    connect(m_change, &QPushButton::clicked, this, [this] { Q_EMIT settingsWanted(QStringLiteral("declination")); });
-    return box;
-}
-
-// The source of the declination with its value, the model that computes it, and a problem of the model.
-void SensorPage::showDeclination(const SensorStatus& sensor)
-{
-    QString text = sensor.declinationText;
-    if (!sensor.declinationModel.isEmpty()) {
-        text += QStringLiteral(" (%1)").arg(sensor.declinationModel);
-    }
-    if (sensor.declinationDoubt.isEmpty()) {
-        m_declination->setValue(text, Tone::Secondary);
-    } else {
-        m_declination->setValue(QStringLiteral("%1 %2").arg(text, sensor.declinationDoubt), Tone::Warning,
-                                Symbol::Warning);
-    }
 }
 
 QWidget* SensorPage::makeRunLine()
@@ -179,7 +153,7 @@ void SensorPage::showStatus(const StationStatus& status)
     const CalibrationStatus& calibration = calibrationOf(status);
     m_running = calibration.progress.run == CalibrationRun::SensorOffset;
     showNeedles(status);
-    showDeclination(status.sensor);
+    m_declination->showStatus(status);
     m_offset->setValue(averageText(calibration));
     m_offset->setVisible(m_notice->text().isEmpty());
     m_offers = status.simulated && !status.sensor.configured() && !calibration.sensorObstacle.isEmpty();

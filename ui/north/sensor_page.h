@@ -16,6 +16,7 @@ namespace boresight::ui {
 
 class CommandButton;
 class CompassDial;
+class DeclinationBox;
 class RequestDesk;
 class RunLine;
 class SensorDetails;
@@ -36,8 +37,6 @@ Q_SIGNALS:
 
 private:
     void build();
-    [[nodiscard]] QWidget* makeDeclinationRow();
-    void showDeclination(const SensorStatus& sensor);
     void showNeedles(const StationStatus& status);
     void showAverage(const StationStatus& status);
     void showOffer(const StationStatus& status);
@@ -60,11 +59,10 @@ private:
     ValueLabel* m_axis;
     ValueLabel* m_difference;
     ValueLabel* m_truth;
-    ValueLabel* m_declination;
-    QPushButton* m_change;
     ValueLabel* m_offset;
     RunLine* m_run;
     ValueLabel* m_notice;
+    DeclinationBox* m_declination;
     CommandButton* m_measure;
 };
 

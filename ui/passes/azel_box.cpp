@@ -14,7 +14,7 @@ namespace boresight::ui {
 
 namespace {
 
-// The folder of the user is long and known.
+// Shortens the folder of the user to "~".
 QString shortPath(const QString& path)
 {
     const QString home = QDir::homePath() + QLatin1Char('/');
@@ -87,7 +87,7 @@ AzelBox::AzelBox(RequestDesk& desk, QWidget* parent)
     connect(m_follow, &QPushButton::clicked, this, &AzelBox::followOrHold);
 }
 
-// As low as its button: in a low window the panel has no room to spare.
+// The box is as low as its button, because a low window has no more room.
 void AzelBox::build()
 {
     for (ValueLabel* const line : {m_file, m_state, m_refused}) {
@@ -133,7 +133,8 @@ void AzelBox::showStatus(const StationStatus& status)
                           m_isFollowed ? Symbol::Warning : Symbol::None);
         return;
     }
-    // One line: what the mount does comes first, and agreement is no news then.
+    // One line. The state of the tracking comes first. While the mount tracks, agreement of the directions is not
+    // shown.
     const QString phase = phaseText(azel);
     QStringList parts{phase, phase.isEmpty() || !azel.interpolates ? agreementText(azel) : QString()};
     parts.removeAll(QString());

@@ -5,8 +5,8 @@
 
 #include <QWidget>
 
-// The Moon of WSJT-X: what its azel.dat says and what that is worth, and the button that has the mount follow it. Gui
-// thread.
+// The Moon of WSJT-X: the content of its azel.dat, whether that content can be used, and the button that lets the mount
+// track it. Gui thread.
 namespace boresight::ui {
 
 class CommandButton;

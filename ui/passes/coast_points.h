@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-// The coasts of the Earth as closed lines, to half a degree.
+// The coasts of the Earth as closed lines, accurate to half a degree.
 namespace boresight::ui {
 
 struct CoastPoint
@@ -15,7 +15,7 @@ struct CoastPoint
     bool operator==(const CoastPoint&) const = default;
 };
 
-// After the last point of each line.
+// Ends each line.
 inline constexpr CoastPoint kCoastEnd{9999, 9999};
 
 [[nodiscard]] std::span<const CoastPoint> coastPoints();

@@ -18,7 +18,7 @@ ElementsButton::ElementsButton(ProfileDraft& draft, QWidget* parent)
     setAutoDefault(false);
     setMinimumHeight(kTouchSize);
     connect(this, &QPushButton::clicked, this, [this] {
-        if (!m_lacksElements) {  // else it has a menu
+        if (!m_lacksElements) {  // otherwise the menu opens
             Q_EMIT siteWanted();
         }
     });
@@ -57,7 +57,7 @@ void ElementsButton::showStatus(const StationStatus& status)
     setText(lacksElements ? tr("Add elements") : tr("Enter the site"));
     setAccessibleName(text());
     setToolTip(lacksElements ? tr("Add a file, or a group of CelesTrak") : tr("Open the step Site of the guide"));
-    setMinimumWidth(fontMetrics().horizontalAdvance(text()) + kTouchSize);  // and the arrow of the menu
+    setMinimumWidth(fontMetrics().horizontalAdvance(text()) + kTouchSize);  // with room for the arrow of the menu
     setMenu(lacksElements ? m_menu : nullptr);
 }
 

@@ -5,8 +5,8 @@
 
 #include <QPushButton>
 
-// What the list of passes lacks: without elements a menu adds a file or a group of CelesTrak to the profile, without a
-// site it leads to where the site is entered. Not there when nothing is lacking. Gui thread.
+// A button for data that the list of passes needs. Without elements its menu adds a file or a group of CelesTrak to the
+// profile. Without a site it opens the page where the site is entered. Hidden if nothing is missing. Gui thread.
 namespace boresight::ui {
 
 class ProfileDraft;
@@ -19,11 +19,11 @@ public:
     explicit ElementsButton(ProfileDraft& draft, QWidget* parent = nullptr);
 
     void showStatus(const StationStatus& status);
-    // Why the station did not take the last entry; empty: it did.
+    // The reason why the station refused the last entry. Empty: it was accepted.
     [[nodiscard]] const QString& refusal() const { return m_refusal; }
 
 Q_SIGNALS:
-    void settingsWanted();  // of the elements
+    void settingsWanted();  // the settings of the elements
     void siteWanted();
 
 private:

@@ -6,7 +6,7 @@
 
 #include <optional>
 
-// Makes a satellite a favourite of the profile, or takes its star away. Gui thread.
+// Makes a satellite a favourite of the profile, or removes it from the favourites. Gui thread.
 namespace boresight::ui {
 
 class ProfileDraft;
@@ -18,9 +18,9 @@ class FavouriteButton : public CommandButton
 public:
     FavouriteButton(ProfileDraft& draft, RequestDesk& desk, ValueLabel& notice, QWidget* parent = nullptr);
 
-    // Empty: none is selected.
+    // Empty: no satellite is selected.
     void show(const std::optional<int>& satellite, const orbit::SatelliteMarks& marks);
-    void toggle(int satellite);  // any, as if it were selected and the button pressed
+    void toggle(int satellite);  // works for any satellite, not only the selected one
 
 private:
     ProfileDraft& m_draft;

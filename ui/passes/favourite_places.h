@@ -11,17 +11,18 @@
 #include <optional>
 #include <vector>
 
-// Where the favourites stand that are up. A moment of 200 of them costs less than a millisecond. Gui thread.
+// The directions of the favourites that are above the horizon. A call with 200 favourites takes less than a
+// millisecond. Gui thread.
 namespace boresight::ui {
 
 class FavouritePlaces
 {
 public:
-    // An empty site: it is not known, and nothing is up.
+    // Empty `site`: the site is unknown, so no satellite is shown.
     void setBasis(const Satellites& satellites, const orbit::SatelliteMarks& marks, const std::optional<Site>& site);
-    // Where they appear by it is where a tracked one is pointed to.
+    // The rule of the profile, so that a favourite is shown where the mount would point to it.
     void setRefraction(ephemeris::RefractionRule rule) { m_refraction = rule; }
-    // The highest ones, without the satellite that has a mark of its own.
+    // The highest ones. `without` is left out, because the tracked satellite has its own mark.
     [[nodiscard]] std::vector<SatellitePlace> at(UtcTime utc, const std::optional<std::int64_t>& without);
 
 private:

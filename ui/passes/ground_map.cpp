@@ -55,7 +55,7 @@ void GroundMap::setPlace(const std::optional<Site>& below)
     update();
 }
 
-// Twice as wide as high, in the middle.
+// The map is twice as wide as high, in the middle of the widget.
 QRectF GroundMap::map() const
 {
     const double across = std::min<double>(width(), 2.0 * height());

@@ -9,8 +9,8 @@
 
 #include <optional>
 
-// The Earth with the way of the selected satellite over it: during its pass, and an orbit further. The satellite with
-// the circle that sees it stands where it is now. Passive. Gui thread.
+// The map of the Earth with the track of the selected satellite: during its pass and for one more orbit. It also shows
+// the present place of the satellite, and the circle of all places that see it now. Passive. Gui thread.
 namespace boresight::ui {
 
 class GroundMap : public QWidget
@@ -22,10 +22,10 @@ public:
 
     void show(const GroundTrack& track);
     void setSite(const std::optional<Site>& site);
-    void setPlace(const std::optional<Site>& below);  // of the satellite now
+    void setPlace(const std::optional<Site>& below);  // the present place below the satellite
 
     [[nodiscard]] QPointF pixelOf(const Site& place) const;
-    [[nodiscard]] QPainterPath lineOf(const std::vector<Site>& places) const;  // broken where it leaves the map
+    [[nodiscard]] QPainterPath lineOf(const std::vector<Site>& places) const;  // interrupted where it leaves the map
     [[nodiscard]] const std::optional<Site>& place() const { return m_place; }
 
     [[nodiscard]] QSize minimumSizeHint() const override { return {200, 80}; }
@@ -42,7 +42,7 @@ private:
     GroundTrack m_track;
     std::optional<Site> m_site;
     std::optional<Site> m_place;
-    QPixmap m_ground;  // land and grid; empty: not drawn yet
+    QPixmap m_ground;  // picture of land and grid; empty: not drawn yet
 };
 
 }  // namespace boresight::ui

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kTrackSteps = 120;
 constexpr int kFootprintPoints = 72;
-constexpr double kEarthMetres = 6'371'000.0;  // its mean radius
+constexpr double kEarthMetres = 6'371'000.0;  // the mean radius of the Earth
 
 std::optional<Site> below(const orbit::Sgp4& orbit, UtcTime utc)
 {

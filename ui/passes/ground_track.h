@@ -6,19 +6,19 @@
 #include <optional>
 #include <vector>
 
-// Where a satellite stands over the Earth. The Earth is a ball for the footprint. Pure.
+// The places on the Earth below a satellite. For the footprint the Earth is a sphere. Pure.
 namespace boresight::ui {
 
 struct GroundTrack
 {
     std::vector<Site> pass;   // below the satellite, from its rise to its set
-    std::vector<Site> after;  // and from then on, for an orbit, of a day at most
+    std::vector<Site> after;  // after the pass, for one orbit, at most a day
 };
 
 [[nodiscard]] GroundTrack groundTrackOf(const BookedPass& one, const PassBook& book);
-// Empty: the elements have no answer for this time.
+// Empty: the elements give no position for this time.
 [[nodiscard]] std::optional<Site> placeBelow(const orbit::ElementSet& elements, UtcTime utc);
-// The edge of what sees the satellite that stands above this place, at its height.
+// The edge of the area that sees a satellite above this place, at its height.
 [[nodiscard]] std::vector<Site> footprintOf(const Site& below);
 
 }  // namespace boresight::ui

@@ -14,7 +14,7 @@ NoteLine::NoteLine(ProfileDraft& draft, ValueLabel& notice, QWidget* parent)
     setFont(fonts::label());
     setAccessibleName(tr("Note about the satellite"));
     setPlaceholderText(tr("Note: frequency, polarisation, …"));
-    setToolTip(tr("A note about this satellite. Enter stores it, Esc takes back what was typed"));
+    setToolTip(tr("A note about this satellite. Enter stores the note. Esc restores the old note"));
     setMaxLength(static_cast<int>(orbit::kLongestNote));
     setMinimumHeight(kRowHeight);
     connect(this, &QLineEdit::returnPressed, this, &NoteLine::store);
@@ -35,7 +35,7 @@ void NoteLine::show(const std::optional<int>& satellite, const orbit::SatelliteM
     setEnabled(satellite.has_value());
 }
 
-// Esc leaves the line for no other.
+// After Esc the focus leaves without a new target (OtherFocusReason). Then the stored text returns.
 void NoteLine::focusOutEvent(QFocusEvent* event)
 {
     QLineEdit::focusOutEvent(event);
@@ -53,7 +53,7 @@ void NoteLine::takeBack()
     setModified(false);
 }
 
-// A refusal leaves what was typed.
+// If the station refuses the note, the typed text stays.
 void NoteLine::store()
 {
     const QString note = text().trimmed();

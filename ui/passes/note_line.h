@@ -7,8 +7,8 @@
 
 #include <optional>
 
-// The note of a satellite in the profile, in a line that can be edited. Enter, or leaving the line, stores it. Esc
-// takes back what was typed. What is being typed stays until then, and belongs to the satellite for which it was begun.
+// The note of a satellite in the profile, as an editable line. Enter, or leaving the line, stores the note. Esc
+// restores the stored text. While the operator types, the line stays with the satellite for which the text was begun.
 // Gui thread.
 namespace boresight::ui {
 
@@ -22,7 +22,7 @@ class NoteLine : public QLineEdit
 public:
     NoteLine(ProfileDraft& draft, ValueLabel& notice, QWidget* parent = nullptr);
 
-    // Empty: none is selected.
+    // Empty: no satellite is selected.
     void show(const std::optional<int>& satellite, const orbit::SatelliteMarks& marks);
 
 Q_SIGNALS:

@@ -12,24 +12,25 @@
 #include <memory>
 #include <vector>
 
-// The coming passes of all satellites over the site. Values, shared between threads and never changed.
+// The coming passes of all satellites over the site. The values are shared between threads and never change.
 namespace boresight::ui {
 
 using Satellites = std::shared_ptr<const std::vector<orbit::ElementSet>>;
 
 struct BookedPass
 {
-    std::size_t satellite = 0;  // in PassBook::satellites
+    std::size_t satellite = 0;  // index in PassBook::satellites
     passes::Pass pass;
 };
 
-// A new search finds a pass a little different. That of the same satellite is the same one if it is highest then.
+// A new search finds the same pass with slightly different times. Two passes of one satellite are the same if their
+// highest moments are this near.
 [[nodiscard]] inline bool isSameMoment(UtcTime one, UtcTime other)
 {
     return std::chrono::abs(one - other) < std::chrono::minutes(2);
 }
 
-// What a pass is judged by: of the antenna that it is tracked with, on this mount.
+// The properties of an antenna on this mount that decide how a pass is judged.
 struct PassAntenna
 {
     Angle beamWidth{};
@@ -42,9 +43,10 @@ struct PassBook
 {
     Satellites satellites;
     Site site{};
-    PassAntenna antenna;                      // in use
-    std::map<std::int64_t, PassAntenna> own;  // of satellites with an antenna of their own, by their numbers
-    std::vector<BookedPass> passes;           // in the order in which they begin
+    PassAntenna antenna;  // the antenna in use
+    std::map<std::int64_t, PassAntenna>
+        own;                         // antennas of satellites with an antenna of their own, by satellite number
+    std::vector<BookedPass> passes;  // in the order of their beginning
 
     [[nodiscard]] const orbit::ElementSet& elementsOf(const BookedPass& one) const
     {

@@ -8,6 +8,7 @@
 #include <QEvent>
 #include <QHeaderView>
 #include <QMenu>
+#include <QScrollBar>
 #include <QTableView>
 #include <QToolButton>
 
@@ -19,11 +20,12 @@ namespace boresight::ui {
 namespace {
 
 constexpr int kCellMargins = 14;               // px
-constexpr int kButtonSide = 44;                // px: of the star beside it
+constexpr int kButtonSide = 44;                // px: the button of the star beside it
 constexpr int kLeastName = 14;                 // letters
-constexpr int kAlways = PassTable::Satellite;  // up to this column
+constexpr int kMostName = 24;                  // letters, as in a file of two-line elements
+constexpr int kAlways = PassTable::Satellite;  // columns up to this one are always shown
 
-// The most wanted first.
+// The most important first. Columns after Unwraps are shown only if the longest name is whole.
 const std::pair<PassTable::Column, QString> kNames[] = {
     {PassTable::Rises, QStringLiteral("rises")},       {PassTable::Until, QStringLiteral("in")},
     {PassTable::Highest, QStringLiteral("highest")},   {PassTable::Lasts, QStringLiteral("lasts")},
@@ -31,7 +33,8 @@ const std::pair<PassTable::Column, QString> kNames[] = {
     {PassTable::Sets, QStringLiteral("sets")},         {PassTable::Sunlit, QStringLiteral("sunlit")},
     {PassTable::Elements, QStringLiteral("elements")}, {PassTable::HighestAt, QStringLiteral("highest_at")}};
 
-// The name of the columns that are always there, so that nothing else can be chosen, too.
+// Stands for the columns that are always shown. Without it, a choice of no other column would be an empty list, which
+// means "as many as there is room for".
 const QString kAlwaysName = QStringLiteral("satellite");
 
 }  // namespace
@@ -43,13 +46,17 @@ PassColumns::PassColumns(const PassTable& passes, QTableView& table, QWidget* pa
     table.setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
     header().setSectionResizeMode(QHeaderView::Fixed);
     header().setMinimumSectionSize(kRowHeight);
+    header().setResizeContentsPrecision(0);  // only what is seen counts
     header().setContextMenuPolicy(Qt::CustomContextMenu);
     connect(&header(), &QWidget::customContextMenuRequested, this,
             [this](const QPoint& place) { m_menu->popup(header().mapToGlobal(place)); });
     makeMenu();
     m_menu->installEventFilter(this);
     table.viewport()->installEventFilter(this);
-    fit();
+    connect(&passes, &QAbstractItemModel::modelReset, this, &PassColumns::beginAgain);
+    connect(&passes, &QAbstractItemModel::dataChanged, this, &PassColumns::look);
+    connect(table.verticalScrollBar(), &QScrollBar::valueChanged, this, &PassColumns::look);
+    beginAgain();
 }
 
 void PassColumns::makeMenu()
@@ -116,7 +123,7 @@ void PassColumns::choose(const QStringList& names)
     fit();
 }
 
-// What is seen then is chosen.
+// The visible columns become the choice, with this change.
 void PassColumns::toggle(int column, bool on)
 {
     QList<int> columns = m_chosen.value_or(roomyColumns());
@@ -134,19 +141,50 @@ bool PassColumns::eventFilter(QObject* watched, QEvent* event)
         if (event->type() == QEvent::Show) {
             keepOffHeader();
         }
-    } else if (event->type() == QEvent::Resize || event->type() == QEvent::FontChange) {
+    } else if (event->type() == QEvent::FontChange) {
+        beginAgain();
+    } else if (event->type() == QEvent::Resize) {
         fit();
+        look();
+    } else if (event->type() == QEvent::Show) {
+        look();
     }
     return QObject::eventFilter(watched, event);
 }
 
-// Where there is too little room below, Qt would put the menu above, over the STOP button.
+// If there is too little room below, Qt would open the menu upwards, over the STOP button.
 void PassColumns::keepOffHeader()
 {
     const auto* const panel = static_cast<QWidget*>(parent());
     const QWidget& window = *m_table.window();
     if (m_menu->y() < panel->mapToGlobal(QPoint()).y()) {
         m_menu->move(m_menu->x(), window.mapToGlobal(QPoint(0, window.height() - m_menu->height())).y());
+    }
+}
+
+void PassColumns::beginAgain()
+{
+    m_seen.clear();
+    m_longestName = QFontMetrics(m_table.font()).horizontalAdvance(m_passes.longestName()) + kCellMargins;
+    fit();
+    look();
+}
+
+// A hidden table would measure all of its rows.
+void PassColumns::look()
+{
+    const QAbstractItemView& view = m_table;
+    bool isWider = false;
+    for (int column = kAlways + 1; view.isVisible() && column < m_passes.columnCount(); ++column) {
+        if (header().isSectionHidden(column)) {
+            continue;
+        }
+        const int needed = view.sizeHintForColumn(column);
+        isWider = isWider || needed > widthOf(column);
+        m_seen[column] = std::max(m_seen[column], needed);
+    }
+    if (isWider) {
+        fit();
     }
 }
 
@@ -164,11 +202,11 @@ void PassColumns::fit()
     }
     header().resizeSection(PassTable::Favourite, kRowHeight);
     header().resizeSection(PassTable::Satellite,
-                           std::max(widthOf(PassTable::Satellite), m_table.viewport()->width() - others));
+                           std::max(leastWidthOf(PassTable::Satellite), m_table.viewport()->width() - others));
     tick();
 }
 
-// As they are now.
+// Ticks the columns that are shown now.
 void PassColumns::tick()
 {
     for (QAction* const action : m_menu->actions()) {
@@ -179,26 +217,40 @@ void PassColumns::tick()
 
 int PassColumns::widthOf(int column) const
 {
+    const auto seen = m_seen.find(column);
+    return std::max(leastWidthOf(column), seen == m_seen.end() ? 0 : seen->second);
+}
+
+int PassColumns::leastWidthOf(int column) const
+{
     const QFontMetrics metrics(m_table.font());
     if (column == PassTable::Satellite) {
         return kLeastName * metrics.averageCharWidth() + kCellMargins;
     }
     const QString heading = m_passes.headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
     return std::max(metrics.horizontalAdvance(heading),
-                    metrics.horizontalAdvance(PassTable::widest(static_cast<PassTable::Column>(column)))) +
+                    metrics.horizontalAdvance(PassTable::usual(static_cast<PassTable::Column>(column)))) +
            kCellMargins;
+}
+
+int PassColumns::wholeName() const
+{
+    const int most = kMostName * QFontMetrics(m_table.font()).averageCharWidth() + kCellMargins;
+    return std::clamp(m_longestName, leastWidthOf(PassTable::Satellite), most);
 }
 
 QList<int> PassColumns::roomyColumns() const
 {
-    int room = m_table.viewport()->width() - kRowHeight - widthOf(PassTable::Satellite);
+    int room = m_table.viewport()->width() - kRowHeight;
+    int name = leastWidthOf(PassTable::Satellite);
     QList<int> columns;
-    for (const auto& [column, name] : kNames) {
+    for (const auto& [column, word] : kNames) {
         room -= widthOf(column);
-        if (room < 0) {
+        if (room < name) {
             break;
         }
         columns << column;
+        name = column == PassTable::Unwraps ? wholeName() : name;
     }
     return columns;
 }

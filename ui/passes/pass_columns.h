@@ -4,6 +4,7 @@
 #include <QObject>
 #include <QStringList>
 
+#include <map>
 #include <optional>
 
 class QHeaderView;
@@ -11,9 +12,10 @@ class QMenu;
 class QTableView;
 class QToolButton;
 
-// Which columns the list of the passes has, and how wide they are. Star and name are always there. By itself it has as
-// many as the panel has room for, the most wanted first. Columns that the operator chose stay, and the list is scrolled
-// sideways where they need more room: no number is cut. Gui thread.
+// The columns of the list of passes, and their widths. Star and name are always shown. Without a choice of the operator
+// the list has as many columns as the panel has room for, the most important first. Chosen columns always stay. If they
+// need more room the list scrolls sideways, so no number is cut off. A column is as wide as its widest visible cell,
+// and gets no narrower before the list changes. The name has the rest. Gui thread.
 namespace boresight::ui {
 
 class PassTable;
@@ -25,11 +27,12 @@ class PassColumns : public QObject
 public:
     PassColumns(const PassTable& passes, QTableView& table, QWidget* panel);
 
-    [[nodiscard]] QToolButton* makeButton(QWidget* parent);  // to choose them; so does the right button on a heading
+    [[nodiscard]] QToolButton* makeButton(
+        QWidget* parent);  // opens the menu of the columns; so does a right click on a heading
 
-    // For people who read the file and for other programs: "rises", "hidden". Empty: as many as there is room for.
+    // Names for the settings file: "rises", "hidden". Empty: as many columns as there is room for.
     [[nodiscard]] QStringList chosen() const;
-    void choose(const QStringList& names);  // names of no column are left out
+    void choose(const QStringList& names);  // unknown names are ignored
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -38,9 +41,13 @@ private:
     void makeMenu();
     void keepOffHeader();
     void toggle(int column, bool on);
+    void beginAgain();
+    void look();
     void fit();
     void tick();
     [[nodiscard]] int widthOf(int column) const;
+    [[nodiscard]] int leastWidthOf(int column) const;
+    [[nodiscard]] int wholeName() const;
     [[nodiscard]] QList<int> roomyColumns() const;
     [[nodiscard]] QHeaderView& header() const;
 
@@ -48,6 +55,8 @@ private:
     QTableView& m_table;
     QMenu* m_menu;
     std::optional<QList<int>> m_chosen;
+    std::map<int, int> m_seen;  // column, the width of its widest cell that was seen
+    int m_longestName = 0;      // px
 };
 
 }  // namespace boresight::ui

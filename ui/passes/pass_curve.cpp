@@ -15,8 +15,15 @@ namespace boresight::ui {
 
 namespace {
 
-constexpr double kScaleStep = 30.0;  // °
-constexpr double kLineWidth = 2.0;   // px
+// The top of the scale and the step of its lines, degrees: the lowest one that has room for the pass and its number.
+struct Scale
+{
+    int top;
+    int step;
+};
+constexpr Scale kScales[] = {{10, 5}, {20, 10}, {30, 10}, {60, 30}, {90, 30}};
+constexpr double kRoomOfNumber = 0.9;  // of the scale is for the curve
+constexpr double kLineWidth = 2.0;     // px
 constexpr double kDot = 4.0;
 constexpr std::chrono::minutes kTimeSteps[] = {std::chrono::minutes(1), std::chrono::minutes(2),
                                                std::chrono::minutes(5), std::chrono::minutes(15),
@@ -26,6 +33,13 @@ constexpr std::chrono::minutes kWidestStep = std::chrono::hours(6);
 QString timeOfDay(UtcTime utc)
 {
     return clockText(utc).chopped(3);
+}
+
+const Scale& scaleFor(Angle highest)
+{
+    const auto* const found =
+        std::ranges::find_if(kScales, [&](const Scale& one) { return highest.degrees() <= kRoomOfNumber * one.top; });
+    return found == std::end(kScales) ? *(found - 1) : *found;
 }
 
 }  // namespace
@@ -79,11 +93,10 @@ QRectF PassCurve::canvas() const
     return QRectF(rect()).adjusted(left, fontMetrics().height() / 2.0 + 2.0, -14.0, -fontMetrics().height() - 10.0);
 }
 
-// A low pass has a scale of its own.
+// A low pass has a smaller scale.
 Angle PassCurve::top() const
 {
-    const double most = m_way ? highest().direction.elevation.degrees() : 90.0;
-    return Angle::fromDegrees(std::clamp(std::ceil((most + 3.0) / kScaleStep) * kScaleStep, kScaleStep, 90.0));
+    return Angle::fromDegrees(scaleFor(m_way ? highest().direction.elevation : 90_deg).top);
 }
 
 QPointF PassCurve::pixelOf(UtcTime utc, Angle elevation) const
@@ -93,7 +106,7 @@ QPointF PassCurve::pixelOf(UtcTime utc, Angle elevation) const
     return {box.left() + along * box.width(), box.bottom() - box.height() * (elevation / top())};
 }
 
-// A piece is hidden if its end is.
+// A segment is hidden if its end is hidden.
 QPainterPath PassCurve::line(bool hidden) const
 {
     QPainterPath path;
@@ -153,44 +166,44 @@ void PassCurve::paintGrid(QPainter& painter) const
 {
     const Theme& colours = currentTheme();
     const QRectF box = canvas();
-    const double step = top() > 30_deg ? kScaleStep : kScaleStep / 3.0;
-    for (double degrees = 0.0; degrees <= top().degrees(); degrees += step) {
+    const Scale& scale = scaleFor(highest().direction.elevation);
+    for (int degrees = 0; degrees <= scale.top; degrees += scale.step) {
         const double y = std::round(pixelOf(m_way->front().utc, Angle::fromDegrees(degrees)).y()) + 0.5;
         painter.setPen(colours.grid);
         painter.drawLine(QPointF(box.left(), y), QPointF(box.right(), y));
         painter.setPen(colours.secondary);
         const double half = fontMetrics().height() / 2.0;
         painter.drawText(QRectF(0.0, y - half, box.left() - 4.0, 2.0 * half), Qt::AlignRight | Qt::AlignVCenter,
-                         QStringLiteral("%1°").arg(degrees, 0, 'f', 0));
+                         QStringLiteral("%1°").arg(degrees));
     }
 }
 
-// As many as have room. Rise and set have their own.
+// As many times as there is room for. The times of rise and set, to the second, are painted elsewhere.
 void PassCurve::paintTimes(QPainter& painter) const
 {
     const Theme& colours = currentTheme();
     const QRectF box = canvas();
     const double room = fontMetrics().horizontalAdvance(QStringLiteral("00:00")) + 10.0;
+    const double endRoom = fontMetrics().horizontalAdvance(QStringLiteral("00:00:00")) + 10.0;
     const Seconds length = m_way->back().utc - m_way->front().utc;
     const auto* const step = std::ranges::find_if(
         kTimeSteps, [&](std::chrono::minutes one) { return Seconds(one) / length * box.width() > room; });
     const UtcTime::duration apart = step == std::end(kTimeSteps) ? kWidestStep : *step;
-    const auto label = [&](double x, const QString& text) {
-        const QRectF place(std::clamp(x - room / 2.0, 0.0, width() - room), box.bottom() + 8.0, room,
-                           fontMetrics().height());
+    const auto label = [&](double x, double across, const QString& text) {
+        const double left = std::clamp(x - across / 2.0, 0.0, width() - across);
         painter.setPen(colours.secondary);
-        painter.drawText(place, Qt::AlignCenter, text);
+        painter.drawText(QRectF(left, box.bottom() + 8.0, across, fontMetrics().height()), Qt::AlignCenter, text);
     };
     const UtcTime first = m_way->front().utc;
     const UtcTime last = m_way->back().utc;
-    label(box.left(), timeOfDay(first));
-    label(box.right(), timeOfDay(last));
+    label(box.left(), endRoom, clockText(first));
+    label(box.right(), endRoom, clockText(last));
     for (UtcTime at{(first.time_since_epoch() / apart + 1) * apart}; at < last; at += apart) {
         const double x = std::round(pixelOf(at, 0_deg).x()) + 0.5;
         painter.setPen(colours.grid);
         painter.drawLine(QPointF(x, box.top()), QPointF(x, box.bottom()));
-        if (x - box.left() > room && box.right() - x > room) {
-            label(x, timeOfDay(at));
+        if (x - room / 2.0 > endRoom && x + room / 2.0 < width() - endRoom) {
+            label(x, room, timeOfDay(at));
         }
     }
 }

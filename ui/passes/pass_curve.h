@@ -8,8 +8,8 @@
 
 #include <optional>
 
-// The elevation of the selected pass over time, from its rise to its set: dotted where the limits of the mount hide it,
-// with the elevation from which it counts, and where it is now. Passive. Gui thread, UTC.
+// The elevation of the selected pass over time, from rise to set. The line is dotted where the limits of the mount hide
+// the satellite. The lowest elevation that counts and the present place are marked. Passive. Gui thread, UTC.
 namespace boresight::ui {
 
 class PassCurve : public QWidget
@@ -19,13 +19,13 @@ class PassCurve : public QWidget
 public:
     explicit PassCurve(QWidget* parent = nullptr);
 
-    void show(const targets::SkyWay& way);              // null: none
-    void setLowest(const std::optional<Angle>& angle);  // empty: all of it counts
+    void show(const targets::SkyWay& way);              // null: no pass
+    void setLowest(const std::optional<Angle>& angle);  // the pass counts above this elevation; empty: all of it counts
     void setNow(UtcTime now);
 
     [[nodiscard]] QPainterPath line(bool hidden) const;  // in pixels
-    [[nodiscard]] std::optional<QPointF> place() const;  // of the satellite now; empty: it is not up
-    [[nodiscard]] Angle top() const;                     // of the scale
+    [[nodiscard]] std::optional<QPointF> place() const;  // the present place of the satellite; empty: below the horizon
+    [[nodiscard]] Angle top() const;                     // upper end of the scale
     [[nodiscard]] QPointF pixelOf(UtcTime utc, Angle elevation) const;
 
     [[nodiscard]] QSize minimumSizeHint() const override { return {200, 80}; }

@@ -12,11 +12,11 @@
 #include <memory>
 #include <unordered_map>
 
-// What takes some milliseconds to work out of a pass: only of the passes that are looked at, once, and never while they
-// are painted. Gui thread.
+// Facts of a pass that take some milliseconds to compute. They are computed once, only for passes that are shown, and
+// never while the window paints. Gui thread.
 namespace boresight::ui {
 
-// Whether the mount tracks it in one go.
+// Whether the cable lets the mount track the whole pass without a turn back.
 [[nodiscard]] targets::CableTurns cableOf(const BookedPass& one, const PassBook& book);
 
 class PassDetails : public QObject
@@ -32,12 +32,13 @@ public:
     };
 
     static constexpr std::size_t kMostKept = 500;
-    static constexpr std::size_t kMostWanted = 100;  // more rows are never seen at once
+    static constexpr std::size_t kMostWanted = 100;  // more rows are never visible at the same time
 
     explicit PassDetails(QObject* parent = nullptr);
 
     void begin(const std::shared_ptr<const PassBook>& book);
-    // By the number of the pass in the book. Null: not yet. It is worked out when the window has nothing else to do.
+    // `pass`: index in the book. Null: not computed yet. Then it is computed as soon as the window has nothing else to
+    // do.
     [[nodiscard]] const Facts* find(std::size_t pass);
 
     [[nodiscard]] std::size_t kept() const { return m_facts.size(); }
@@ -51,9 +52,9 @@ private:
 
     std::shared_ptr<const PassBook> m_book;
     std::unordered_map<std::size_t, Facts> m_facts;
-    std::deque<std::size_t> m_order;   // of m_facts, the oldest first
-    std::deque<std::size_t> m_wanted;  // the newest first: what was scrolled past comes last
-    QTimer m_idle;                     // without a parent: it waits for no time, so no test turns it
+    std::deque<std::size_t> m_order;   // keys of m_facts, the oldest first
+    std::deque<std::size_t> m_wanted;  // the newest first, because rows that were scrolled away can wait
+    QTimer m_idle;                     // without a parent, so tests that find and fire timers do not find this one
 };
 
 }  // namespace boresight::ui

@@ -9,16 +9,16 @@
 class QDoubleSpinBox;
 class QLineEdit;
 
-// Which of the coming passes are listed: words of the name or number, a least height, and whether it must be a
-// favourite. Gui thread.
+// The filter of the list of passes: words of the name or number, the lowest maximum elevation, and favourites only. Gui
+// thread.
 namespace boresight::ui {
 
 class ChoiceButton;
 
 struct PassChoice
 {
-    QString words;  // all of them; empty: each satellite
-    Angle lowest;   // passes that stay below are left out
+    QString words;  // all of these words must occur; empty: every satellite
+    Angle lowest;   // passes whose highest elevation is lower are hidden
     bool onlyFavourites = false;
 
     bool operator==(const PassChoice&) const = default;

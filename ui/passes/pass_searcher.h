@@ -11,11 +11,11 @@
 #include <memory>
 #include <stop_token>
 
-// Finds the passes of many satellites beside the gui thread, with the lowest priority. A new search ends the one
-// before. What was found comes back on the gui thread. Gui thread.
+// Finds the passes of many satellites on another thread, with the lowest priority. A new search cancels the previous
+// one. The result arrives on the gui thread. Gui thread.
 namespace boresight::ui {
 
-// Of a satellite that is tracked with an antenna of its own.
+// For a satellite that is tracked with its own antenna.
 struct OwnAntenna
 {
     PassAntenna antenna;
@@ -27,7 +27,7 @@ struct PassQuery
     Satellites satellites;
     passes::PassSearch search;
     PassAntenna antenna;
-    std::map<std::int64_t, OwnAntenna> own;  // by the numbers of the satellites
+    std::map<std::int64_t, OwnAntenna> own;  // by satellite number
 };
 
 class PassSearcher : public QObject

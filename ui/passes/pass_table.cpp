@@ -29,7 +29,7 @@ PassTable::PassTable(QObject* parent)
     connect(m_details, &PassDetails::workedOut, this, &PassTable::showDetails);
 }
 
-QString PassTable::widest(Column column)
+QString PassTable::usual(Column column)
 {
     switch (column) {
         case Rises:
@@ -42,15 +42,26 @@ QString PassTable::widest(Column column)
             return QStringLiteral("90°");
         case Lasts:
         case Hidden:
-        case Sunlit:
-            return QStringLiteral("23 h 59");
         case Unwraps:
-            return briefCableText({.turns = 1, .lost = Seconds(59.0 * 60.0 + 59.0), .fitsOverTheTop = true});
+        case Sunlit:
+            return QStringLiteral("00:00");
         case Elements:
-            return daysText({.days = QStringLiteral("9999.9"), .late = {}, .shift = {}, .beam = {}, .isTooOld = true});
+            return daysText({.days = QStringLiteral("99.9"), .late = {}, .shift = {}, .beam = {}});
         default:
             return {};
     }
+}
+
+QString PassTable::longestName() const
+{
+    const orbit::ElementSet* longest = nullptr;
+    for (const std::size_t row : m_rows) {
+        const orbit::ElementSet& one = m_book->elementsOf(m_book->passes[row]);
+        if (longest == nullptr || one.name.size() > longest->name.size()) {
+            longest = &one;
+        }
+    }
+    return longest == nullptr ? QString() : targets::satelliteName(*longest);
 }
 
 void PassTable::show(const std::shared_ptr<const PassBook>& book, UtcTime now)
@@ -220,7 +231,7 @@ QString PassTable::text(std::size_t pass, int column) const
     }
 }
 
-// Empty until it is worked out.
+// Empty until it is computed.
 QString PassTable::detail(std::size_t pass, int column) const
 {
     const PassDetails::Facts* const facts = m_details->find(pass);
@@ -245,30 +256,33 @@ QString PassTable::help(std::size_t pass, int column) const
 
 QVariant PassTable::headerData(int section, Qt::Orientation orientation, int role) const
 {
+    if (orientation == Qt::Horizontal && role == Qt::TextAlignmentRole && section > Satellite) {
+        return QVariant(Qt::AlignRight | Qt::AlignVCenter);  // as the numbers below it
+    }
     if (orientation != Qt::Horizontal || role != Qt::ToolTipRole) {
         return TableModel::headerData(section, orientation, role);
     }
     switch (section) {
         case Rises:
-            return tr("AOS, when it rises above the horizon, without refraction");
+            return tr("AOS: the satellite rises above the horizon, without refraction");
         case Until:
-            return tr("how long until it rises");
+            return tr("time until the satellite rises");
         case HighestAt:
-            return tr("TCA, when it is highest");
+            return tr("TCA: the satellite is highest");
         case Sets:
-            return tr("LOS, when it sets, without refraction");
+            return tr("LOS: the satellite sets, without refraction");
         case Highest:
             return tr("the highest elevation of the pass");
         case Lasts:
-            return tr("from rise to set");
+            return tr("time from rise to set");
         case Hidden:
-            return tr("for how long horizon, keep-outs and limits hide it");
+            return tr("how long horizon, keep-outs and limits hide the satellite");
         case Unwraps:
-            return tr("whether the cable ends during the pass, and what that loses");
+            return tr("whether the cable ends during the pass, and how much of the pass is lost");
         case Sunlit:
-            return tr("for how long the Sun shines on it");
+            return tr("how long the satellite is in sunlight");
         case Elements:
-            return tr("age of its elements in days");
+            return tr("age of the elements in days");
         default:
             return {};
     }

@@ -11,16 +11,16 @@
 #include <optional>
 #include <vector>
 
-// The passes that are still to come, or go on, as a table in the order in which they begin, as far as they were chosen.
-// Favourites have a star. What a pass is worth is judged by core: the table only shows it. Gui thread.
+// The present and coming passes that match the filter, as a table in the order of their beginning. Favourites have a
+// star. Core judges the passes. The table only shows the result. Gui thread.
 namespace boresight::ui {
 
-// Of the passes that are not over.
+// Counts the passes that are not over.
 struct PassCount
 {
-    std::size_t coming = 0;  // listed or not
+    std::size_t coming = 0;  // with and without the filter
     std::size_t listed = 0;
-    std::size_t satellites = 0;  // of what is listed
+    std::size_t satellites = 0;  // number of satellites among the listed passes
 
     bool operator==(const PassCount&) const = default;
 };
@@ -48,20 +48,22 @@ public:
 
     explicit PassTable(QObject* parent = nullptr);
 
-    [[nodiscard]] static QString widest(Column column);  // of its cells
+    // The text for which a column has room from the beginning, so that it does not move while numbers change.
+    [[nodiscard]] static QString usual(Column column);
+    [[nodiscard]] QString longestName() const;  // of the listed passes
 
     void show(const std::shared_ptr<const PassBook>& book, UtcTime now);
     void setChoice(const PassChoice& choice);
     void setMarks(const orbit::SatelliteMarks& marks);
     [[nodiscard]] const orbit::SatelliteMarks& marks() const { return m_marks; }
-    void tick(UtcTime now);  // passes that are over go
+    void tick(UtcTime now);  // removes passes that are over
 
     [[nodiscard]] const BookedPass& pass(int row) const { return m_book->passes.at(m_rows.at(std::size_t(row))); }
     [[nodiscard]] const std::shared_ptr<const PassBook>& book() const { return m_book; }
     [[nodiscard]] const PassCount& count() const { return m_count; }
-    // Of the same satellite, at nearly the same time: a new search finds it a little different.
+    // The row of this pass. `highest` may differ slightly, because a new search finds slightly different times.
     [[nodiscard]] std::optional<int> rowOf(std::int64_t number, UtcTime highest) const;
-    // The first one of this satellite.
+    // The row of the first pass of this satellite.
     [[nodiscard]] std::optional<int> nextOf(std::int64_t number) const;
 
     [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
@@ -81,8 +83,8 @@ private:
     [[nodiscard]] QString help(std::size_t pass, int column) const;
 
     std::shared_ptr<const PassBook> m_book = std::make_shared<const PassBook>();
-    std::vector<std::size_t> m_rows;  // into the passes of the book
-    PassDetails* m_details;           // worked out when they are seen
+    std::vector<std::size_t> m_rows;  // indices of passes in the book
+    PassDetails* m_details;           // computed when the rows are shown
     PassCount m_count;
     PassChoice m_choice;
     orbit::SatelliteMarks m_marks;

@@ -21,14 +21,15 @@ namespace boresight::ui {
 
 namespace {
 
-// The day ahead, and what has gone by of this hour.
+// The next day, and the part of the present hour that is over.
 constexpr std::chrono::hours kSpan{25};
 constexpr double kLeastRow = 20.0;    // px
 constexpr double kLeastBar = 3.0;     // px wide
-constexpr double kReach = 10.0;       // px: so far beside a bar a click still means it
+constexpr double kReach = 10.0;       // px: a click this far beside a bar still selects it
 constexpr double kStar = 12.0;        // px
-constexpr double kWeakest = 0.35;     // of the colour and the height of a pass along the horizon
-constexpr double kStrongFrom = 60.0;  // °
+constexpr double kNamePart = 0.32;    // of the width, at most
+constexpr double kWeakest = 0.35;     // of colour and height, for a pass that stays at the horizon
+constexpr double kStrongFrom = 60.0;  // °: from this highest elevation on, a bar has its full colour
 
 }  // namespace
 
@@ -45,8 +46,13 @@ PassTimeline::PassTimeline(QWidget* parent) : QAbstractScrollArea(parent)
 void PassTimeline::show(const Timeline& timeline)
 {
     m_timeline = timeline;
+    m_widestName = 0.0;
+    for (const TimelineRow& row : timeline.rows) {
+        m_widestName = std::max<double>(m_widestName, fontMetrics().horizontalAdvance(row.name) + 1);
+    }
     setAccessibleDescription(summary());
     fitScrollBar();
+    showSelectedRow();
     viewport()->update();
 }
 
@@ -61,6 +67,7 @@ void PassTimeline::setSelected(std::int64_t number, UtcTime highest)
 {
     m_number = number;
     m_highest = highest;
+    showSelectedRow();
     viewport()->update();
 }
 
@@ -74,7 +81,7 @@ QString PassTimeline::leftOutText() const
     return m_timeline.leftOut == 0 ? QString() : tr("%1 more satellites are only in the list.").arg(m_timeline.leftOut);
 }
 
-// The last one says what has none.
+// One more row gives the number of satellites without a row.
 std::size_t PassTimeline::rowCount() const
 {
     return m_timeline.rows.size() + (m_timeline.leftOut == 0 ? 0 : 1);
@@ -94,7 +101,13 @@ double PassTimeline::rowHeight() const
 
 double PassTimeline::nameWidth() const
 {
-    return std::min(fontMetrics().averageCharWidth() * 16.0, viewport()->width() * 0.36);
+    const double star = 4.0 + kStar + 4.0;
+    return std::min(star + m_widestName, viewport()->width() * kNamePart);
+}
+
+QRectF PassTimeline::nameBox(std::size_t row) const
+{
+    return rowBox(row).adjusted(4.0 + kStar + 4.0, 0.0, nameWidth() - viewport()->width(), 0.0);
 }
 
 double PassTimeline::pixelOf(UtcTime utc) const
@@ -109,7 +122,7 @@ QRectF PassTimeline::rowBox(std::size_t row) const
     return {0.0, top, static_cast<double>(viewport()->width()), rowHeight()};
 }
 
-// As high as the pass, so that a high one is seen in a theme of one colour, too.
+// The height of the bar grows with the elevation, so a high pass is also visible in a theme with one colour.
 QRectF PassTimeline::barBox(std::size_t row, const TimelineBar& bar) const
 {
     const QRectF box = rowBox(row).adjusted(0.0, 3.0, 0.0, -3.0);
@@ -134,10 +147,25 @@ void PassTimeline::fitScrollBar()
     verticalScrollBar()->setSingleStep(static_cast<int>(rowHeight()));
 }
 
+// The selection may come from the keys or from the list.
+void PassTimeline::showSelectedRow()
+{
+    const auto found = std::ranges::find(m_timeline.rows, m_number, &TimelineRow::number);
+    if (found == m_timeline.rows.end()) {
+        return;
+    }
+    const double top = rowHeight() * static_cast<double>(found - m_timeline.rows.begin());
+    const double lowest = top + rowHeight() - (viewport()->height() - headHeight());
+    const double highest = std::max(top, lowest);
+    verticalScrollBar()->setValue(static_cast<int>(
+        std::clamp<double>(verticalScrollBar()->value(), std::ceil(std::min(top, lowest)), std::floor(highest))));
+}
+
 void PassTimeline::resizeEvent(QResizeEvent* event)
 {
     QAbstractScrollArea::resizeEvent(event);
     fitScrollBar();
+    showSelectedRow();
 }
 
 void PassTimeline::paintEvent(QPaintEvent*)
@@ -159,7 +187,7 @@ void PassTimeline::paintEvent(QPaintEvent*)
     paintHours(painter);
 }
 
-// Over all rows, so that overlaps are seen.
+// Across all rows, so that overlapping passes are visible.
 void PassTimeline::paintSelectedSpan(QPainter& painter) const
 {
     for (const TimelineRow& row : m_timeline.rows) {
@@ -182,14 +210,13 @@ void PassTimeline::paintRow(QPainter& painter, std::size_t row) const
     painter.setRenderHint(QPainter::Antialiasing, false);
     painter.setPen(colours.grid);
     painter.drawLine(box.bottomLeft(), box.bottomRight());
-    QRectF name(4.0, box.top(), nameWidth() - 4.0, box.height());
+    const QRectF name = nameBox(row);
     if (satellite.isFavourite) {
         painter.save();
-        const QRectF star(name.left(), name.center().y() - kStar / 2.0, kStar, kStar);
+        const QRectF star(4.0, name.center().y() - kStar / 2.0, kStar, kStar);
         drawGlyph(painter, Glyph::Favourite, star, colours.secondary);
         painter.restore();
     }
-    name.setLeft(name.left() + kStar + 4.0);
     painter.setPen(satellite.number == m_number ? colours.text : colours.secondary);
     painter.drawText(name, Qt::AlignLeft | Qt::AlignVCenter,
                      fontMetrics().elidedText(satellite.name, Qt::ElideRight, static_cast<int>(name.width())));
@@ -200,7 +227,7 @@ void PassTimeline::paintRow(QPainter& painter, std::size_t row) const
     }
 }
 
-// What the schedule tracks is underlined, what it leaves out is hollow.
+// Bars of passes that the schedule tracks are underlined. Bars of passes that it omits are hollow.
 void PassTimeline::paintBar(QPainter& painter, std::size_t row, const TimelineBar& bar) const
 {
     const Theme& colours = currentTheme();

@@ -7,8 +7,8 @@
 
 #include <optional>
 
-// The coming passes of a day side by side: a row for each satellite, a bar for each pass, the higher the stronger. A
-// click or the arrow keys select a pass. Passive: it paints what it is given. Gui thread, UTC.
+// The coming passes of a day as a picture: a row for each satellite and a bar for each pass. A higher pass has a
+// stronger bar. A click or the arrow keys select a pass. Passive: it paints the given timeline. Gui thread, UTC.
 namespace boresight::ui {
 
 class PassTimeline : public QAbstractScrollArea
@@ -23,16 +23,17 @@ public:
     void setSelected(std::int64_t number, UtcTime highest);
 
     [[nodiscard]] const Timeline& timeline() const { return m_timeline; }
-    [[nodiscard]] QRectF barBox(std::size_t row, const TimelineBar& bar) const;  // in the viewport
-    [[nodiscard]] QString leftOutText() const;                                   // empty: each satellite has a row
+    [[nodiscard]] QRectF barBox(std::size_t row, const TimelineBar& bar) const;  // in pixels of the viewport
+    [[nodiscard]] QString leftOutText() const;  // the number of satellites without a row; empty: none
     [[nodiscard]] std::size_t rowCount() const;
-    [[nodiscard]] QString summary() const;  // what is shown, and what is not
+    [[nodiscard]] QString summary() const;  // the picture in words, for a screen reader
+    [[nodiscard]] QRectF nameBox(std::size_t row) const;
 
     [[nodiscard]] QSize minimumSizeHint() const override { return {200, 80}; }
 
 Q_SIGNALS:
     void passChosen(std::int64_t number, boresight::UtcTime highest);
-    void stepWanted(int passes);  // to the next, or to the one before, in the order of time
+    void stepWanted(int passes);  // 1: the next pass in the order of time, -1: the previous one
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -57,14 +58,16 @@ private:
     [[nodiscard]] std::optional<Place> placeAt(const QPointF& at) const;
     [[nodiscard]] QString helpAt(const QPointF& at) const;
     void fitScrollBar();
+    void showSelectedRow();
     void paintRow(QPainter& painter, std::size_t row) const;
     void paintBar(QPainter& painter, std::size_t row, const TimelineBar& bar) const;
     void paintHours(QPainter& painter) const;
     void paintSelectedSpan(QPainter& painter) const;
 
     Timeline m_timeline;
+    double m_widestName = 0.0;  // px
     UtcTime m_now{};
-    UtcTime m_begin{};  // at the left: the hour that goes on
+    UtcTime m_begin{};  // at the left edge: the beginning of the present hour
     std::int64_t m_number = 0;
     UtcTime m_highest{};
 };

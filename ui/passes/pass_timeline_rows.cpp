@@ -12,7 +12,7 @@ namespace boresight::ui {
 
 namespace {
 
-// The plan by satellite.
+// The plan of the schedule, by satellite number.
 class PlanIndex
 {
 public:
@@ -26,7 +26,7 @@ public:
     explicit PlanIndex(const schedule::NightPlan& plan)
     {
         for (const schedule::WatchedPass& pass : plan.chosen) {
-            if (!pass.rest) {  // of a rest the pass is among the conflicts
+            if (!pass.rest) {  // a rest belongs to an omitted pass, which is added with the conflicts
                 add(pass, PassPlan::Tracked, {{.from = pass.rises(), .to = pass.sets()}});
             }
         }
@@ -66,12 +66,12 @@ Timeline timelineOf(const PassTable& passes, const orbit::SatelliteMarks& marks,
     };
     struct Found
     {
-        std::size_t satellite = 0;  // of the book
+        std::size_t satellite = 0;  // index in the book
         std::int64_t number = 0;
         int rank = 0;
     };
     std::vector<Found> found;
-    std::unordered_map<std::size_t, std::vector<int>> rowsOf;  // of the table, by satellite
+    std::unordered_map<std::size_t, std::vector<int>> rowsOf;  // rows of the table, by index of the satellite
     for (int row = 0; row < passes.rowCount(); ++row) {
         const BookedPass& one = passes.pass(row);
         std::vector<int>& rows = rowsOf[one.satellite];

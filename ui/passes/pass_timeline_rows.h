@@ -11,16 +11,16 @@
 #include <cstdint>
 #include <vector>
 
-// The listed passes as rows of a timeline, one for each satellite: favourites first, then those that the schedule
-// watches, then the others, each in the order in which they rise. Pure.
+// The listed passes as rows of a timeline, one for each satellite. Favourites come first, then watched satellites, then
+// the others, each group in the order of rising. Pure.
 namespace boresight::ui {
 
-// What the schedule makes of a pass.
+// The decision of the schedule about a pass.
 enum class PassPlan
 {
     None,
     Tracked,
-    LeftOut  // watched, but another one is tracked, or the limits hide it
+    LeftOut  // watched, but another pass is tracked or the limits hide it
 };
 
 struct TimelineBar
@@ -28,9 +28,9 @@ struct TimelineBar
     UtcTime rises{};
     UtcTime highest{};
     UtcTime sets{};
-    Angle elevation;  // the highest
+    Angle elevation;  // the highest elevation
     PassPlan plan = PassPlan::None;
-    std::vector<passes::Stretch> tracked = {};  // by the schedule: all of it, or what is left beside another one
+    std::vector<passes::Stretch> tracked = {};  // the parts that the schedule tracks; an omitted pass may keep some
 };
 
 struct TimelineRow
@@ -44,7 +44,7 @@ struct TimelineRow
 struct Timeline
 {
     std::vector<TimelineRow> rows;
-    std::size_t leftOut = 0;  // satellites for which there is no row
+    std::size_t leftOut = 0;  // number of satellites without a row
 };
 
 inline constexpr std::size_t kMostTimelineRows = 40;

@@ -42,7 +42,7 @@ QWidget* PassViews::makeChoices(QWidget* parent)
     const std::pair<QString, QString> views[] = {{tr("List"), tr("The passes as a list")},
                                                  {tr("Timeline"), tr("The passes of the next 24 hours side by side")},
                                                  {tr("Elevation"), tr("The elevation of the selected pass over time")},
-                                                 {tr("Map"), tr("The way of the selected satellite over the Earth")}};
+                                                 {tr("Map"), tr("The path of the selected satellite over the Earth")}};
     auto* const box = new QWidget(parent);
     auto* const row = new QHBoxLayout(box);
     row->setContentsMargins(0, 0, 0, 0);
@@ -131,7 +131,7 @@ void PassViews::showMap()
     m_map->setPlace(m_pass ? placeBelow(m_book->elementsOf(*m_pass), m_now) : std::nullopt);
 }
 
-// From where the pass counts: as the schedule watches for it, else the lowest elevation of the mount.
+// The elevation from which the pass counts: that of the watch list, else the lowest elevation of the mount.
 std::optional<Angle> PassViews::lowest() const
 {
     if (!m_profile) {

@@ -13,8 +13,8 @@
 
 class QTableView;
 
-// One place for the passes as a list, as a timeline, and for the selected pass as its elevation over time and its way
-// over the Earth. What is not seen is not worked out. Gui thread.
+// The views of the passes: a list, a timeline, and for the selected pass its elevation over time and its track over the
+// Earth. Hidden views compute nothing. Gui thread.
 namespace boresight::ui {
 
 class ChoiceButton;
@@ -36,15 +36,15 @@ public:
         Map
     };
 
-    // The table becomes the list.
+    // Takes the table as the list.
     PassViews(PassTable& passes, QTableView& table, QWidget* parent = nullptr);
 
-    [[nodiscard]] QWidget* makeChoices(QWidget* parent);  // to switch the view, once
+    [[nodiscard]] QWidget* makeChoices(QWidget* parent);  // buttons that switch the view; call it once
     void showView(View view);
     [[nodiscard]] View view() const { return static_cast<View>(currentIndex()); }
 
     void showStatus(const StationStatus& status);  // once a second is enough
-    // Empty: none.
+    // Empty `pass`: none is selected.
     void select(const std::shared_ptr<const PassBook>& book, const std::optional<BookedPass>& pass,
                 const targets::SkyWay& way);
 
@@ -68,7 +68,7 @@ private:
     std::shared_ptr<const profile::Profile> m_profile;
     std::shared_ptr<const ScheduleStatus> m_schedule;
     UtcTime m_now{};
-    std::shared_ptr<const PassBook> m_book;  // of the selected pass
+    std::shared_ptr<const PassBook> m_book;  // the book of the selected pass
     std::optional<BookedPass> m_pass;
     bool m_isTimelineOld = true;
     bool m_isTrackOld = true;

@@ -28,7 +28,8 @@ QString momentText(const QString& words, const passes::PassMoment& moment, const
     return words.arg(clockText(moment.utc), angle);
 }
 
-// By how much the satellite is elsewhere at its highest, where it moves fastest over the sky, if it comes late.
+// The change of direction when the satellite comes this late. Computed for the highest moment, when it moves fastest
+// over the sky.
 Angle shiftOf(const BookedPass& one, const PassBook& book, Seconds late)
 {
     const orbit::Sgp4 orbit(book.elementsOf(one));
@@ -49,7 +50,7 @@ QString beamText(Angle beam)
     return angleText(beam, beam < 1_deg ? 2 : 1);
 }
 
-// A tenth of a degree says nothing of a narrow beam.
+// With two decimals, because a tenth of a degree is too coarse for a narrow beam.
 QString ageText(const ElementAge& age)
 {
     const QString words = age.isTooOld
@@ -149,7 +150,7 @@ QString briefFactsOf(const BookedPass& one, const PassBook& book, UtcTime now, b
     const QString which = isNamed ? targets::satelliteName(elements) : QString::number(elements.number);
     QStringList first{
         words.arg(which, azimuthText(pass.aos.direction.azimuth, 0), azimuthText(pass.los.direction.azimuth, 0))};
-    // A number leaves room beside it, a name does not.
+    // Beside a name there is no room for this text, so it has its own line. Beside a number it is shorter.
     if (const Seconds hidden = hiddenTime(pass); hidden >= Seconds(1.0)) {
         first << (isNamed ? PassWords::tr("hidden for %1 by the limits") : PassWords::tr("hidden for %1"))
                      .arg(lengthText(hidden));
@@ -158,7 +159,7 @@ QString briefFactsOf(const BookedPass& one, const PassBook& book, UtcTime now, b
            briefAgeText(ageOf(one, book, now));
 }
 
-// A pass of many hours may have more changes. The first two are shown.
+// A pass of many hours may have more than two changes. The first two are shown.
 QString lightText(const passes::PassLight& light)
 {
     const auto time = [&](std::size_t number) { return clockText(light.changes.at(number)); };

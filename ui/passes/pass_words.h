@@ -12,42 +12,44 @@
 
 namespace boresight::ui {
 
-// A pass in words.
+// Translates the texts about a pass.
 struct PassWords
 {
     Q_DECLARE_TR_FUNCTIONS(PassWords)
 };
 
-[[nodiscard]] QString lengthText(Seconds time);               // "10:12", "2 h 05"
-[[nodiscard]] QString riseText(const passes::Pass& pass);     // "17:05:59"; "up" where the span begins with it
-[[nodiscard]] QString setText(const passes::Pass& pass);      // "17:16:11"; "up" where the span ends with it
-[[nodiscard]] QString partText(Seconds part, Seconds whole);  // "no", "all", or how long
-[[nodiscard]] QString untilText(const passes::Pass& pass, UtcTime now);  // "in 5 min"; "up" until it sets
-[[nodiscard]] Seconds hiddenTime(const passes::Pass& pass);              // by horizon, keep-outs or limits
-// How old the elements are, and what that means for the beam.
+[[nodiscard]] QString lengthText(Seconds time);  // "10:12", "2 h 05"
+[[nodiscard]] QString riseText(
+    const passes::Pass& pass);  // "17:05:59"; "up" if the satellite is up when the search begins
+[[nodiscard]] QString setText(
+    const passes::Pass& pass);  // "17:16:11"; "up" if the satellite is up when the search ends
+[[nodiscard]] QString partText(Seconds part, Seconds whole);             // "no", "all", or a length
+[[nodiscard]] QString untilText(const passes::Pass& pass, UtcTime now);  // "in 5 min"; "up" during the pass
+[[nodiscard]] Seconds hiddenTime(const passes::Pass& pass);              // hidden by horizon, keep-outs or limits
+// The age of the elements, and the error that it causes.
 struct ElementAge
 {
     QString days;
     Seconds late;
-    Angle shift;            // at the highest moment
-    Angle beam;             // its width
-    bool isTooOld = false;  // more than half the beam
+    Angle shift;            // the error at the highest moment
+    Angle beam;             // the beam width
+    bool isTooOld = false;  // the error exceeds half the beam width
 };
 
 [[nodiscard]] ElementAge ageOf(const BookedPass& one, const PassBook& book, UtcTime now);
 
 [[nodiscard]] QString daysText(const ElementAge& age);  // "4.4 d", "4.4 d, too old"
 
-// A line for each fact.
+// One line for each fact.
 [[nodiscard]] QString factsOf(const BookedPass& one, const PassBook& book, UtcTime now);
-// What the table does not show of it: where it rises and sets, what the limits hide, and how old the elements are.
-// Its name is in the table, too, but in no picture.
+// The facts that the table does not show: where the satellite rises and sets, how long the limits hide it, and the age
+// of the elements. `isNamed`: with the name, for views that do not show it.
 [[nodiscard]] QString briefFactsOf(const BookedPass& one, const PassBook& book, UtcTime now, bool isNamed);
 
 // One line: "in sunlight", "enters the shadow 17:05:59Z".
 [[nodiscard]] QString lightText(const passes::PassLight& light);
-[[nodiscard]] QString cableFact(const targets::CableTurns& cable);  // one line, where the cable ends
-// Sentences: whether the cable has room for all of a pass, and what happens where it has not.
+[[nodiscard]] QString cableFact(const targets::CableTurns& cable);  // one line: where the cable ends
+// `cableText`: sentences about whether the cable has room for the whole pass, and what happens if not.
 [[nodiscard]] QString briefCableText(const targets::CableTurns& cable);  // "no", "0:37", "0:37 or flip"
 [[nodiscard]] QString cableText(const targets::CableTurns& cable);
 

@@ -5,12 +5,12 @@
 
 namespace boresight::ui {
 
-// How the page of the coming passes looks, kept from one run to the next.
+// The layout of the page of the coming passes, stored for the next start.
 struct PassesLayout
 {
-    int view = 0;  // of PassViews
+    int view = 0;  // PassViews::View
     bool onlyFavourites = false;
-    QStringList columns = {};  // of PassColumns; empty: as many as there is room for
+    QStringList columns = {};  // PassColumns::chosen(); empty: as many as there is room for
 
     bool operator==(const PassesLayout&) const = default;
 };

@@ -26,10 +26,10 @@ namespace {
 
 constexpr std::chrono::hours kAhead{24};
 constexpr std::chrono::hours kSearchAgain{6};
-// So far back that a pass that goes on now has its own beginning.
+// The search begins this long ago, so that a present pass is found with its beginning.
 constexpr std::chrono::minutes kBack{30};
 constexpr int kProblemLines = 3;
-// With less room than this the facts would leave the table a row or two.
+// px. In a lower panel all facts together would leave the table only one or two rows.
 constexpr int kRoomForAllFacts = 400;
 
 std::map<std::int64_t, pointing::Antenna> ownAntennas(const profile::Profile& profile)
@@ -48,7 +48,7 @@ PassAntenna judgedBy(const profile::Profile& profile, const pointing::Antenna& a
     return {.beamWidth = antenna.beamWidth, .reach = targets::reachOf(profile, antenna)};
 }
 
-// What is listed, and how many passes the filter leaves out.
+// The number of listed passes, and how many the filter hides.
 QString countText(const PassCount& count)
 {
     if (count.coming == 0) {
@@ -109,17 +109,14 @@ void PassesPanel::build()
     column->setSpacing(4);
     m_note->setLines(2);
     m_note->setStretching(true);
-    auto* const filter = new QHBoxLayout;
-    filter->setSpacing(kGrid);
-    filter->addWidget(m_filter, 1);
-    filter->addWidget(m_columns->makeButton(this));
-    column->addLayout(filter);
     auto* const notes = new QHBoxLayout;
     notes->setSpacing(kGrid);
     notes->addWidget(m_choices);
     notes->addWidget(m_note, 1);
     notes->addWidget(m_elements);
+    m_filter->layout()->addWidget(m_columns->makeButton(m_filter));
     column->addLayout(notes);
+    column->addWidget(m_filter);
     m_problem->setLines(kProblemLines);
     m_problem->setStretching(true);
     m_problem->setCollapsing(true);
@@ -129,7 +126,7 @@ void PassesPanel::build()
     addActions();
 }
 
-// In a low panel the table gets the room.
+// In a low panel the room is given to the table or the picture. A picture of one pass needs no filter.
 void PassesPanel::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
@@ -139,9 +136,10 @@ void PassesPanel::resizeEvent(QResizeEvent* event)
 void PassesPanel::fitHeight()
 {
     const bool isLow = height() < kRoomForAllFacts;
-    const bool isPicture = m_views->view() != PassViews::List;
-    m_selection->setBrief(isLow, isPicture);
-    m_selection->setNoteShown(!isLow || isPicture);
+    const PassViews::View view = m_views->view();
+    m_selection->setBrief(isLow, view != PassViews::List);
+    m_selection->setNoteShown(!isLow);
+    m_filter->setHidden(isLow && (view == PassViews::Elevation || view == PassViews::Map));
 }
 
 PassesLayout PassesPanel::arrangement() const
@@ -150,7 +148,7 @@ PassesLayout PassesPanel::arrangement() const
         .view = m_views->view(), .onlyFavourites = m_filter->choice().onlyFavourites, .columns = m_columns->chosen()};
 }
 
-// A file that was edited by hand may name a view that is not there.
+// A settings file that was edited by hand may contain an unknown view.
 void PassesPanel::arrange(const PassesLayout& layout)
 {
     const bool isThere = layout.view >= 0 && layout.view < m_views->count();
@@ -159,7 +157,7 @@ void PassesPanel::arrange(const PassesLayout& layout)
     m_columns->choose(layout.columns);
 }
 
-// A menu by the right button, and keys: Space ticks and F2 edits, as everywhere.
+// The actions of the right-click menu, with their keys: Space for the star, F2 to edit.
 void PassesPanel::addActions()
 {
     m_table->setContextMenuPolicy(Qt::ActionsContextMenu);
@@ -225,7 +223,7 @@ void PassesPanel::showStatus(const StationStatus& status)
     showProblems(status.elementProblems);
 }
 
-// The clock of the station may be set, also back.
+// The clock of the station may be changed in both directions.
 void PassesPanel::searchAgain(const StationStatus& status)
 {
     const profile::Profile& profile = *status.profile;
@@ -261,7 +259,7 @@ void PassesPanel::showBook(const std::shared_ptr<const PassBook>& book)
     showRows();
 }
 
-// What was selected stays so, where it is listed still.
+// The same pass stays selected while it is listed.
 void PassesPanel::showRows()
 {
     const auto row = m_selected ? m_passes->rowOf(m_selected->number, m_selected->highest) : std::nullopt;
@@ -312,7 +310,7 @@ void PassesPanel::hideEvent(QHideEvent* event)
     Q_EMIT wayChosen({});
 }
 
-// The plot is always there.
+// Also while this panel is hidden, because the plot is always visible.
 void PassesPanel::showFavourites(const StationStatus& status)
 {
     const profile::SiteSettings& site = status.profile->site;
@@ -323,7 +321,7 @@ void PassesPanel::showFavourites(const StationStatus& status)
         m_favourites.at(status.utc, status.tracked ? status.tracked->number : std::optional<std::int64_t>()));
 }
 
-// Why there is nothing to see, and what to do.
+// The reason why the list is empty, and what to do.
 void PassesPanel::showNote(const StationStatus& status)
 {
     const bool areKnown = status.satellites && !status.satellites->empty();
@@ -341,7 +339,7 @@ void PassesPanel::showNote(const StationStatus& status)
     }
 }
 
-// The satellites that are known are listed all the same.
+// Satellites without a problem are listed all the same.
 void PassesPanel::showProblems(const QStringList& problems)
 {
     if (problems.isEmpty()) {

@@ -14,9 +14,9 @@
 
 class QTableView;
 
-// The coming passes of the satellites whose elements the station knows, to search, as a list and in pictures, and below
-// them the selected pass. The plot shows its way over the sky. They are searched for beside the gui thread, for a day
-// ahead, and again when the elements, the site or the limits change. Gui thread.
+// The coming passes of all satellites with elements: a search, a list and pictures, and below them the selected pass.
+// The plot shows its path over the sky. The passes of the next day are searched for on another thread, and again when
+// the elements, the site or the limits change. Gui thread.
 namespace boresight::ui {
 
 class ElementsButton;
@@ -41,11 +41,12 @@ public:
     void arrange(const PassesLayout& layout);
 
 Q_SIGNALS:
-    void settingsWanted(const QString& words);  // of the page Profile
-    void siteWanted();                          // where it is entered
-    // Of the selected pass, while it is seen here; null: of none.
+    void settingsWanted(const QString& words);  // the settings with these words, on the page Profile
+    void siteWanted();                          // the page where the site is entered
+    // The path of the selected pass while this panel is shown. Null: none.
     void wayChosen(const boresight::targets::SkyWay& way);
-    void favouritesMoved(const std::vector<boresight::ui::SatellitePlace>& places);  // that are up, once a second
+    void favouritesMoved(
+        const std::vector<boresight::ui::SatellitePlace>& places);  // favourites above the horizon, once a second
 
 protected:
     void showEvent(QShowEvent* event) override;
@@ -53,7 +54,7 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
-    // What the passes depend on.
+    // The data that the passes depend on.
     struct Basis
     {
         Satellites satellites;
@@ -61,15 +62,15 @@ private:
         pointing::Region limits;
         pointing::PointingTerms pointing;
         pointing::Antenna antenna;
-        targets::MountReach reach;                      // with it
-        std::map<std::int64_t, pointing::Antenna> own;  // of satellites that have one
+        targets::MountReach reach;                      // of the mount with this antenna
+        std::map<std::int64_t, pointing::Antenna> own;  // by satellite number, only satellites with their own antenna
 
         bool operator==(const Basis&) const = default;
     };
     struct Search
     {
         Basis basis;
-        UtcTime begun{};  // of the span
+        UtcTime begun{};  // beginning of the searched time
     };
     struct Selected
     {
@@ -97,7 +98,7 @@ private:
     QTableView* m_table;
     PassColumns* m_columns;
     PassViews* m_views;
-    QWidget* m_choices;  // of the view
+    QWidget* m_choices;  // buttons that switch the view
     PassFilter* m_filter;
     ValueLabel* m_note;
     ValueLabel* m_problem;

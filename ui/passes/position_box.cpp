@@ -68,7 +68,7 @@ PositionBox::PositionBox(RequestDesk& desk, QWidget* parent)
     connect(m_follow, &QPushButton::clicked, this, &PositionBox::followOrHold);
 }
 
-// As low as its button: in a low window the panel has no room to spare.
+// The box is as low as its button, because a low window has no more room.
 void PositionBox::build()
 {
     for (ValueLabel* const line : {m_place, m_state, m_refused}) {

@@ -5,8 +5,8 @@
 
 #include <QWidget>
 
-// A balloon or rocket that reports its position: where it is, how old that is, and the button that has the mount follow
-// it. Hidden while the profile names no source of positions. Gui thread.
+// A balloon or rocket that reports its position: its place, the age of the report, and the button that lets the mount
+// track it. Hidden while the profile names no source of positions. Gui thread.
 namespace boresight::ui {
 
 class CommandButton;

@@ -34,7 +34,7 @@ void SatelliteAntenna::show(const std::optional<int>& satellite, const profile::
     m_satellite = satellite;
     m_stored = satellite ? QString::fromStdString(orbit::antennaOf(profile.satellites, *satellite)) : QString();
     setEnabled(satellite.has_value());
-    if (!view()->isVisible()) {  // else it would go from below the finger
+    if (!view()->isVisible()) {  // otherwise the list would move away below the finger
         showStored();
     }
 }
@@ -51,7 +51,7 @@ void SatelliteAntenna::showStored()
     setCurrentIndex(static_cast<int>(m_names.indexOf(m_stored)));
 }
 
-// Until the station has answered, what is in force stays shown.
+// Until the station has answered, the box keeps showing the stored antenna.
 void SatelliteAntenna::store(int index)
 {
     const QString name = m_names.value(index);

@@ -6,8 +6,8 @@
 
 #include <optional>
 
-// The antenna that a satellite is tracked with, kept in the profile. Not there where the mount has one antenna only.
-// Gui thread.
+// The antenna with which a satellite is tracked, stored in the profile. Hidden if the mount has one antenna only. Gui
+// thread.
 namespace boresight::ui {
 
 class ProfileDraft;
@@ -20,9 +20,9 @@ class SatelliteAntenna : public TouchCombo
 public:
     SatelliteAntenna(ProfileDraft& draft, ValueLabel& notice, QWidget* parent = nullptr);
 
-    // Empty: none is selected.
+    // Empty: no satellite is selected.
     void show(const std::optional<int>& satellite, const profile::Profile& profile);
-    void setRoom(bool has);  // for it
+    void setRoom(bool has);  // whether there is room for it
 
 private:
     void store(int index);
@@ -31,7 +31,7 @@ private:
     ProfileDraft& m_draft;
     ValueLabel& m_notice;
     std::optional<int> m_satellite;
-    QStringList m_names;  // the first one is empty: none of its own
+    QStringList m_names;  // the first name is empty: no antenna of its own
     QString m_stored;
     bool m_hasRoom = true;
 };

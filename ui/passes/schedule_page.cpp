@@ -53,7 +53,7 @@ QString stateText(const ScheduleStatus& schedule, bool isWatching, UtcTime now)
     return sentences.join(QLatin1Char(' ')).trimmed();
 }
 
-// What a rehearsal has found, in words.
+// The result of a rehearsal in words.
 QString rehearsalText(const RehearsedNight& night)
 {
     QStringList sentences{SchedulePage::tr("Rehearsal: %1 of %2 passes are tracked to the end.")

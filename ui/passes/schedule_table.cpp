@@ -11,7 +11,7 @@ namespace boresight::ui {
 
 namespace {
 
-// A pass that was found again begins this much earlier or later at most.
+// A new search finds the beginning of the same pass at most this much earlier or later.
 constexpr std::chrono::minutes kFoundAgain{2};
 
 const schedule::PassRecord* recordOf(const schedule::NightReport& report, const schedule::WatchedPass& pass)
@@ -22,7 +22,7 @@ const schedule::PassRecord* recordOf(const schedule::NightReport& report, const 
     return found == report.passes.end() ? nullptr : &*found;
 }
 
-// How it would be tracked.
+// The result of the rehearsal for this pass.
 QString rehearsedText(const RehearsedNight* rehearsed, const schedule::WatchedPass& pass)
 {
     const schedule::PassRecord* const record = rehearsed != nullptr ? recordOf(rehearsed->report, pass) : nullptr;
@@ -175,7 +175,7 @@ std::vector<ScheduleTable::Row> ScheduleTable::rowsOf(const ScheduleStatus& sche
     return rows;
 }
 
-// What is looked at keeps its place while only the words of rows change.
+// The selection and the scroll position stay while only the texts of rows change.
 void ScheduleTable::show(const ScheduleStatus& schedule, const RehearsedNight* rehearsed, UtcTime now)
 {
     std::vector<Row> rows = rowsOf(schedule, rehearsed, now);

@@ -8,9 +8,8 @@
 #include <memory>
 #include <vector>
 
-// The night as a table in the order of time: passes that are over and how they went, the one that is tracked, those to
-// come with how they were rehearsed, those that are left out with the reason, and the warnings of the rehearsal. Gui
-// thread.
+// The night as a table in the order of time: past passes with their result, the tracked pass, coming passes with the
+// result of the rehearsal, omitted passes with the reason, and the warnings of the rehearsal. Gui thread.
 namespace boresight::ui {
 
 class ScheduleTable : public TableModel
@@ -29,7 +28,7 @@ public:
 
     explicit ScheduleTable(QObject* parent = nullptr);
 
-    // Without a rehearsal: nullptr.
+    // `rehearsed` is null without a rehearsal.
     void show(const ScheduleStatus& schedule, const RehearsedNight* rehearsed, UtcTime now);
 
     [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
@@ -45,7 +44,7 @@ private:
         QString satellite;
         QString highest;
         QString what;
-        QString details;  // empty: `what` says all
+        QString details;  // empty: `what` is complete
 
         bool operator==(const Row&) const = default;
     };

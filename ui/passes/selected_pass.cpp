@@ -28,7 +28,7 @@ namespace {
 constexpr int kFactLines = 9;
 constexpr int kBriefLines = 4;
 
-// Only where there is something to know.
+// Empty if the whole pass needs no turn back.
 QString cableLine(const targets::CableTurns& cable)
 {
     return cable.turns == 0 ? QString() : QLatin1Char('\n') + cableFact(cable);
@@ -41,9 +41,10 @@ SelectedPass::SelectedPass(ProfileDraft& draft, RequestDesk& desk, QWidget* pare
       m_facts(new ValueLabel(tr("The selected pass"), fonts::label(), {}, this)),
       m_refused(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
       m_buttons(new QBoxLayout(QBoxLayout::TopToBottom)),
-      m_track(new CommandButton(tr("Track"),
-                                tr("Go to where the satellite rises and track it until it sets. Then the mount holds"),
-                                desk, *m_refused, this)),
+      m_track(new CommandButton(
+          tr("Track"),
+          tr("Go to the place where the satellite rises, and track it until it sets. Then the mount holds"), desk,
+          *m_refused, this)),
       m_watch(new WatchButton(draft, desk, *m_refused, this)),
       m_favourite(new FavouriteButton(draft, desk, *m_refused, this)),
       m_note(new NoteLine(draft, *m_refused, this)),
@@ -116,7 +117,7 @@ void SelectedPass::select(const std::shared_ptr<const PassBook>& book, const std
     m_book = book;
     m_pass = pass;
     if (satellite() != before) {
-        m_refused->setValue({});  // it was about the other one
+        m_refused->setValue({});  // the refusal was about the other satellite
     }
     m_cable = pass ? cableLine(cableOf(*pass, *book)) : QString();
     m_light = pass ? lightText(passes::lightOf(pass->pass, book->elementsOf(*pass), book->site)) : QString();
@@ -147,7 +148,8 @@ const orbit::ElementSet* SelectedPass::elements() const
     return found == m_satellites->end() ? nullptr : &*found;
 }
 
-// The station tracks the next pass of a satellite. So a later pass is not offered, also while another one comes soon.
+// The station always tracks the next pass of a satellite. So the selected pass itself must come soon. An earlier pass
+// of the satellite that comes soon is not enough.
 QString SelectedPass::whyNotTracked(const StationStatus& status) const
 {
     if (!m_pass) {
@@ -198,11 +200,16 @@ void SelectedPass::showFacts()
     const QString light = QLatin1Char('\n') + m_light;
     const QString note = m_noteText.isEmpty() ? QString() : m_noteText + QLatin1Char('\n');
     QString all = factsOf(*m_pass, *m_book, m_now) + light + m_cable;
-    all.insert(all.indexOf(QLatin1Char('\n')), now);  // what is last is cut first
-    QString brief = (m_note->isHidden() ? note : QString()) + briefFactsOf(*m_pass, *m_book, m_now, m_isNamed);
-    const auto lines = brief.count(QLatin1Char('\n')) + 1;
-    brief.insert(brief.lastIndexOf(QLatin1Char('\n')), now);  // before the age of the elements
-    brief += now.isEmpty() || lines + 1 < kBriefLines ? light : QString();
+    all.insert(all.indexOf(QLatin1Char('\n')), now);  // near the top, because the last lines are cut off first
+    QString brief = briefFactsOf(*m_pass, *m_book, m_now, m_isNamed);
+    brief.insert(brief.lastIndexOf(QLatin1Char('\n')), now);  // before the line with the age of the elements
+    const auto hasRoom = [&brief] { return brief.count(QLatin1Char('\n')) + 2 <= kBriefLines; };
+    if (m_note->isHidden() && (!m_isNamed || hasRoom())) {
+        brief.prepend(note);
+    }
+    if (hasRoom()) {
+        brief += light;
+    }
     m_facts->setValue(m_isBrief ? brief : all);
     m_facts->setToolTip(m_isBrief ? note + all : QString());
 }

@@ -11,9 +11,8 @@
 
 class QBoxLayout;
 
-// The selected pass in words, with the note and the antenna of its satellite, and what can be done with it: track it,
-// watch it, make it a favourite. Gui thread. More than 15 members: the widgets that it composes, and how much room they
-// have.
+// The selected pass in words, with the note and the antenna of its satellite, and its actions: track it, watch it, make
+// it a favourite. Gui thread. More than 15 members: the widgets that it composes, and how much room they have.
 namespace boresight::ui {
 
 class CommandButton;
@@ -32,11 +31,13 @@ class SelectedPass : public QWidget
 public:
     SelectedPass(ProfileDraft& draft, RequestDesk& desk, QWidget* parent = nullptr);
 
-    // Empty: none.
+    // Empty `pass`: none is selected.
     void select(const std::shared_ptr<const PassBook>& book, const std::optional<BookedPass>& pass);
     void showStatus(const StationStatus& status);
-    void setBrief(bool on, bool isNamed);  // in little room: what the table does not show, the name where it is wanted
-    void setNoteShown(bool on);            // always; else only while it is edited, and the note is among the facts
+    void setBrief(
+        bool on, bool isNamed);  // for little room: only facts that the table does not show, with the name if `isNamed`
+    void setNoteShown(
+        bool on);  // true: always shown; false: shown only while it is edited, otherwise as a line of the facts
     void toggleFavourite(int satellite);
     void editNote();
 
@@ -45,7 +46,7 @@ private:
     void track();
     void showFacts();
     [[nodiscard]] std::optional<int> satellite() const;
-    [[nodiscard]] const orbit::ElementSet* elements() const;  // as the station has them now; null: it has none
+    [[nodiscard]] const orbit::ElementSet* elements() const;  // the station's present elements; null: it has none
     [[nodiscard]] QString whyNotTracked(const StationStatus& status) const;
 
     ValueLabel* m_facts;
@@ -58,7 +59,7 @@ private:
     SatelliteAntenna* m_antenna;
     std::shared_ptr<const PassBook> m_book;
     std::optional<BookedPass> m_pass;
-    Satellites m_satellites;  // as they are now
+    Satellites m_satellites;  // the station's present satellites
     QString m_light;
     QString m_cable;
     QString m_noteText;

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/passes/target_table.h"
 
-#include "core/targets/track_rules.h"
 #include "ui/kit/format.h"
-
-#include <chrono>
 
 namespace boresight::ui {
 
 namespace {
 
-// The next rise of a satellite may be found later. The clock may also have been set.
-constexpr std::chrono::minutes kLookAgain{10};
+QVariant alignmentOf(int column)
+{
+    return column == TargetTable::Azimuth || column == TargetTable::Elevation
+               ? QVariant(Qt::AlignRight | Qt::AlignVCenter)
+               : QVariant();
+}
 
 QString refractionText(ephemeris::Refraction kind)
 {
@@ -42,68 +43,52 @@ void TargetTable::setSite(const std::optional<Site>& site)
     m_places.clear();
     if (site) {
         for (const targets::Target& target : m_targets) {
-            m_places.push_back({.path = targets::TargetPath(target, *site, m_refraction)});
+            m_places.emplace_back(target, *site, m_refraction);
         }
     }
     changeCells();
 }
 
-// Rises and sets are looked for again.
 void TargetTable::setRefraction(ephemeris::RefractionRule rule)
 {
     m_refraction = rule;
-    for (Place& place : m_places) {
-        if (place.path.rule() != rule) {
-            place.path.setRule(rule);
-            place.lookedForAt = {};
-        }
-    }
-}
-
-void TargetTable::look(Place& place, UtcTime now)
-{
-    const auto direction = place.path.at(now);
-    place.direction = direction ? std::optional(*direction) : std::nullopt;
-    const bool hasSet = place.up && place.up->sets && *place.up->sets <= now;
-    if (hasSet || std::chrono::abs(now - place.lookedForAt) >= kLookAgain) {
-        const auto up = place.path.nextUp(now);
-        place.up = up ? std::optional(*up) : std::nullopt;
-        place.whyNotUp = up ? QString() : up.error().text;
-        place.lookedForAt = now;
+    for (targets::TargetPlace& place : m_places) {
+        place.setRule(rule);
     }
 }
 
 void TargetTable::tick(UtcTime now)
 {
     m_now = now;
-    for (Place& place : m_places) {
-        look(place, now);
+    for (targets::TargetPlace& place : m_places) {
+        place.look(now);
     }
     changeCells();
 }
 
-QString TargetTable::nextText(const Place& place) const
+QString TargetTable::nextText(const targets::TargetPlace& place) const
 {
-    if (!place.up) {
+    if (!place.up()) {
         return tr("not up within a day");
     }
-    if (place.up->rises > m_now) {
-        return tr("rises %1, in %2").arg(clockText(place.up->rises), waitText(place.up->rises - m_now));
+    if (place.up()->rises > m_now) {
+        return tr("rises %1, in %2").arg(clockText(place.up()->rises), waitText(place.up()->rises - m_now));
     }
-    return place.up->sets ? tr("sets %1, in %2").arg(clockText(*place.up->sets), waitText(*place.up->sets - m_now))
-                          : tr("up all day");
+    return place.up()->sets
+               ? tr("sets %1, in %2").arg(clockText(*place.up()->sets), waitText(*place.up()->sets - m_now))
+               : tr("up all day");
 }
 
-// WSJT-X and many tables show rises and sets without refraction, minutes apart from these.
-QString TargetTable::help(const Place& place) const
+// WSJT-X and many tables show rises and sets without refraction. They differ from these by minutes.
+QString TargetTable::help(const targets::TargetPlace& place) const
 {
-    const ephemeris::Refraction kind = place.path.refractionOfRise();
+    const ephemeris::Refraction kind = place.path().refractionOfRise();
     if (kind == ephemeris::Refraction::None) {
         return tr("Without refraction, as in WSJT-X.");
     }
     const QString with = kind == ephemeris::Refraction::Light ? tr("The mount tracks with optical refraction.")
                                                               : tr("The mount tracks with radio refraction.");
-    targets::TargetPath path = place.path;
+    targets::TargetPath path = place.path();
     path.setRule(ephemeris::RefractionRule::None);
     const auto up = path.nextUp(m_now);
     if (!up) {
@@ -124,11 +109,7 @@ QString TargetTable::whyNotTracked(int row) const
     if (m_places.empty()) {
         return {};
     }
-    const Place& place = m_places[std::size_t(row)];
-    if (!place.up) {
-        return place.whyNotUp;
-    }
-    const Result<> soon = targets::isSoon(target(row).name, place.up->rises, m_now);
+    const Result<> soon = m_places[std::size_t(row)].isSoon(m_now);
     return soon ? QString() : soon.error().text;
 }
 
@@ -140,16 +121,16 @@ QString TargetTable::text(int row, int column) const
     if (m_places.empty()) {
         return {};
     }
-    const Place& place = m_places[std::size_t(row)];
+    const targets::TargetPlace& place = m_places[std::size_t(row)];
     switch (column) {
         case Next:
             return nextText(place);
         case Refraction:
-            return refractionText(place.path.refractionOfRise());
+            return refractionText(place.path().refractionOfRise());
         case Azimuth:
-            return place.direction ? azimuthText(place.direction->azimuth, 1) : QString();
+            return place.direction() ? azimuthText(place.direction()->azimuth, 1) : QString();
         default:
-            return place.direction ? angleText(place.direction->elevation, 1) : QString();
+            return place.direction() ? angleText(place.direction()->elevation, 1) : QString();
     }
 }
 
@@ -160,7 +141,7 @@ QVariant TargetTable::data(const QModelIndex& index, int role) const
         case Qt::DisplayRole:
             return text(index.row(), column);
         case Qt::TextAlignmentRole:
-            return column == Azimuth || column == Elevation ? QVariant(Qt::AlignRight | Qt::AlignVCenter) : QVariant();
+            return alignmentOf(column);
         case Qt::ToolTipRole:
             return (column == Refraction || column == Next) && !m_places.empty()
                        ? QVariant(help(m_places[std::size_t(index.row())]))
@@ -168,6 +149,13 @@ QVariant TargetTable::data(const QModelIndex& index, int role) const
         default:
             return {};
     }
+}
+
+QVariant TargetTable::headerData(int section, Qt::Orientation orientation, int role) const
+{
+    return orientation == Qt::Horizontal && role == Qt::TextAlignmentRole
+               ? alignmentOf(section)
+               : TableModel::headerData(section, orientation, role);
 }
 
 }  // namespace boresight::ui

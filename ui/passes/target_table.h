@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/targets/target_path.h"
+#include "core/targets/target_place.h"
 #include "ui/kit/table_model.h"
 
 #include <optional>
 #include <vector>
 
-// Sun, Moon, planets and radio sources: where each stands over the site now, and when it rises or sets. Gui thread.
+// Sun, Moon, planets and radio sources: the present direction of each, and when it rises or sets. Gui thread.
 namespace boresight::ui {
 
 class TargetTable : public TableModel
@@ -26,39 +26,30 @@ public:
 
     explicit TargetTable(QObject* parent = nullptr);
 
-    // Empty: the site is not set, and nothing is known but the names.
+    // Empty: the site is unknown, so only the names are shown.
     void setSite(const std::optional<Site>& site);
     void setRefraction(ephemeris::RefractionRule rule);
     void tick(UtcTime now);
 
     [[nodiscard]] const targets::Target& target(int row) const { return m_targets.at(std::size_t(row)); }
-    // Why the station would not track it now, as far as its rise decides; empty: it would.
+    // Why the station would not track this target now, judged only by its rise and set. Empty: it would.
     [[nodiscard]] QString whyNotTracked(int row) const;
 
     [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
 protected:
     [[nodiscard]] std::size_t rows() const override { return m_targets.size(); }
 
 private:
-    struct Place
-    {
-        targets::TargetPath path;
-        std::optional<SkyPointing> direction = {};
-        std::optional<targets::UpTime> up = {};  // empty: not within a day
-        QString whyNotUp = {};
-        UtcTime lookedForAt{};
-    };
-
-    static void look(Place& place, UtcTime now);
     [[nodiscard]] QString text(int row, int column) const;
-    [[nodiscard]] QString nextText(const Place& place) const;
-    [[nodiscard]] QString help(const Place& place) const;
+    [[nodiscard]] QString nextText(const targets::TargetPlace& place) const;
+    [[nodiscard]] QString help(const targets::TargetPlace& place) const;
 
     std::vector<targets::Target> m_targets;
     std::optional<Site> m_site;
     ephemeris::RefractionRule m_refraction = ephemeris::RefractionRule::ByKind;
-    std::vector<Place> m_places;  // one for each target, or none
+    std::vector<targets::TargetPlace> m_places;  // one for each target, or empty
     UtcTime m_now{};
 };
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/passes/targets_page.h"
 
-#include "core/targets/target_text.h"
 #include "ui/kit/command_button.h"
 #include "ui/kit/file_dialog.h"
 #include "ui/kit/read_table.h"
@@ -10,8 +9,8 @@
 #include "ui/passes/azel_box.h"
 #include "ui/passes/position_box.h"
 #include "ui/passes/target_table.h"
+#include "ui/passes/typed_target.h"
 
-#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLineEdit>
@@ -27,6 +26,7 @@ TargetsPage::TargetsPage(RequestDesk& desk, QWidget* parent)
       m_targets(new TargetTable(this)),
       m_table(makeReadTable(tr("Targets in the sky"), *m_targets, this)),
       m_typed(new QLineEdit(this)),
+      m_typedTarget(new TypedTarget(desk, this)),
       m_refused(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
       m_trackChosen(new CommandButton(tr("Track selected"), tr("Track the selected target until it sets"), desk,
                                       *m_refused, this)),
@@ -45,6 +45,8 @@ TargetsPage::TargetsPage(RequestDesk& desk, QWidget* parent)
     connect(m_trackFile, &QPushButton::clicked, this, &TargetsPage::askForTable);
     connect(m_typed, &QLineEdit::returnPressed, this, &TargetsPage::trackTyped);
     connect(m_typed, &QLineEdit::textEdited, this, [this] { m_refused->setValue({}); });
+    connect(m_typed, &QLineEdit::textChanged, m_typedTarget, &TypedTarget::setText);
+    connect(m_typedTarget, &TypedTarget::judged, this, &TargetsPage::showTyped);
 }
 
 void TargetsPage::build()
@@ -82,7 +84,7 @@ void TargetsPage::build()
     QHeaderView* const header = m_table->horizontalHeader();
     header->setSectionResizeMode(QHeaderView::ResizeToContents);
     header->setSectionResizeMode(TargetTable::Next, QHeaderView::Stretch);
-    m_table->selectRow(1);  // not the Sun
+    m_table->selectRow(1);  // the Moon: the Sun must not be the default
 }
 
 void TargetsPage::trackChosen()
@@ -92,26 +94,25 @@ void TargetsPage::trackChosen()
     }
 }
 
+// Also by Enter in the field, which shows no tooltip.
 void TargetsPage::trackTyped()
 {
-    if (!m_trackTyped->isEnabled()) {
-        return;  // Enter in the field
+    if (const QString why = m_typedTarget->whyNot(); !why.isEmpty()) {
+        m_refused->setValue(why, Tone::Warning, Symbol::Warning);
+    } else if (m_trackTyped->isEnabled()) {
+        m_trackTyped->ask(*m_typedTarget->request());
     }
-    if (const auto file = targets::tableFile(m_typed->text().toStdString())) {
-        m_trackTyped->ask(request::TrackFile{QFileInfo(*file).absoluteFilePath()});
-    } else if (const auto other = targets::otherRotator(m_typed->text().toStdString())) {
-        m_trackTyped->ask(request::FollowRotator{*other});
-    } else if (const auto target = targets::parseTarget(m_typed->text().toStdString(), *m_satellites)) {
-        m_trackTyped->ask(request::Track{*target});
-    } else {
-        m_refused->setValue(target.error().text, Tone::Warning, Symbol::Warning);
-    }
+}
+
+void TargetsPage::showTyped()
+{
+    m_trackTyped->setBlocked(m_typedTarget->whyNot());
 }
 
 void TargetsPage::askForTable()
 {
     const QFileDialog* const dialog =
-        askForFile(*this, tr("Track the way of a file"), QFileDialog::AcceptOpen,
+        askForFile(*this, tr("Track the path in a file"), QFileDialog::AcceptOpen,
                    {tr("Tables and OEM (*.txt *.csv *.tsv *.dat *.oem *.kvn)"), tr("All files (*)")});
     connect(dialog, &QFileDialog::fileSelected, this,
             [this](const QString& path) { m_trackFile->ask(request::TrackFile{path}); });
@@ -120,7 +121,6 @@ void TargetsPage::askForTable()
 void TargetsPage::showStatus(const StationStatus& status)
 {
     const profile::SiteSettings& site = status.profile->site;
-    m_satellites = status.satellites;
     m_targets->setSite(
         site.known ? std::optional(Site{
                          .latitude = site.latitude, .longitude = site.longitude, .heightMetres = site.heightMetres})
@@ -130,11 +130,12 @@ void TargetsPage::showStatus(const StationStatus& status)
         m_now = status.utc;
         m_targets->tick(status.utc);
     }
-    const QString why = status.permissions.reason(Action::Track);
     m_trackChosen->setBlocked(whyNotTracked(status));
-    const bool isTyped = !m_typed->text().trimmed().isEmpty();
-    m_trackTyped->setBlocked(isTyped ? why : tr("Type a target first."));
-    m_trackFile->setBlocked(why);
+    if (isVisible()) {  // else the station would be asked each second for nothing
+        m_typedTarget->showStatus(status);
+        showTyped();
+    }
+    m_trackFile->setBlocked(status.permissions.reason(Action::Track));
     m_azel->showStatus(status);
     m_position->showStatus(status);
 }

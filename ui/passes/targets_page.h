@@ -8,8 +8,8 @@
 class QLineEdit;
 class QTableView;
 
-// What is tracked besides satellites: Sun, Moon, planets and radio sources in a table, anything else as it is typed,
-// the way that a file describes, the Moon of WSJT-X, and what reports its position. Gui thread.
+// Targets other than satellites: Sun, Moon, planets and radio sources in a table, a typed target, a path from a file,
+// the Moon of WSJT-X, and a balloon or rocket that reports its position. Gui thread.
 namespace boresight::ui {
 
 class AzelBox;
@@ -17,6 +17,7 @@ class CommandButton;
 class PositionBox;
 class RequestDesk;
 class TargetTable;
+class TypedTarget;
 class ValueLabel;
 
 class TargetsPage : public QWidget
@@ -29,24 +30,23 @@ public:
     void showStatus(const StationStatus& status);
 
 private:
-    using Satellites = std::shared_ptr<const std::vector<orbit::ElementSet>>;
-
     void build();
-    [[nodiscard]] QString whyNotTracked(const StationStatus& status) const;  // of the selected target
+    [[nodiscard]] QString whyNotTracked(const StationStatus& status) const;  // for the selected target
     void trackChosen();
     void trackTyped();
+    void showTyped();
     void askForTable();
 
     TargetTable* m_targets;
     QTableView* m_table;
     QLineEdit* m_typed;
+    TypedTarget* m_typedTarget;
     ValueLabel* m_refused;
     CommandButton* m_trackChosen;
     CommandButton* m_trackTyped;
     CommandButton* m_trackFile;
     AzelBox* m_azel;
     PositionBox* m_position;
-    Satellites m_satellites;
     UtcTime m_now{};
 };
 

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-// Adds a satellite to the watched ones of the profile, or removes it. Gui thread.
+// Adds a satellite to the watch list of the profile, or removes it. Gui thread.
 namespace boresight::ui {
 
 class ProfileDraft;
@@ -20,7 +20,7 @@ class WatchButton : public CommandButton
 public:
     WatchButton(ProfileDraft& draft, RequestDesk& desk, ValueLabel& notice, QWidget* parent = nullptr);
 
-    // Empty: none is selected.
+    // Empty: no satellite is selected.
     void show(const std::optional<std::int64_t>& satellite, const std::vector<schedule::WatchEntry>& watched);
 
 private:

@@ -74,7 +74,7 @@ void WatchEditor::build()
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setHorizontalSpacing(kGrid);
     grid->setVerticalSpacing(4);
-    // A name of its own line: "ISS (ZARYA)" and longer ones fit at 1024 px.
+    // The satellite has its own line, so that "ISS (ZARYA)" and longer names fit at 1024 px.
     grid->addWidget(m_satellite, 0, 0, 1, 5);
     grid->addWidget(m_remove, 0, 5);
     grid->addWidget(makeCaption(tr("priority"), *m_priority), 1, 0);
@@ -86,7 +86,7 @@ void WatchEditor::build()
     grid->setColumnStretch(4, 1);
 }
 
-// What is being chosen or typed stays while the list is the same.
+// A selection and typed text stay while the list does not change.
 void WatchEditor::showStatus(const StationStatus& status)
 {
     if (status.profile->schedule.watch != m_entries || m_satellite->count() != static_cast<int>(m_entries.size())) {

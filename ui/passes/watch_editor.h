@@ -12,8 +12,8 @@ class QComboBox;
 class QDoubleSpinBox;
 class QSpinBox;
 
-// The watched satellites of the profile: one is chosen, and its priority and lowest elevation are changed at once, or
-// it is removed. They are added on the page of the coming passes. Gui thread.
+// The watch list of the profile. The operator selects an entry and changes its priority and lowest elevation, or
+// removes it. Changes apply at once. Satellites are added on the page of the coming passes. Gui thread.
 namespace boresight::ui {
 
 class CommandButton;
@@ -38,7 +38,7 @@ private:
     void remove();
 
     ProfileDraft& m_draft;
-    std::vector<schedule::WatchEntry> m_entries;  // as they are shown
+    std::vector<schedule::WatchEntry> m_entries;  // the entries that are shown
     QComboBox* m_satellite;
     QSpinBox* m_priority;
     QDoubleSpinBox* m_lowest;

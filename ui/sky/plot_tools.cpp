@@ -54,7 +54,7 @@ PlotTools::PlotTools(QWidget* parent)
     }
     m_readout->setLines(kReadoutLines);
     onGround(m_readout, Qt::AlignLeft | Qt::AlignBottom);
-    m_off->setToolTip(tr("The angle on the sky between the target and where the mount points"));
+    m_off->setToolTip(tr("The angle on the sky between the target and the direction of the mount"));
     m_loss->setToolTip(tr("Loss of power by the pointing error. It is shown up to one beam width."));
     m_cable->setToolTip(
         tr("The angle of the azimuth axis. At 0° the cable is not wound. The ring around the sky shows the travel."));

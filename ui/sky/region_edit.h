@@ -37,10 +37,10 @@ private:
     Angle m_azimuth;  // of the pointer, unwrapped
 };
 
-// Each returns the index of the new one in its list. A point changes the horizon only near it. On a level horizon it
-// becomes a hill: two more points, 15° to each side, keep the rest unchanged. A sky without a horizon is level at 0°,
-// or at the lowest elevation that the beam can reach. On a slope, or beside a nearer point, the line goes straight to
-// the neighbour.
+// The functions that add return the index of the new row in its list. A new point changes the horizon only near it. On
+// a level horizon it becomes a hill: two more points, 15° to each side, keep the rest unchanged. A sky without a
+// horizon counts as level at 0°, or at the lowest elevation that the beam can reach. On a slope, or beside a nearer
+// point, the line goes straight to the neighbour.
 std::size_t addHorizonPoint(pointing::Region& region, const Travel& travel, const SkyPointing& at);
 inline constexpr std::size_t kPointsOfAHill = 3;
 inline constexpr Angle kHillFlank = Angle::fromDegrees(15.0);

@@ -31,7 +31,7 @@ int exponentOf(double value)
     return static_cast<int>(std::floor(std::log10(value)));
 }
 
-// So that the largest value has the digits of the drive, and the smallest has three of them.
+// The largest value has the digits of the drive, and the smallest value has three of them.
 int decimalsOf(const GainLine& line)
 {
     const int forMost = line.most > 0.0 ? kGainDigits - 1 - exponentOf(line.most) : 0;

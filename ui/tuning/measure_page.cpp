@@ -28,7 +28,8 @@ QString runHelp(TuningRun run)
         case TuningRun::Ramp:
             return MeasurePage::tr("Moves away and back at 0.5 °/s. Shows the tracking error of a pass");
         case TuningRun::Sweep:
-            return MeasurePage::tr("Swings a little at four frequencies. Shows the highest one that the axis follows");
+            return MeasurePage::tr(
+                "Swings a little at four frequencies. Shows the highest frequency that the axis follows");
         case TuningRun::Backlash:
             break;
     }

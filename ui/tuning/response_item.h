@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-// One curve of the response chart as a Qwt item. x in seconds, y in the unit of the chart. It has gaps where nothing
-// was reported. Only response_chart.cpp includes this file.
+// One curve of the response chart as a Qwt item. x in seconds, y in the unit of the chart. The curve has gaps where the
+// drive reported no value. Only response_chart.cpp includes this file.
 namespace boresight::ui {
 
 class ResponseItem final : public QwtPlotItem

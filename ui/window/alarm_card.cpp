@@ -198,7 +198,8 @@ void AlarmCard::build()
     for (QWidget* const part : std::initializer_list<QWidget*>{m_help, m_alternative, m_recover}) {
         buttons->addWidget(part);
     }
-    // At the other end of the row, so that a second press on a button that has just disappeared does not acknowledge.
+    // These buttons are at the other end of the row. So a second press on a button that has just disappeared does not
+    // acknowledge the alarm.
     for (QWidget* const part : std::initializer_list<QWidget*>{m_since, m_more, m_count, m_acknowledge}) {
         buttons->addWidget(part);
         buttons->setAlignment(part, Qt::AlignRight);

@@ -15,7 +15,7 @@ namespace boresight::ui {
 
 // The largest numbers that fit into a window of this size.
 [[nodiscard]] Numerals numeralsFor(QSize window);
-// Lower or narrower than 1280×760, where each line counts.
+// True for a window lower or narrower than 1280×760, which has no room for additional lines.
 [[nodiscard]] bool isLow(QSize window);
 
 class AxisReadout : public QWidget

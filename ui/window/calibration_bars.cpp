@@ -37,7 +37,8 @@ QString procedure(int part)
 {
     switch (part) {
         case 0:
-            return CalibrationBars::tr("System: it follows the other three. At 0 the heading is not tied to north.");
+            return CalibrationBars::tr(
+                "System: this value follows the other three. At 0 the heading is not referred to north.");
         case 1:
             return CalibrationBars::tr("Gyro: hold the sensor still for some seconds.");
         case 2:

@@ -16,7 +16,8 @@ namespace boresight::ui {
 
 namespace {
 
-// px in a low window. The last line of the log, which is below the sky there, left 22 of them.
+// px in a low window that an alarm may take from the panels. The last line of the log is below the sky there, which
+// leaves 22 of them.
 constexpr int kKeptForAlarms = 46;
 
 }  // namespace

@@ -68,7 +68,8 @@ QString trackingText(const TrackedTarget& tracked, UtcTime now)
                         : HeaderBar::tr("Waiting for %1, rises in %2").arg(tracked.name, time);
 }
 
-// What the mount does in one sentence: the action, the remaining time, the source. The least important part is last.
+// The action of the mount in one sentence: the action, the remaining time, the source. The least important part is
+// last.
 QStringList doing(const StationStatus& status)
 {
     if (status.tracked) {
@@ -85,7 +86,7 @@ QStringList doing(const StationStatus& status)
     return parts;
 }
 
-// What the mount waits for while the schedule is armed: it will move by itself.
+// The pass that the mount waits for while the schedule is armed: it will move by itself.
 QString armedText(const ScheduleStatus& schedule, UtcTime now)
 {
     const auto next = std::ranges::find_if(schedule.plan.chosen,
@@ -107,8 +108,8 @@ QString whoControls(const StationStatus& status)
     return leader->program.isEmpty() ? leader->address : leader->program;
 }
 
-// Who has control, and how many clients wait for it. If there is little room, without the words around it: the complete
-// text is in the tooltip.
+// The source that has control, and the number of clients that wait for it. If there is little room, only the names and
+// numbers: the complete text is in the tooltip.
 QString controlText(const StationStatus& status, int room)
 {
     const QString who = whoControls(status);
@@ -130,7 +131,7 @@ QString notListening(int room)
                                                                                       : HeaderBar::tr("no clients");
 }
 
-// For little room. A longer name of a program is cut.
+// The width if there is little room. A longer name of a program is cut.
 int widestControl()
 {
     const QFontMetrics metrics(fonts::label());

@@ -108,7 +108,7 @@ void MainMenu::showChoice()
     m_brightness->setEnabled(now != ThemeKind::Day);
 }
 
-// Its right edge is at that of the button, so it never covers STOP, which is farther right.
+// The right edge of the menu is at that of the button, so the menu never covers STOP, which is farther right.
 void MainMenu::openBelow(const QWidget& button)
 {
     const QPoint corner = button.mapToGlobal(QPoint(button.width() - sizeHint().width(), button.height() + 2));

@@ -9,8 +9,8 @@
 
 class QActionGroup;
 
-// The menu behind the button in the header, for what belongs to the window and to no panel. Each line shows its key.
-// Alt alone opens it, and so does F10. It decides nothing: each line is a signal.
+// The menu behind the button in the header. It contains what belongs to the whole window and not to one panel. Each
+// line shows its key. Alt alone opens the menu, and so does F10. The menu decides nothing: each line emits a signal.
 namespace boresight::ui {
 
 enum class Glyph;

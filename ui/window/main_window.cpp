@@ -360,7 +360,7 @@ void MainWindow::resizeEvent(QResizeEvent* event)
     m_panels->offerCharts(!beside);
 }
 
-// At the end of the column. In a low window below the sky, because its disc is as large as the cell is wide and leaves
+// The last command is at the end of the column. In a low window it is below the sky, because the disc of the sky leaves
 // room there.
 void MainWindow::placeLastCommand()
 {

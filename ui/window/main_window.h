@@ -58,7 +58,7 @@ public:
 
     [[nodiscard]] WindowLayout arrangement() const;
 
-    // What its pages need from this computer.
+    // The functions of this computer that the pages need.
     [[nodiscard]] HostDesk& host() { return m_host; }
 
 public Q_SLOTS:

@@ -20,7 +20,8 @@ class StopKeys : public QObject
 public:
     explicit StopKeys(QWidget& window);
 
-    // What Esc does before it stops, for example cancel a drag. It returns whether there was something to do.
+    // An action of Esc before it stops, for example to cancel a drag. The function returns whether there was something
+    // to do.
     void setFirstUse(const std::function<bool()>& firstUse) { m_firstUse = firstUse; }
 
     bool eventFilter(QObject* watched, QEvent* event) override;

@@ -21,7 +21,7 @@ QString windText(const WindStatus& wind)
                         : WindReadout::tr("Wind %1").arg(noValue());
 }
 
-// What it forbids, else why there is no reading.
+// The obstacle by the wind, or else the reason why there is no reading.
 QString windDetail(const WindStatus& wind)
 {
     if (!wind.obstacle.isEmpty()) {

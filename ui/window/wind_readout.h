@@ -5,8 +5,8 @@
 
 #include <QWidget>
 
-// The wind and how old its last reading is, in one line below the axes. A speed that is not of now is not shown. Not
-// there while the profile reads no wind. Gui thread.
+// The wind and the age of its last reading, in one line below the axes. An old speed is not shown. Hidden while the
+// profile reads no wind. Gui thread.
 namespace boresight::ui {
 
 class ValueLabel;

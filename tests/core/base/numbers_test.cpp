@@ -6,7 +6,7 @@
 namespace boresight {
 namespace {
 
-// REQ-BASE-01 (Numbers.*): A text is a number only if all of it is, whatever the locale. No text is `-0.00`.
+// REQ-BASE-01 (Numbers.*): A text is a number only if the whole text is one, whatever the locale. No text is `-0.00`.
 TEST(Numbers, WholeFiniteTextOnly)
 {
     EXPECT_EQ(parseFinite("10.5"), 10.5);

@@ -78,8 +78,8 @@ TEST(AxisTilt, TheSigmaIsHonestForRandomMounts)
     EXPECT_GE(honest, 2 * kMounts * 94 / 100);
 }
 
-// With the boom at 70° a roll of the box still turns the tilt by its whole size: by r / sin(elevation), not by r /
-// tan(elevation).
+// With the boom at 70° a roll r of the box turns the direction of the tilt by r / sin(elevation), that is by nearly r,
+// and not by r / tan(elevation).
 TEST(AxisTilt, TheSigmaIsHonestWithTheBoomHigh)
 {
     SwungMount mount = leaning();

@@ -140,7 +140,7 @@ TEST(PointingFit, TermsThatThePointsDoNotAskForStayOff)
         EXPECT_EQ(fit->of(Term::AzimuthOffset).state, TermState::Fitted);
         EXPECT_EQ(fit->of(Term::ElevationOffset).state, TermState::Fitted);
         if (fit->of(Term::ElevationSag).state == TermState::Off) {
-            EXPECT_EQ(fit->of(Term::ElevationSag).why.toStdString(), "the points do not need it");
+            EXPECT_EQ(fit->of(Term::ElevationSag).why.toStdString(), "the points fit without this term");
         }
         off += fit->count(TermState::Off);
     }
@@ -262,7 +262,7 @@ TEST(PointingFit, AccusesNoGoodPoint)
             ASSERT_TRUE(fit.has_value());
             accused += std::any_of(fit->hints.begin(), fit->hints.end(),
                                    [](const QString& hint) {
-                                       return hint.contains(QLatin1String("where the other points put it"));
+                                       return hint.contains(QLatin1String("from the fit of the other points"));
                                    })
                            ? 1
                            : 0;

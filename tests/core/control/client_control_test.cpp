@@ -219,8 +219,8 @@ TEST_F(ClientControlTest, AfterAClientsRearmTheOthersThatKeptSendingWait)
     for (int i = 0; i < 60; ++i) {
         pass(1.0);
         EXPECT_EQ(asks(1),
-                  "Another client re-armed the drives while this one kept sending. Pause it for 10 s, or send "
-                  "R 1.");
+                  "Another client re-armed the drives while this client kept sending. Pause this client for 10 s, or "
+                  "send R 1.");
     }
     EXPECT_TRUE(lead.mayAct(rules, client(1), clock.now()));
     lead.acted(client(1));

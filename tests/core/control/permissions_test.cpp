@@ -441,7 +441,7 @@ TEST(Permissions, AClientIsToldWhyControlCannotBeGivenToIt)
     };
     EXPECT_EQ(obstacle(1), "");
     ASSERT_TRUE(rig.ask(request::GiveControl{.clientId = 1}));
-    EXPECT_EQ(obstacle(1), "it has control");
+    EXPECT_EQ(obstacle(1), "this client has control");
     EXPECT_EQ(obstacle(2), "");
     // Story: the reason named the newest client. A client that connects later has no control before it sends a target.
     rig.profile.rotctld.control = profile::ControlRule::Last;

@@ -54,7 +54,7 @@ TEST_F(StandstillWatchTest, ARotatorOfWholeDegreesMovesBetweenItsReports)
 {
     turn(4, 1_deg, std::chrono::milliseconds(500));
     EXPECT_TRUE(watch.moves(Axis::Azimuth));
-    look();  // the same report in the next tick
+    look();  // the station reads the same report again in the next tick
     EXPECT_TRUE(watch.moves(Axis::Azimuth));
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is reported when the azimuth cable ends during tracking. The travel is -90…450°.
+// Tests the reports when the azimuth cable ends during tracking. The travel is -90…450°.
 #include "tests/core/control/station_rig.h"
 
 #include <QDateTime>

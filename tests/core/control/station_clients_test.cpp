@@ -84,10 +84,9 @@ TEST_F(StationClients, ATargetOutsideIsToldForAsLongAsItLasts)
     EXPECT_EQ(shown.alarms.front().severity, Severity::Advisory);
     EXPECT_EQ(shown.alarms.front().action.toStdString(),
               "The mount goes to the nearest permitted point (elevation -5.0° below limit 0.0°).");
-    EXPECT_EQ(
-        status(kClient).advice.toStdString(),
-        "asks for a position outside the limits (elevation -5.0° below limit 0.0°). The mount goes to the nearest "
-        "permitted one");
+    EXPECT_EQ(status(kClient).advice.toStdString(),
+              "asks for a position outside the limits (elevation -5.0° below limit 0.0°). The mount goes to the "
+              "nearest permitted position");
     EXPECT_TRUE(status(kOtherClient).advice.isEmpty());
     EXPECT_EQ(limitedLines(), 1) << "once, not with each of its points";
 

@@ -229,9 +229,10 @@ TEST(StationDesk, NewSettingsAreInForceWithTheNextRequest)
     EXPECT_NEAR(rig.azimuthDegrees(), 33.0, 0.05);
 }
 
-// REQ-CONTROL-30: Before the directions are confirmed the mount is only jogged, or moved by `M` of a client where there
-// is no window. The speed is at most 5°/s. The axis stays within 2° of where the jogging began. Directions that are in
-// doubt again allow the same 2° from the present position. At the start the log says how to confirm the directions.
+// REQ-CONTROL-30: Before the directions are confirmed, the mount is moved only by a jog, or by `M` of a client. The
+// speed is at most 5°/s. The axis stays within 2° of the place where the first such motion began. When confirmed
+// directions become unconfirmed, the same 2° count from the present position. At the start the log says how to confirm
+// the directions.
 TEST(StationDesk, BeforeItsDirectionsAreConfirmedAMountIsJoggedALittleAndSlowly)
 {
     profile::Profile fresh;
@@ -256,7 +257,7 @@ TEST(StationDesk, BeforeItsDirectionsAreConfirmedAMountIsJoggedALittleAndSlowly)
     EXPECT_TRUE(rig.point(50.0, 30.0, kOperator));
 }
 
-// Without a window, the person at the mast checks the directions with a client's "M".
+// If there is no window, a person at the mast checks the directions with `M` of a client.
 // REQ-CONTROL-30
 TEST(StationDesk, BeforeItsDirectionsAreConfirmedAClientMovesItALittleAndSlowly)
 {

@@ -76,7 +76,7 @@ TEST(StationControl, ABusThatIsGoneIsOneAlarm)
     const Alarm& alarm = back.alarms.front();
     EXPECT_EQ(alarm.what, QStringLiteral("Both drives were silent for 8 s and are back."));
     EXPECT_EQ(alarm.action, QStringLiteral("Boresight ended the motion. Azimuth moved 0.4° and elevation 0.0° while no "
-                                           "reply came. The position is continuous."));
+                                           "reply came. The position is still known."));
     EXPECT_TRUE(alarm.remedy.contains(QStringLiteral("press Re-arm")));
     EXPECT_EQ(back.stateReason, QStringLiteral("both drives stopped replying"));
     ASSERT_TRUE(rig.ask(request::Rearm{}));
@@ -111,7 +111,7 @@ TEST(StationControl, HowFarTheMountMovedIsAddedWhenItIsKnown)
     EXPECT_EQ(confirmed.alarms.front().what, unconfirmed.alarms.front().what);
     EXPECT_EQ(confirmed.alarms.front().action,
               QStringLiteral("Boresight ended the motion. Azimuth moved 0.4° and elevation 0.0° while no reply came. "
-                             "The position is continuous."));
+                             "The position is still known."));
     EXPECT_EQ(confirmed.alarms.front().since, unconfirmed.alarms.front().since);
 }
 
@@ -151,7 +151,7 @@ TEST(StationControl, ADriveThatAnswersAgainSaysSoWhileItWaitsForTheRearm)
     EXPECT_EQ(back.state, StationState::Fault);
     EXPECT_EQ(back.alarms.front().what, QStringLiteral("The azimuth drive was silent for 1 s and is back."));
     EXPECT_EQ(back.alarms.front().action, QStringLiteral("Boresight ended the motion. The axis did not move while no "
-                                                         "reply came. Its position is continuous."));
+                                                         "reply came. Its position is still known."));
     EXPECT_TRUE(back.alarms.front().remedy.contains(QStringLiteral("press Re-arm")));
     EXPECT_EQ(back.stateReason, QStringLiteral("the azimuth drive stopped replying"));
     rig.control.alarms().acknowledgeAll();

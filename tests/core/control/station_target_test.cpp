@@ -292,7 +292,7 @@ TEST_F(StationTarget, FollowsATable)
     }
     runUntil(start + std::chrono::seconds(302));
     EXPECT_FALSE(tracked());
-    EXPECT_TRUE(logged(QStringLiteral("the table of way.txt leads no further, and the mount holds")));
+    EXPECT_TRUE(logged(QStringLiteral("the table of way.txt has ended, and the mount holds")));
     rig.settle();
     EXPECT_EQ(rig.state(), StationState::Hold);
     EXPECT_LT(angleBetween(*rig.control.status().commanded, {10_deg, 20_deg}), 0.1_deg);

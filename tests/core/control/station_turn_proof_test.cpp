@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What proves the wrap of an axis after a restart, a silence or the use of other tools: only a position that nobody has
-// set since then.
+// Tests which evidence proves the wrap of an axis after a restart, a silence or the use of other tools: only a position
+// that nobody has set since then.
 #include "tests/core/control/station_rig.h"
 
 #include <gtest/gtest.h>

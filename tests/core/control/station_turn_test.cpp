@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which wrap an axis is on: the operator is asked where the wrap cannot be proven, and the answer is written into the
-// drive. station_turn_proof_test.cpp shows what proves the wrap.
+// Tests the question about the wrap of an axis: the operator is asked if the wrap cannot be proven, and the answer is
+// written into the drive. station_turn_proof_test.cpp tests the proofs.
 #include "tests/core/control/station_rig.h"
 #include "tests/fakes/text_of.h"
 
@@ -104,7 +104,7 @@ TEST(StationTurns, ControlIsHandedBackOnlyAfterTheAnswer)
     const Result<> refused = rig.ask(request::GiveAuthority{});
     ASSERT_FALSE(refused);
     EXPECT_EQ(textOf(refused.error()),
-              "The cable wrap of the azimuth drive is unknown. Enter where the axis is. Only slow jog works.");
+              "The cable wrap of the azimuth drive is unknown. Enter the position of the axis. Only slow jog works.");
     ASSERT_TRUE(rig.ask(request::ChooseTurn{Axis::Azimuth, 100_deg}));
     rig.run(Seconds(3.0));
     ASSERT_FALSE(rig.question());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a drive does not report by itself: it stalls, jumps or runs away, and its status says that all is well.
+// Tests problems that a drive does not report: it stalls, jumps or runs away while its status is good.
 #include "tests/core/control/station_rig.h"
 #include "tests/fakes/text_of.h"
 

@@ -100,7 +100,7 @@ TEST(SensorWatch, TheDeclinationOfAnotherSiteIsForgotten)
     EXPECT_THAT(rig.watch.status().declinationText.toStdString(), HasSubstr("not known"));
 }
 
-// Whole turns for either sense of the sensor: the mount turns clockwise by 500°.
+// The mount turns clockwise by 500°. The course counts more than a full turn, whichever way the sensor counts.
 // REQ-WITNESS-46
 TEST(SensorWatch, ItsCourseIsThatOfTheMount)
 {
@@ -177,7 +177,7 @@ TEST(SensorWatch, AnUncalibratedCompassIsNoWitness)
     EXPECT_EQ(rig.watch.evidence().elevation, 20_deg);
 }
 
-// By MQTT almost no calibration level arrives. So the sensor proves nothing, but a difference is reported all the same.
+// By MQTT hardly any calibration level arrives, so the sensor is no evidence. A difference is reported all the same.
 TEST(SensorWatch, WithoutACalibrationItWarnsButProvesNothing)
 {
     SensorWatchRig rig(withNorth());
@@ -224,7 +224,7 @@ TEST(SensorWatch, WhatASwingFoundSaysHowFarItIsToBeBelieved)
     EXPECT_FALSE(rig.watch.status().azimuthSigma);
     EXPECT_FALSE(rig.watch.evidence().azimuth);
     EXPECT_THAT(rig.watch.status().doubt.toStdString(),
-                HasSubstr("steel disturbs its compass near 100.0°, as the swing found"));
+                HasSubstr("steel disturbs its compass near 100.0° (result of the swing)"));
     rig.heading = curveOf(profile.sensor, profile.sensor.declinationInSensor).reading(120_deg).angle();
     rig.run(10.0);
     EXPECT_EQ(rig.alarmText(), "") << "20° off, but nothing is to be made of it there";

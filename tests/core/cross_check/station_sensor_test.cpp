@@ -182,7 +182,7 @@ TEST(StationSensor, ADisturbanceThatGoesWithTheMotorsCurrentIsToldAsThat)
             told += remedies();
         }
     }
-    EXPECT_THAT(told, HasSubstr("It follows the motor current, 1")) << strongest << " A";
+    EXPECT_THAT(told, HasSubstr("The difference follows the motor current, 1")) << strongest << " A";
     EXPECT_EQ(*rig.station->status().profile, before);
     EXPECT_NEAR(rig.station->status().actual->azimuth.wrapped180().degrees(), 0.0, 0.1);
 }

@@ -28,7 +28,7 @@ protected:
                          [this](const QByteArray& datagram) { all.push_back(datagram); });
     }
     void send(const QByteArray& bytes) { sender.writeDatagram(bytes, QHostAddress::LocalHost, number); }
-    // Until it listens: what is sent before is lost.
+    // Waits until the port listens. Earlier datagrams are lost.
     [[nodiscard]] bool listens()
     {
         return fakes::waitUntil([this] {
@@ -43,7 +43,8 @@ protected:
     std::vector<QByteArray> all;
 };
 
-// REQ-DATAGRAMS-01: A datagram arrives as it was sent. Of a long one 4097 bytes arrive, so its reader can refuse it.
+// REQ-DATAGRAMS-01: A datagram arrives unchanged. Of a longer one the first 4097 bytes arrive, so the reader can detect
+// that it is too long.
 TEST_F(DatagramPortTest, ADatagramArrivesAsItWasSent)
 {
     begin();
@@ -55,7 +56,7 @@ TEST_F(DatagramPortTest, ADatagramArrivesAsItWasSent)
     EXPECT_EQ(all.back().size(), DatagramPort::kLongest + 1);
 }
 
-// REQ-DATAGRAMS-02: Whoever floods the port delays nobody: the station gets the newest 32 every 20 ms.
+// REQ-DATAGRAMS-02: A flood at the port delays nothing: every 20 ms the station receives the newest 32 datagrams.
 TEST_F(DatagramPortTest, AFloodLeavesTheNewest)
 {
     begin();
@@ -71,7 +72,7 @@ TEST_F(DatagramPortTest, AFloodLeavesTheNewest)
     EXPECT_LT(all.size(), 5000U);
 }
 
-// REQ-DATAGRAMS-03: A port that another program uses is reported, and tried again.
+// REQ-DATAGRAMS-03: A port that another program uses is reported, and opening it is tried again.
 TEST_F(DatagramPortTest, ATakenPortIsTriedAgain)
 {
     auto other = std::make_unique<QUdpSocket>();

@@ -122,7 +122,7 @@ TEST(DiagnosticsBundle, HasWhatABugReportNeeds)
     }
     const QByteArray drives = Rig::read(dir, "drives.txt");
     EXPECT_TRUE(drives.contains("UNSAFE  servo.timeout_mode  found 12  wanted 10")) << drives.toStdString();
-    EXPECT_TRUE(drives.contains("from 2.00°/s stood after 0.42° and 310 ms")) << drives.toStdString();
+    EXPECT_TRUE(drives.contains("stopped from 2.00°/s after 0.42° and 310 ms")) << drives.toStdString();
     const QByteArray station = Rig::read(dir, "station.txt");
     EXPECT_TRUE(station.contains(": No reply from elevation. Check its cable.\n"));
     EXPECT_TRUE(

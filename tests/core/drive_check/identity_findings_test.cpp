@@ -67,7 +67,8 @@ TEST(Identity, AThirdBoardThatIsWatchedIsNoFinding)
     EXPECT_EQ(identityFindings(profile, {}, std::vector{board(1, 11), board(2, 12), board(8, 13)}).size(), 1u);
 }
 
-// Its id in the profile has no meaning then.
+// If an axis has no drive, its id in the profile has no meaning. A board with this id is reported like any unknown
+// board.
 TEST(Identity, ABoardOfAnAxisWithoutDriveIsAsStrangeAsAny)
 {
     const std::vector both{board(1, 11), board(2, 12)};

@@ -151,8 +151,8 @@ TEST_F(ElementWebTest, AFailureIsAskedAgainLaterAndLater)
     server.answersWith("/a", "403 Forbidden", "Content-Type: text/plain\r\n", "Too many questions\nand more");
     ASSERT_TRUE(follow());
     EXPECT_EQ(problem(), server.address("/a") +
-                             ": The server answers 403 Forbidden. The server says: \"Too many questions\". "
-                             "The cache has no elements of it. Next download: 2026-11-21 02:00Z.");
+                             ": The server answers 403 Forbidden. The server sent: \"Too many questions\". The "
+                             "cache has no elements of this source. Next download: 2026-11-21 02:00Z.");
     start();
     ASSERT_TRUE(follow());
     EXPECT_THAT(problem(), HasSubstr("403 Forbidden")) << "also in the next program";
@@ -268,7 +268,8 @@ TEST_F(ElementWebTest, WithoutANetworkTheCacheIsUsed)
     start();
     web->setAddresses(elementAddresses({nowhere}));
     ASSERT_TRUE(settles());
-    EXPECT_EQ(problem(), nowhere + ": No network, or no server nowhere.invalid. The cache has no elements of it.");
+    EXPECT_EQ(problem(),
+              nowhere + ": No network, or no server nowhere.invalid. The cache has no elements of this source.");
     const auto busyAfter = [this](Seconds time) {
         timers->elapse(time);
         return web->isBusy();
@@ -286,8 +287,9 @@ TEST_F(ElementWebTest, WithoutACacheNobodyIsAsked)
     ASSERT_TRUE(inTheWay.open(QIODevice::WriteOnly));
     ASSERT_TRUE(follow());
     EXPECT_THAT(server.questions(), IsEmpty());
-    EXPECT_EQ(problem(), server.address("/a") + ": The cache cannot be written, so nothing is downloaded: " +
-                             folder().toStdString() + ": this folder cannot be made. The cache has no elements of it.");
+    EXPECT_EQ(problem(), server.address("/a") +
+                             ": The cache cannot be written, so nothing is downloaded: " + folder().toStdString() +
+                             ": this folder cannot be made. The cache has no elements of this source.");
     inTheWay.remove();
     ASSERT_TRUE(elapse(ElementWeb::kLook));
     EXPECT_EQ(cached(), kTwo);

@@ -44,11 +44,11 @@ TEST(ElementAddress, HttpsIsTakenAndPlainHttpOnThisComputerOnly)
     }
     EXPECT_THAT(reasonOf("http://example.org/a"), HasSubstr("does not begin with https://"));
     EXPECT_THAT(reasonOf("http://127.0.0.1.example.org/a"), HasSubstr("does not begin with https://"));
-    EXPECT_THAT(reasonOf("file:///etc/passwd"), HasSubstr("is no address"));
+    EXPECT_THAT(reasonOf("file:///etc/passwd"), HasSubstr("is not an address"));
     EXPECT_THAT(reasonOf("ftp://example.org/a"), HasSubstr("does not begin with https://"));
-    EXPECT_THAT(reasonOf("https://"), HasSubstr("is no address"));
-    EXPECT_THAT(reasonOf("https://a b/"), HasSubstr("is no address"));
-    EXPECT_THAT(reasonOf("https://example.org/" + std::string(3000, 'a')), HasSubstr("is no address"));
+    EXPECT_THAT(reasonOf("https://"), HasSubstr("is not an address"));
+    EXPECT_THAT(reasonOf("https://a b/"), HasSubstr("is not an address"));
+    EXPECT_THAT(reasonOf("https://example.org/" + std::string(3000, 'a')), HasSubstr("is not an address"));
     EXPECT_THAT(reasonOf("https://me:word@example.org/a"), HasSubstr("user name or a password"));
 }
 

@@ -81,7 +81,7 @@ TEST_F(FollowedRotctldTest, SaysWhyThereIsNoPosition)
     rotctld.answer.clear();
     EXPECT_EQ(problem(rotctld.bus()), rotctld.name().toStdString() + " does not answer");
     rotctld.answer = "HTTP/1.1 400 Bad Request\r\n\r\n";
-    EXPECT_THAT(problem(rotctld.bus()), HasSubstr("is not that of a rotctld"));
+    EXPECT_THAT(problem(rotctld.bus()), HasSubstr("is not from a rotctld"));
 }
 
 // REQ-ROTATORFOLLOW-12: A connection that ends is made again. After 5 s without a position the rotctld is finally given

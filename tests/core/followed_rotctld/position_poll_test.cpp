@@ -56,10 +56,10 @@ TEST_F(PositionPollTest, OneQuestionAtATime)
 TEST_F(PositionPollTest, TellsWhatIsNoPosition)
 {
     EXPECT_EQ(problem("RPRT -5\n"), "the rotator did not answer rotctld in time (RPRT -5)");
-    EXPECT_EQ(problem("SSH-2.0-OpenSSH\r\n"), "The answer \"SSH-2.0-OpenSSH\" is not that of a rotctld");
-    EXPECT_EQ(problem("nan\n45\n"), "The answer \"nan\" is not that of a rotctld");
-    EXPECT_EQ(problem("12\nRPRT -1\n"), "The answer \"RPRT -1\" is not that of a rotctld");
-    EXPECT_EQ(problem("1e9\n0\n"), "The answer \"1e9\" is not that of a rotctld");
+    EXPECT_EQ(problem("SSH-2.0-OpenSSH\r\n"), "The answer \"SSH-2.0-OpenSSH\" is not from a rotctld");
+    EXPECT_EQ(problem("nan\n45\n"), "The answer \"nan\" is not from a rotctld");
+    EXPECT_EQ(problem("12\nRPRT -1\n"), "The answer \"RPRT -1\" is not from a rotctld");
+    EXPECT_EQ(problem("1e9\n0\n"), "The answer \"1e9\" is not from a rotctld");
     EXPECT_EQ(poll.ask(now), "p\n");
     poll.take("12\n");
     poll.restart();

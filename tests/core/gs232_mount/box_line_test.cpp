@@ -33,8 +33,8 @@ QByteArray collected(BoxLine& line, QObject& context, QByteArray& into)
     return into;
 }
 
-// REQ-GS232-40: A rotator is reached over a serial port. A port that is gone is reported, and used again when it is
-// back.
+// REQ-GS232-40: A rotator is connected by a serial port. A port that disappears is reported, and is used again when it
+// is back.
 TEST(SerialBoxLine, CarriesBytesAndReportsAPortThatIsGone)
 {
     auto terminal = std::make_unique<fakes::PseudoTerminal>();
@@ -59,7 +59,7 @@ TEST(SerialBoxLine, APortThatIsNotThereHasAReason)
     line.open();
     EXPECT_EQ(line.state(), BoxLine::State::Lost);
     EXPECT_TRUE(line.problem().contains(QStringLiteral("does not exist")));
-    line.write("C2\r");  // goes nowhere
+    line.write("C2\r");  // this write has no effect
 }
 
 // REQ-GS232-41: A port that another line has open is not shared.
@@ -75,7 +75,7 @@ TEST(SerialBoxLine, APortInUseIsLeftAlone)
     EXPECT_TRUE(second.problem().contains(QStringLiteral("in use"))) << second.problem().toStdString();
 }
 
-// REQ-GS232-42: A rotator is reached over TCP. A connection that ends is opened again.
+// REQ-GS232-42: A rotator is connected by TCP. A connection that ends is opened again.
 TEST(TcpBoxLine, CarriesBytesAndConnectsAgain)
 {
     QTcpServer server;
@@ -101,7 +101,7 @@ TEST(TcpBoxLine, CarriesBytesAndConnectsAgain)
 
 TEST(TcpBoxLine, APortWithoutABoxHasAReason)
 {
-    QTcpSocket keeper;  // has the port, and listens on nothing: nobody else can take it meanwhile
+    QTcpSocket keeper;  // keeps the port without listening, so that no other program can take it meanwhile
     ASSERT_TRUE(keeper.bind(QHostAddress::LocalHost, 0, QAbstractSocket::DontShareAddress));
     TcpBoxLine line(localPort(keeper.localPort()));
     line.open();
@@ -109,7 +109,7 @@ TEST(TcpBoxLine, APortWithoutABoxHasAReason)
     EXPECT_TRUE(line.problem().contains(line.name()));
 }
 
-// REQ-GS232-44: A line is named as the profile writes it, an IPv6 address in brackets.
+// REQ-GS232-44: A line has the name that the profile uses, with an IPv6 address in brackets.
 TEST(TcpBoxLine, IsNamedAsInTheProfile)
 {
     for (const char* const name : {"tcp:[::1]:4001", "tcp:[fe80::1%eth0]:23", "tcp:rotator.local:4001"}) {
@@ -119,7 +119,7 @@ TEST(TcpBoxLine, IsNamedAsInTheProfile)
     }
 }
 
-// A connection over a line that the test plays.
+// A line that the test controls.
 class Wire final : public BoxLine
 {
 public:
@@ -164,15 +164,15 @@ struct Rig
         rotatorBehind<Gs232Mount>(std::unique_ptr<BoxLine>(wire), {})(profile, clock, log, alarms);
 };
 
-// REQ-GS232-43: A device that is not a GS-232 box is asked for its position and never commanded. The line is closed and
-// not opened again.
+// REQ-GS232-43: A device that is not a GS-232 box receives queries only, never a command. The line is closed and not
+// opened again.
 TEST(Gs232Connection, AForeignDeviceIsClosedAndLeftAlone)
 {
     Rig rig;
     rig.connection->open();
     for (int i = 0; i < 4; ++i) {
         rig.run(Seconds(0.1));
-        rig.wire->say(QByteArray("\xfe\xfe\xe0\x94\x03\xfd", 6));  // of a radio whose dial is turned
+        rig.wire->say(QByteArray("\xfe\xfe\xe0\x94\x03\xfd", 6));  // sent by a radio when its dial is turned
         rig.run(Seconds(0.9));
     }
     EXPECT_TRUE(rig.warns("rotator.foreign"));

@@ -11,7 +11,7 @@ namespace {
 
 using std::chrono::milliseconds;
 
-// What is sent, with the time, while `answer` is given 60 ms after each question.
+// Records what is sent, with the time. `answer` arrives 60 ms after each query.
 class Talk
 {
 public:
@@ -53,7 +53,7 @@ private:
 
 const std::string kAnswerB = "AZ=180  EL=090\r\n";
 
-// REQ-GS232-05: The dialect is found by asking. Before an answer nothing but the question is sent.
+// REQ-GS232-05: The dialect is found by a query. Before the first answer nothing but the query is sent.
 TEST(BoxTalk, TheDialectIsFoundByAsking)
 {
     for (const auto& [answer, dialect] : {std::pair{kAnswerB, Dialect::B}, {"+0180+0090\r\n", Dialect::A}}) {
@@ -72,8 +72,8 @@ TEST(BoxTalk, TheDialectIsFoundByAsking)
     }
 }
 
-// REQ-GS232-06: The box is asked at most four times and sent elsewhere at most twice a second. There are 50 ms between
-// two commands. Only a stop does not wait.
+// REQ-GS232-06: The box receives at most four queries and two new targets in a second. There are 50 ms between two
+// commands. Only a stop does not wait.
 TEST(BoxTalk, CommandsArePaced)
 {
     Talk talk;
@@ -110,7 +110,7 @@ TEST(BoxTalk, AStopTakesTheTargetThatWaits)
     EXPECT_EQ(talk.count("W100 010\r"), 0);
 }
 
-// Story: a STOP before the first answer was dropped, and the box ran on to where it was sent before the start.
+// Story: a STOP before the first answer was dropped, and the box went on to a target from before the start.
 TEST(BoxTalk, AStopBeforeTheFirstAnswerWaitsForIt)
 {
     Talk talk;
@@ -122,8 +122,8 @@ TEST(BoxTalk, AStopBeforeTheFirstAnswerWaitsForIt)
     EXPECT_EQ(talk.count("S\r"), 1);
 }
 
-// REQ-GS232-07: A device that says other things than such a box does, to three questions within three seconds, is left
-// alone, also one that answered before its line was opened again.
+// REQ-GS232-07: A device gets no more queries if, to three queries within three seconds, it sends only text that no
+// such box sends. This also holds for a device that answered correctly before its line was opened again.
 TEST(BoxTalk, AForeignDeviceIsLeftAlone)
 {
     const std::vector<std::string> devices = {
@@ -151,9 +151,9 @@ TEST(BoxTalk, AForeignDeviceIsLeftAlone)
     }
 }
 
+// Story: a byte of noise before the box was switched on closed its line until somebody pressed Reconnect.
 // REQ-GS232-08: Noise does not make a box a foreign device: a byte when a plug is touched, the greeting of a box that
-// starts, or one byte every now and then while the box is off. Story: a byte of noise before the box was switched on
-// closed its line until somebody pressed Reconnect.
+// starts, or single bytes while the box is off.
 TEST(BoxTalk, NoiseMakesNoStrangerOfABox)
 {
     for (const std::string& noise : {std::string("\xff"), std::string("\0~", 2), std::string("~\r"),
@@ -174,7 +174,7 @@ TEST(BoxTalk, NoiseMakesNoStrangerOfABox)
     }
 }
 
-// A banner after the power-up, damaged lines and an echo do not make a box a foreign device.
+// A greeting after the power-up, damaged lines and an echo do not make a box a foreign device.
 TEST(BoxTalk, ABoxMayStammer)
 {
     Talk talk;
@@ -190,8 +190,8 @@ TEST(BoxTalk, ABoxMayStammer)
     EXPECT_EQ(talk->proof(), Proof::Box) << "silence is no proof against it";
 }
 
-// REQ-GS232-09: A refusal that comes in pieces does not make a box a foreign device, and is told as what it is.
 // Story: at 1200 baud a box without elevation counted as a foreign device after three seconds, and its line was closed.
+// REQ-GS232-09: A refusal that arrives in pieces does not make a box a foreign device. It is reported as a refusal.
 TEST(BoxTalk, ARefusalMayComeInPieces)
 {
     Talk talk(1200);
@@ -208,7 +208,7 @@ TEST(BoxTalk, ARefusalMayComeInPieces)
     EXPECT_EQ(talk->proof(), RotatorTalk::Proof::Box);
 }
 
-// Only what was asked for is an answer: the rest of a line that came too late is none.
+// The rest of a late line does not count as the answer to the present query.
 TEST(BoxTalk, HalfOfWhatWasAskedForIsNoAnswer)
 {
     Talk both;

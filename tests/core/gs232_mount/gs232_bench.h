@@ -7,10 +7,10 @@
 
 #include <string>
 
-// A GS-232 rotator, a control above it and a clock that is turned by hand.
+// A GS-232 rotator below a control, with a clock that is turned by hand.
 namespace boresight::gs232 {
 
-// As the manual advises for such a rotator.
+// The settings that the manual recommends for such a rotator.
 inline profile::Profile gs232Profile(profile::AxisDriver azimuth = profile::AxisDriver::Gs232,
                                      profile::AxisDriver elevation = profile::AxisDriver::Gs232)
 {
@@ -61,7 +61,7 @@ public:
         m_control.profileChanged(before, *m_profile);
     }
     bool ordered() override { return m_box.moves() > 0; }
-    // The cable: the box runs on to where it was sent.
+    // Unplugs the cable. The box then goes on to its last target.
     void setLine(bool connected) override { m_connected = connected; }
 
     [[nodiscard]] Gs232Box& box() { return m_box; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The faults of a GS-232 rotator: what Boresight does, and what it says.
+// The faults of a GS-232 rotator: the reaction and the alarm of Boresight.
 #include "tests/core/gs232_mount/gs232_bench.h"
 
 #include <gtest/gtest.h>
@@ -13,13 +13,13 @@ namespace {
 struct Fault
 {
     const char* name;
-    std::function<void(Gs232Bench&)> happens;  // three seconds into a slew from 10° to 90°
-    const char* alarm;                         // "": it goes on
-    double within;                             // s
+    std::function<void(Gs232Bench&)> happens;  // called three seconds after the start of a slew from 10° to 90°
+    const char* alarm;                         // the expected alarm; "": the motion continues
+    double within;                             // s, until the alarm
 };
 
-// REQ-GS232-20 (Gs232Fault.*): Each fault of a GS-232 rotator in motion ends the motion with a stop and an alarm
-// of its own, and nothing moves before a re-arm. A fault that passes by itself is survived.
+// REQ-GS232-20 (Gs232Fault.*): Each fault of a GS-232 rotator in motion ends the motion with a stop and a separate
+// alarm. Nothing moves before a re-arm. A fault that disappears by itself does not end the motion.
 class Gs232Fault : public testing::TestWithParam<Fault>
 {
 protected:
@@ -45,7 +45,7 @@ TEST_P(Gs232Fault, EndsTheMotionOrPasses)
     }
     EXPECT_TRUE(bench.standsOnBoard(fault.alarm));
     EXPECT_TRUE(bench.control().faultLatched());
-    // The line and the box are well again.
+    // The line and the box work again.
     bench.box().faults() = {};
     bench.setLine(true);
     bench.run(Seconds(8.0));
@@ -87,15 +87,15 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"RestartInMidMove", [](Gs232Bench& bench) { bench.box().restart(bench.clock().now()); }, "", 3.0}),
     [](const auto& one) { return std::string(one.param.name); });
 
-// REQ-GS232-21: A stop is watched. One that the rotator does not obey is repeated each second, and after six seconds an
-// alarm says that it runs on.
+// REQ-GS232-21: Boresight checks that a stop works. If the rotator does not obey, the stop is repeated each second.
+// After six seconds an alarm reports that the rotator still moves.
 TEST(Gs232Stop, IsRepeatedUntilTheRotatorStands)
 {
     Gs232Bench bench;
     bench.run(Seconds(2.0));
     ASSERT_TRUE(bench.goTo(400.0, 20.0));
     bench.run(Seconds(3.0));
-    // Somebody holds the button of the box: it turns on whatever is sent.
+    // Somebody holds the button of the box, so it turns whatever is sent.
     bench.box().take("W440 020\r", bench.clock().now());
     bench.box().faults().stuckRelay = true;
     ASSERT_TRUE(bench.ask(request::Stop{}));
@@ -110,7 +110,8 @@ TEST(Gs232Stop, IsRepeatedUntilTheRotatorStands)
     EXPECT_LT(bench.truth().azimuth, 150_deg);
 }
 
-// Story: the set-points brake farther than the box. The next jog of one axis took the other one there.
+// Story: the set-points need a longer way to stop than the box. The next jog of one axis moved the other axis to its
+// last set-point.
 TEST(Gs232Stop, LeavesBothAxesWhereTheyStand)
 {
     Gs232Bench bench;
@@ -132,7 +133,8 @@ TEST(Gs232Stop, LeavesBothAxesWhereTheyStand)
     EXPECT_NEAR(bench.truth().elevation.degrees(), stood.elevation.degrees(), 0.6) << "nobody asked for it";
 }
 
-// Story: a connection that closed and opened between two ticks let the motion go on, on whatever box was there then.
+// Story: the connection closed and opened again between two ticks. The motion continued, although another box could be
+// connected by then.
 TEST(Gs232Stop, ALineThatWasAwayForAMomentEndsTheMotion)
 {
     Gs232Bench bench;
@@ -149,7 +151,7 @@ TEST(Gs232Stop, ALineThatWasAwayForAMomentEndsTheMotion)
     EXPECT_LT(bench.truth().azimuth, 100_deg);
 }
 
-// REQ-GS232-24: A converter that flickers between two counts is no motion.
+// REQ-GS232-24: A converter that alternates between two counts does not count as a motion.
 TEST(Gs232Stop, AFlickerOfOneCountIsNoMotion)
 {
     ObedienceWatch watch(Angle{});
@@ -208,7 +210,7 @@ TEST(Gs232Stop, ALostStopOfASlowMotorIsRepeated)
     }
 }
 
-// A stop that works is sent once.
+// A stop that works is sent only once.
 TEST(Gs232Stop, IsSentOnce)
 {
     Gs232Bench bench;
@@ -221,7 +223,7 @@ TEST(Gs232Stop, IsSentOnce)
     EXPECT_TRUE(bench.stands(Seconds(5.0)));
 }
 
-// REQ-GS232-22: A box that does not answer is asked once a second, and the alarm says what to check.
+// REQ-GS232-22: A box that does not answer receives one query each second, and the alarm says what to check.
 TEST(Gs232Start, ASilentBoxIsAskedOnAndNothingElse)
 {
     Gs232Bench bench;
@@ -237,7 +239,7 @@ TEST(Gs232Start, ASilentBoxIsAskedOnAndNothingElse)
     EXPECT_TRUE(bench.goTo(60.0, 45.0));
 }
 
-// REQ-GS232-23: A travel that the box cannot count is refused, with the keys to change.
+// REQ-GS232-23: A travel that the box cannot count is refused. The refusal names the keys to change.
 TEST(Gs232Start, ATravelThatItCannotCountIsRefused)
 {
     profile::Profile profile = gs232Profile();
@@ -252,7 +254,7 @@ TEST(Gs232Start, ATravelThatItCannotCountIsRefused)
     EXPECT_TRUE(Gs232Bench().mount().interlock());
 }
 
-// REQ-GS232-27 (Gs232Rest.*): A fault of a rotator that rests moves nothing.
+// REQ-GS232-27 (Gs232Rest.*): A fault of a rotator that stands still moves nothing.
 TEST(Gs232Rest, AJumpIsReportedAndNothingMoves)
 {
     Gs232Bench bench;
@@ -291,8 +293,8 @@ TEST(Gs232Rest, AnAzimuthRotatorWithAProfileOfTwoAxesIsTold)
     EXPECT_FALSE(bench.ordered());
 }
 
-// REQ-GS232-25: The box counts its angles itself. A sign or an offset of its own in the profile is refused, with the
-// keys and what to do. Those that every new profile has are accepted.
+// REQ-GS232-25: The box counts its angles itself. A sign or an offset in the profile is refused, with the keys and what
+// to do. The values of a new profile are accepted.
 TEST(Gs232Counts, ASignOrAnOffsetIsRefused)
 {
     const auto refusal = [](int sign, Angle offset) {
@@ -334,8 +336,8 @@ TEST(Gs232Counts, EndInsideTheTravel)
     }
 }
 
-// REQ-GS232-28: The stop for a keep-out that is drawn into the way of a slow rotator is watched as any other one: a
-// rotator that runs on is a fault.
+// REQ-GS232-28: A keep-out that is added on the way of a slow rotator stops it. Boresight checks this stop like any
+// other: a rotator that still moves is a fault.
 TEST(Gs232Retake, ItsStopIsWatched)
 {
     profile::Profile profile = gs232Profile();

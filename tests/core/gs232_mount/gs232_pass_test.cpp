@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A pass followed by a GS-232 rotator: how well, and at what cost in commands and motor starts.
+// A GS-232 rotator tracks a pass: its error, and the number of commands and motor starts.
 #include "tests/core/gs232_mount/gs232_bench.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace boresight::gs232 {
 namespace {
 
-// Of a satellite that culminates at 57° in the south, eight minutes long.
+// The position of a satellite that culminates at 57° in the south and is up for eight minutes.
 AxisPosition passAt(double seconds)
 {
     const double half = std::numbers::pi * seconds / 480.0;
@@ -19,7 +19,7 @@ AxisPosition passAt(double seconds)
             .elevation = Angle::fromDegrees(2.0 + 55.0 * std::sin(half))};
 }
 
-// The two minutes around its culmination, where the azimuth is fastest.
+// s: the two minutes around the culmination, where the azimuth is fastest.
 constexpr int kFrom = 180;
 constexpr int kTo = 300;
 constexpr double kMinutes = (kTo - kFrom) / 60.0;
@@ -31,7 +31,7 @@ struct Tally
     int looks = 0;
 };
 
-// REQ-GS232-30: A pass is followed within 1.5° by a rotator of whole degrees. It gets at most six commands a second.
+// REQ-GS232-30: A rotator with whole degrees tracks a pass within 1.5°. It receives at most six commands a second.
 TEST(Gs232Pass, IsFollowedWithFewCommands)
 {
     Gs232Bench bench;
@@ -67,7 +67,7 @@ TEST(Gs232Pass, IsFollowedWithFewCommands)
     EXPECT_FALSE(bench.control().faultLatched());
 }
 
-// A slew runs through where its set-points are as fast as the rotator: its motors start again only in the ramps.
+// While the set-points move as fast as the rotator, the motors run without a pause. They start again only in the ramps.
 TEST(Gs232Pass, ASlewHasFewMotorStarts)
 {
     Gs232Bench bench;

@@ -15,7 +15,7 @@ SteadyTime at(double seconds)
     return SteadyTime{} + std::chrono::round<SteadyTime::duration>(Seconds(100.0 + seconds));
 }
 
-// REQ-GS232-10: One false position is not believed. Two that agree are: then the rotator has jumped.
+// REQ-GS232-10: A single false position is ignored. Two positions that agree are accepted: the rotator has jumped.
 TEST(PlaceFilter, OneFalseAngleIsLeftOut)
 {
     PlaceFilter filter;

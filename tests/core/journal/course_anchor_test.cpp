@@ -60,10 +60,10 @@ TEST(SensorCourse, ProposesNothingItself)
     TurnQuestion asked = question(std::nullopt);
     addSensorTurning(asked, 50_deg);
     EXPECT_FALSE(asked.proposed);
-    EXPECT_THAT(asked.evidence[2].toStdString(), Not(HasSubstr("None of the places")));
+    EXPECT_THAT(asked.evidence[2].toStdString(), Not(HasSubstr("None of the possible places")));
     asked = question(std::nullopt);
     addSensorTurning(asked, 200_deg);
-    EXPECT_THAT(asked.evidence[2].toStdString(), HasSubstr("None of the places is near that"));
+    EXPECT_THAT(asked.evidence[2].toStdString(), HasSubstr("None of the possible places is near this angle"));
 }
 
 }  // namespace

@@ -264,7 +264,7 @@ TEST_F(JournalFileTest, ACorruptFileIsKeptAsideAndThePreviousOneTaken)
     const std::string problem = loaded.problem.toStdString();
     EXPECT_THAT(problem, HasSubstr("cannot be used: it is damaged at byte"));
     EXPECT_THAT(problem, HasSubstr("Boresight keeps it as " + m_dir.filePath(corruptFiles().front()).toStdString()));
-    EXPECT_THAT(problem, HasSubstr("Boresight uses the version before it: " + previous().toStdString()));
+    EXPECT_THAT(problem, HasSubstr("Boresight uses the previous version: " + previous().toStdString()));
 }
 
 // REQ-MEMORY-04
@@ -288,7 +288,7 @@ TEST_F(JournalFileTest, KilledBetweenTheRenamingsThePreviousOneIsTaken)
     const LoadedJournal loaded = load();
     EXPECT_EQ(loaded.journal.turns[0]->angle, Angle::fromDegrees(30.0));
     EXPECT_EQ(loaded.journal.turns[0]->host, HostTime());
-    EXPECT_THAT(loaded.problem.toStdString(), HasSubstr("is missing. Boresight uses the version before it: "));
+    EXPECT_THAT(loaded.problem.toStdString(), HasSubstr("is missing. Boresight uses the previous version: "));
 }
 
 // The program is killed at any moment of its writing. There is always a complete file, at most one save behind.

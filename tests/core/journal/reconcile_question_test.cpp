@@ -39,8 +39,8 @@ TEST(ReconcileQuestion, MovedByHandHasNoDefault)
     scene.powerCycledAt(100.0);
     EXPECT_EQ(scene.question().proposed, std::nullopt);
     EXPECT_THAT(inDegrees(scene.question().candidates), ElementsAre(-260.0, 100.0, 460.0));
-    EXPECT_THAT(scene.sentences(), Contains("The nearest possible position is 55.0° from the one in the journal. The "
-                                            "axis was moved while Boresight did not watch it"));
+    EXPECT_THAT(scene.sentences(), Contains("The nearest possible position is 55.0° from the position in the journal. "
+                                            "The axis moved while Boresight did not watch it"));
     EXPECT_THAT(scene.sentences(), Contains("There is no sensor to compare with"));
 }
 
@@ -102,8 +102,8 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(ReconcileQuestion, ADirtyJournalOfAHighGearSaysWhyItProposesNothing)
 {
     const auto sentences = Scene(Kind::HundredToOne).dirty().powerCycledAt(405.0).sentences();
-    EXPECT_THAT(sentences, Contains("The axis may have moved after that. Places 3.6° apart look the same to the drive, "
-                                    "so the journal does not show which is right"));
+    EXPECT_THAT(sentences, Contains("The axis may have moved since then. The drive cannot distinguish places 3.6° "
+                                    "apart, so the journal does not show which place is right"));
     EXPECT_EQ(sentences.front(),
               "The angle is known only to a multiple of 3.6°. 233 places from -372.6° to 462.6° are possible");
 }
@@ -144,7 +144,7 @@ TEST(ReconcileQuestion, NoTurnWithinTheTravelAsksForTheAngle)
     scene.powerCycledAt(120.0);
     EXPECT_TRUE(scene.question().candidates.empty());
     EXPECT_EQ(scene.sentences().front(),
-              "The drive reports 120.0°. No cable wrap of it lies within 15° of the travel. Enter the angle");
+              "The drive reports 120.0°. No cable wrap of this angle lies within 15° of the travel. Enter the angle");
 }
 
 TEST(ReconcileQuestion, ManyCandidatesAreAllKept)
@@ -224,7 +224,7 @@ TEST(ReconcileOnlyPlace, ARotorEncoderIsNotEnough)
     const TurnQuestion question = scene.question();
     EXPECT_THAT(inDegrees(question.candidates), ElementsAre(30.0));
     EXPECT_EQ(question.proposed, std::nullopt);
-    EXPECT_EQ(scene.sentences().front(), "The position that the drive reports is possible only at 30.0°");
+    EXPECT_EQ(scene.sentences().front(), "The position that the drive reports fits only 30.0°");
 }
 
 // Scenario S10 with a mount whose travel is one turn: two possible positions near the end, one elsewhere. An axis that

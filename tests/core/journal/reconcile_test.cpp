@@ -195,7 +195,7 @@ TEST_P(ReconcileKinds, ADriveThatDoesNotTellItsOriginMustBeAskedAbout)
 {
     Scene now(GetParam().kind);
     now.frame.origin.reset();
-    EXPECT_THAT(now.sentences(), Contains("The drive did not report whether its position was set after that"));
+    EXPECT_THAT(now.sentences(), Contains("The drive did not report whether its position was set since then"));
     Scene then(GetParam().kind);
     then.evidence.record->origin.reset();
     EXPECT_EQ(then.certain(), std::nullopt);
@@ -252,8 +252,8 @@ TEST(ReconcileClock, NoStepOfTheClockMakesARestartedDriveCertain)
     }
 }
 
-// The worst case: a computer without a clock battery and a drive share one switch. They start together, and the clock
-// always starts at the same time. So by UTC today's drive started just when the drive of the record did.
+// The worst case: a drive and a computer without a clock battery share one switch. They start together, and the clock
+// always starts at the same time. So by UTC the drive seems to have started at the same time as in the record.
 TEST(ReconcileClock, AComputerThatStartsAtTheSameTimeEachDayIsNoWitness)
 {
     Scene scene(Kind::HundredToOne);

@@ -12,8 +12,8 @@ QString refusalOf(std::string_view text)
     return read ? QStringLiteral("accepted") : read.error().text;
 }
 
-// REQ-LISTENERS-01: A line of the profile is one listener: protocol, rights, place, and who may connect. What is not
-// wholly understood is refused with the word that is wrong.
+// REQ-LISTENERS-01: A line in the profile describes one listener: protocol, rights, place, and who may connect. A line
+// with an unknown part is refused, and the refusal names that part.
 TEST(Listener, IsReadFromALineOfTheProfile)
 {
     EXPECT_EQ(parseListener("gs232b drive tcp:127.0.0.1:4534"),
@@ -53,8 +53,8 @@ TEST(Listener, NamesTheWordThatIsWrong)
         EXPECT_TRUE(refusalOf(std::string("gs232a drive ") + place).contains(QString::fromLatin1(place))) << place;
     }
     EXPECT_TRUE(refusalOf("gs232a drive tcp:0.0.0.0:4534 10.0.0.0/8 shack").contains(QStringLiteral("\"shack\"")));
-    EXPECT_TRUE(refusalOf("gs232a drive pty:/tmp/r 10.0.0.0/8").contains(QStringLiteral("takes no addresses")));
-    EXPECT_TRUE(refusalOf("pairs drive unix:/tmp/r 10.0.0.0/8").contains(QStringLiteral("takes no addresses")));
+    EXPECT_TRUE(refusalOf("gs232a drive pty:/tmp/r 10.0.0.0/8").contains(QStringLiteral("must not follow a path")));
+    EXPECT_TRUE(refusalOf("pairs drive unix:/tmp/r 10.0.0.0/8").contains(QStringLiteral("must not follow a path")));
 }
 
 TEST(Listener, SaysWhereItIsAndWhoReachesIt)

@@ -68,7 +68,7 @@ protected:
         socket.connectToServer(server.path());
         return answerTo(socket, sent);
     }
-    // What a program that was killed leaves behind.
+    // Leaves a socket like a program that was killed.
     void leaveASocket() const
     {
         ASSERT_TRUE(QDir(runtime.path()).mkpath(QStringLiteral("boresight")));
@@ -117,7 +117,7 @@ TEST_F(LocalServerTest, OneLineInOneLineOut)
     asked.clear();
     EXPECT_EQ(ask("P 10 20\n"),
               "error: This is not a command. The commands are take, release, stop, reset-stop, override-wind, "
-              "satellites, status, transmit, track TARGET, antennas, antenna NAME and those of the schedule.\n");
+              "satellites, status, transmit, track TARGET, antennas, antenna NAME and the commands of the schedule.\n");
     EXPECT_EQ(ask(QByteArray(100000, 'x')), "error: The line is longer than 4352 bytes.\n");
     EXPECT_EQ(ask("stop" + QByteArray(kLongestLine - 3, ' ') + "\n"), "error: The line is longer than 4352 bytes.\n");
     EXPECT_THAT(asked, IsEmpty());

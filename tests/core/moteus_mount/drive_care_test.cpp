@@ -74,7 +74,7 @@ TEST(DriveCare, FixingMakesTheDrivesFitAndEndsTheAlarm)
     ASSERT_EQ(rig.ask(request::FixDrives{}), "");
     EXPECT_EQ(rig.drives().driveCheck, DriveCheckState::Fixing);
     for (const auto& [action, wanted] : kOfTheDrives) {
-        EXPECT_THAT(rig.obstacle(action), HasSubstr("settings are being written"));
+        EXPECT_THAT(rig.obstacle(action), HasSubstr("is writing the settings"));
         EXPECT_EQ(rig.refusal(wanted), rig.obstacle(action));
     }
     EXPECT_NE(rig.ask(kGo), "");

@@ -58,7 +58,7 @@ TEST(LinkMaker, TheSimulatedDrivesOfASimpleProfileAreProtectedToo)
     EXPECT_NEAR(protectedPair(profile).azimuth.config.positionMax, 303.0 / 360.0, 1e-6);
 }
 
-// Otherwise there would be nothing to calibrate with --simulate.
+// Without these errors there would be nothing to calibrate with --simulate.
 TEST(LinkMaker, TheSimulatedMountHidesAnotherNorthAndADeviation)
 {
     fakes::ManualClock clock;

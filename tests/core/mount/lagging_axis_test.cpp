@@ -40,7 +40,7 @@ protected:
         bench = GetParam().make(m_profile);
         bench->run(Seconds(2.0));
     }
-    // Not deeper inside a keep-out than the position error of such a rotator.
+    // Runs, and checks that the rotator is never deeper inside a keep-out than its position error.
     void runOutside(Seconds time)
     {
         constexpr Angle kMiss = Angle::fromDegrees(1.5);

@@ -285,10 +285,10 @@ TEST_F(MqttClient, ComesBackAfterTheBrokerDiedInTheMiddleOfAStream)
     EXPECT_EQ(reader.connections, 2);
 }
 
-// After a good connection the next attempt comes soon. A connection that ends at once has an unknown cause, so the
-// delay stays.
-// Story: the end of a problem came with the connection, one signal before connected(). A report between the two showed
-// a connection that nobody had counted.
+// After a good connection the next attempt comes soon. After a connection that ends at once the cause is unknown, so
+// the longer delay stays.
+// Story: problemChanged() announced the end of the problem one signal before connected(). A report sent between the two
+// signals showed a connection that was not counted yet.
 TEST_F(MqttClient, IsConnectedFromTheSignalOn)
 {
     Rig rig;

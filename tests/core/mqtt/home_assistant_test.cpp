@@ -26,7 +26,7 @@ Described roof(Offered buttons)
             .buttons = buttons};
 }
 
-// The payload on this topic; "absent" where there is none.
+// The payload on this topic, or "absent" if there is none.
 std::string payload(const std::vector<Message>& all, const char* topic)
 {
     const auto found = std::ranges::find(all, QLatin1String(topic), &Message::topic);
@@ -70,7 +70,7 @@ TEST(HomeAssistant, ReadsAValueOfTheState)
                                        "binary_sensor/boresight_stop_latched", "binary_sensor/boresight_link"));
 }
 
-// REQ-MQTT-12: The buttons for STOP and park are offered as far as `mqtt.commands` permits. What is not offered is
+// REQ-MQTT-12: Buttons for STOP and Park are offered if `mqtt.commands` permits them. A button that is not offered is
 // removed by an empty message.
 TEST(HomeAssistant, OffersButtonsAsFarAsCommandsAreOn)
 {
@@ -107,7 +107,7 @@ TEST(HomeAssistant, OffersButtonsAsFarAsCommandsAreOn)
     }
 }
 
-// Each entity has what the documentation demands: a topic of its letters, an id of its own, a device.
+// Each entity meets the rules of the documentation: a topic of the allowed characters, a unique id, and a device.
 TEST(HomeAssistant, IsToldByTheRules)
 {
     for (const char* const prefix : {"boresight/", "boresight", "/a/b/", "shack/größe 2/", "$", "roof"}) {
@@ -130,8 +130,8 @@ TEST(HomeAssistant, IsToldByTheRules)
     }
 }
 
-// REQ-MQTT-13: What was described under another prefix, or is no longer wanted, is removed. The rest stays, and keeps
-// what the user of Home Assistant has set for it.
+// REQ-MQTT-13: Entities that were announced under another prefix, or are not wanted any more, are removed. The others
+// stay, with the settings that the user of Home Assistant has made for them.
 TEST(HomeAssistant, ForgetsWhatIsGone)
 {
     const auto before = discovery(roof(Offered::Stop));

@@ -34,7 +34,8 @@ TEST(NewestMessages, OfAFloodTheNewestAreKept)
     EXPECT_EQ(kept.back(), numbered(9999));
 }
 
-// Story: a sensor that went wild, or somebody who floods the commands, displaced a STOP that waited with them.
+// Story: a faulty sensor, or somebody who flooded the command topic, displaced a STOP that was waiting in the same
+// queue.
 TEST(NewestMessages, AFloodOfOneTopicLeavesTheOthers)
 {
     const Message stop{.topic = QStringLiteral("stop"), .payload = "stop"};

@@ -43,7 +43,7 @@ struct CommandTalkTest : ::testing::Test
     {
         return answer ? QJsonDocument::fromJson(*answer).object() : QJsonObject();
     }
-    // The answer in words.
+    // Sends a message and returns the text of the answer.
     std::string say(const QByteArray& message, Retain retain = Retain::No)
     {
         const QJsonObject answer = read(talk->obey(message, retain));
@@ -58,7 +58,7 @@ struct CommandTalkTest : ::testing::Test
     std::unique_ptr<CommandTalk> talk;
 };
 
-// REQ-MQTTCOMMANDS-01: A message on the topic `command` is one command in the words of `core/pairs_server`. Each
+// REQ-MQTTCOMMANDS-01: A message on the topic `command` is one command in the language of `core/pairs_server`. Each
 // command is answered by one line of JSON with the command, whether it is accepted, and the answer.
 TEST_F(CommandTalkTest, ObeysTheWordsOfThePairs)
 {
@@ -81,8 +81,8 @@ TEST_F(CommandTalkTest, ObeysTheWordsOfThePairs)
     EXPECT_EQ(say("90 90"), "OK: 90.0° 90.0°, at the elevation limit");
 }
 
-// REQ-MQTTCOMMANDS-02: What is no command moves nothing, and the answer gives the reason. So does a message of several
-// lines, of more than 200 bytes or without text.
+// REQ-MQTTCOMMANDS-02: A message that is no command moves nothing, and the answer gives the reason. The same holds for
+// a message of several lines, of more than 200 bytes or without text.
 TEST_F(CommandTalkTest, RefusesWhatIsNoCommand)
 {
     for (const QByteArray& message :
@@ -96,12 +96,12 @@ TEST_F(CommandTalkTest, RefusesWhatIsNoCommand)
     }
     EXPECT_EQ(talk->obey("10\xe2\x82", Retain::No)->contains("error: "), true) << "half a letter";
     EXPECT_EQ(rotator.actions, 0);
-    EXPECT_THAT(say("PRESS"), HasSubstr("Known are: ELEVATION, AZIMUTH ELEVATION"));
+    EXPECT_THAT(say("PRESS"), HasSubstr("The commands are ELEVATION, AZIMUTH ELEVATION"));
     EXPECT_THAT(rotator.remarks.back(), HasSubstr("\"PRESS\" refused: ")) << "the log has it";
     EXPECT_THAT(say(QByteArray(201, '1')), HasSubstr("at most 200 bytes"));
 }
 
-// REQ-MQTTCOMMANDS-03: A message that the broker kept is never obeyed, be it a STOP. The answer says so.
+// REQ-MQTTCOMMANDS-03: A retained message is never obeyed, not even a STOP. The answer gives the reason.
 TEST_F(CommandTalkTest, NeverObeysWhatTheBrokerKept)
 {
     for (const char* const message : {"10 20", "park", "hold", "?", "stop", "now stop"}) {
@@ -113,8 +113,8 @@ TEST_F(CommandTalkTest, NeverObeysWhatTheBrokerKept)
     EXPECT_EQ(stops, 0);
 }
 
-// REQ-MQTTCOMMANDS-04: For 2 s after the connection to the broker, and after the computer slept, every motion is
-// refused. Stopping and reading work.
+// REQ-MQTTCOMMANDS-04: For 2 s after the connection to the broker, and after a suspend of the computer, every motion is
+// refused. Stopping and reading are possible.
 TEST_F(CommandTalkTest, MovesNothingRightAfterTheConnection)
 {
     connect();
@@ -131,7 +131,7 @@ TEST_F(CommandTalkTest, MovesNothingRightAfterTheConnection)
     EXPECT_EQ(say("10 20"), "OK");
 }
 
-// The connection may have survived, and a command waited in the network.
+// The connection may have survived the suspend, with a command waiting in the network.
 // REQ-MQTTCOMMANDS-04
 TEST_F(CommandTalkTest, MovesNothingRightAfterTheComputerSlept)
 {
@@ -144,7 +144,7 @@ TEST_F(CommandTalkTest, MovesNothingRightAfterTheComputerSlept)
     EXPECT_EQ(say("10 20"), "OK");
 }
 
-// REQ-MQTTCOMMANDS-05: With `mqtt.commands = "stop"` a sender reads and stops, and every motion is refused.
+// REQ-MQTTCOMMANDS-05: With `mqtt.commands = "stop"` a sender may read and stop. Every motion is refused.
 TEST_F(CommandTalkTest, MayBeForStoppingOnly)
 {
     connect(true);
@@ -160,7 +160,7 @@ TEST_F(CommandTalkTest, MayBeForStoppingOnly)
 }
 
 // REQ-MQTTCOMMANDS-06: `stop` on the topic `command`, and any message on the topic `stop`, latch STOP. `stop` as the
-// last word of a message counts, whatever stands before it.
+// last word of a message is enough, whatever precedes it.
 TEST_F(CommandTalkTest, LatchesStop)
 {
     int expected = 0;
@@ -179,8 +179,8 @@ TEST_F(CommandTalkTest, LatchesStop)
     EXPECT_EQ(stops, expected);
 }
 
-// REQ-MQTTCOMMANDS-07: Of more than 20 commands in a second the rest is ignored. The first of them is answered. STOP is
-// always obeyed.
+// REQ-MQTTCOMMANDS-07: If more than 20 commands arrive in a second, the others are ignored. Only the first ignored
+// command is answered. STOP is always obeyed.
 TEST_F(CommandTalkTest, BearsAFlood)
 {
     int answers = 0;
@@ -203,7 +203,7 @@ TEST_F(CommandTalkTest, BearsAFlood)
     EXPECT_EQ(say("30 20"), "OK");
 }
 
-// What the list of clients shows.
+// The facts that the list of clients shows.
 TEST_F(CommandTalkTest, KeepsItsHabits)
 {
     EXPECT_FALSE(talk->habits().lastMotion());

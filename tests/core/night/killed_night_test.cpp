@@ -70,7 +70,7 @@ TEST_F(KilledNight, TheRunningPassIsInterrupted)
     EXPECT_EQ(report.passes[0].end, schedule::PassEnd::Interrupted);
     EXPECT_EQ(report.passes[0].number, first().number);
     EXPECT_EQ(report.done(), 0);
-    EXPECT_TRUE(logged("before this start was of"));
+    EXPECT_TRUE(logged("before this start was a pass of"));
     EXPECT_EQ(reportAfterAKill(), report) << "once, however often it is started";
     rig.clock.stepUtc(ReportKeeper::kSameNight + Seconds(600.0));
     EXPECT_EQ(reportAfterAKill(), schedule::NightReport{});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What hooks, MQTT and the log receive during a night.
+// Tests the messages to hooks, MQTT and the log during a night.
 #include "tests/core/night/night_desk_fixture.h"
 
 #include <gmock/gmock.h>

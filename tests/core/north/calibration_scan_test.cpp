@@ -52,9 +52,9 @@ void startScan(CalibrationRig& rig, Angle width = 8_deg, bool overTheTop = false
 
 // REQ-NORTH-38d
 // REQ-NORTH-38e (CalibrationScan.*): A reading counts for the place to which the beam was sent, once the beam is there.
-// Before the scan begins the cross through its middle must be permitted. Each place, also of the second line, is
-// checked again when the beam is sent there. A scan ends when its beam is held off its place, nudged or stopped. A beam
-// that the scan leaves beside the body no longer tracks it, and gives no point.
+// Before the scan begins, the cross through its middle must be permitted. Each place, also of the second line, is
+// checked again when the beam is sent there. A scan ends when the beam cannot reach its place, or when it is nudged or
+// stopped. After that the beam points beside the body and does not track it, so no point can be taken.
 TEST(CalibrationScan, FindsTheSun)
 {
     SwungRig rig;

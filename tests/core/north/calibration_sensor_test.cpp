@@ -19,6 +19,25 @@ TEST(CalibrationSensor, TheStillMountTellsNorthAsWellAsOneHeadingCan)
     EXPECT_GT(rig.status().sensorOffset->offset.sigma.degrees(), 3.0);
 }
 
+// REQ-NORTH-962: Applying a proposal that has warnings is logged with each of them.
+TEST(CalibrationSensor, ApplyingInSpiteOfAWarningIsLogged)
+{
+    CalibrationRig rig;
+    ASSERT_TRUE(rig.ask(request::MeasureSensorOffset{}));
+    rig.runOut(Seconds(60.0));
+    ASSERT_TRUE(rig.status().proposal);
+    const std::vector<QString> warnings = rig.status().proposal->warnings;
+    ASSERT_FALSE(warnings.empty()) << "one heading gives a poor north";
+    ASSERT_TRUE(rig.apply());
+    for (const QString& warning : warnings) {
+        const QString line = QStringLiteral("applied despite this warning: ") + warning;
+        const auto lines = rig.log.since(0, EventLog::kCapacity);
+        EXPECT_TRUE(std::ranges::any_of(lines, [&](const LogEntry& entry) {
+            return entry.source == QStringLiteral("operator") && entry.text == line;
+        })) << line.toStdString();
+    }
+}
+
 // Story: the average was measured with a mounting of 0°, then 90° was typed. The old north was still proposed, under a
 // new number.
 // REQ-NORTH-38g: A result of the sensor is withdrawn when the settings of the sensor or the declination change.

@@ -4,7 +4,7 @@
 #include "tests/core/north/calibration_rig.h"
 #include "tests/fakes/text_of.h"
 
-// What an operator does with the Sun on a summer's day, on the mast of calibration_rig.h.
+// Actions of an operator with the Sun on a summer's day, on the mast of calibration_rig.h.
 namespace boresight {
 
 // Sets the clock to this hour of UTC on a summer's day.

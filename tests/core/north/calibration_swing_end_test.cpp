@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What ends a swing, what makes it wait, and what does not end it.
+// Tests the events that end a swing, that make it wait, and that do not end it.
 #include "tests/core/north/calibration_swing.h"
 
 #include <algorithm>

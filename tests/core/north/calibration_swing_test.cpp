@@ -92,7 +92,7 @@ TEST(CalibrationSwing, SaysAsItTurnsHowManyReadingsAreLeftOutAndWhy)
         << rig.status().progress.text.toStdString();
     rig.runOut();
     const std::string outcome = rig.status().progress.outcome.toStdString();
-    EXPECT_NE(std::string::npos, outcome.find("left out: ")) << outcome;
+    EXPECT_NE(std::string::npos, outcome.find("Left out: ")) << outcome;
     EXPECT_NE(std::string::npos, outcome.find("at a motor current above 5.0 A (sensor.swing_current_a)")) << outcome;
 }
 

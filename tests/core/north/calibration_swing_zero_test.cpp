@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a swing reports about the zero of elevation, and what it does with a north and a tilt that points have
+// Tests the report of a swing about the zero of elevation, and how a swing treats a north and a tilt that points have
 // determined.
 #include "core/cross_check/sensor_curve.h"
 #include "tests/core/north/calibration_swing.h"
@@ -90,8 +90,8 @@ TEST(CalibrationSwing, ANorthThatPointsHaveToldStaysAndTheCurveCanBeHad)
     EXPECT_TRUE(rig.status().progress.outcome.contains(QStringLiteral("North stays")));
 }
 
-// Story: a swing found the tilt to 0.05°, and three points left it at 0.045°. The next swing treated this as better
-// known, so its own tilt, equally good and newer, could not be applied.
+// Story: a swing found the tilt within ±0.05°, and three points then gave ±0.045°. The next swing took this value as
+// known better than its own. So its tilt, which was as good and newer, could not be applied.
 // REQ-NORTH-36b
 TEST(CalibrationSwing, ATiltThatPointsHaveOnlyHeldIsNoneThatTheyHaveTold)
 {

@@ -84,7 +84,7 @@ TEST(LiveSensor, AHeadingThatIsNotTiedToNorthIsNotAveraged)
     EXPECT_TRUE(rig.report(3, 1));
     EXPECT_TRUE(rig.sensor.isUsable());
     EXPECT_EQ(
-        "System calibration of the sensor is 1 of 3, but 2 is needed. Its heading is not tied to magnetic north "
+        "System calibration of the sensor is 1 of 3, but 2 is needed. Its heading is not referred to magnetic north "
         "yet.",
         refusalOf(rig.sensor.isTiedToNorth()));
     rig.clock.advance(Seconds(0.1));

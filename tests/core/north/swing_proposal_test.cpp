@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a swing proposes for the zero of elevation, which a tilted sensor box falsifies too. What it does with a north
-// and a tilt that points have determined better.
+// Tests the proposal of a swing for the zero of elevation, which a tilted sensor box falsifies, too. Also tests how a
+// swing treats a north and a tilt that points have determined better.
 #include "core/north/calibration_proposal.h"
 
 #include <gtest/gtest.h>
@@ -228,6 +228,20 @@ TEST(SensorProposal, ANorthThatPointsHaveToldBetterStays)
     const Proposal before = proposalOf(offset, profile);
     EXPECT_NEAR(43.0, before.terms.azimuthOffset.degrees(), 1e-9);
     EXPECT_FALSE(before.sensor);
+}
+
+// REQ-NORTH-961: A north that was measured where steel disturbs the compass is proposed with a warning.
+TEST(SensorProposal, ANorthFromBesideSteelWarns)
+{
+    calibration::SensorOffset offset;
+    offset.offset = {43_deg, 2_deg};
+    EXPECT_TRUE(proposalOf(offset, {}).warnings.empty());
+    offset.isReliableHere = false;
+    const Proposal proposal = proposalOf(offset, {});
+    ASSERT_EQ(proposal.warnings.size(), 1u);
+    EXPECT_EQ(proposal.warnings[0],
+              QStringLiteral("Steel disturbs the compass at this heading (result of the swing). Measure at another "
+                             "heading."));
 }
 
 // REQ-NORTH-39a: Points check the zero of elevation that was set with a level. The proposal says how far the level was

@@ -62,14 +62,16 @@ TEST(JsonPayload, WhatMakesNoSenseIsRefusedWithItsReason)
 {
     EXPECT_EQ(reasonOf(with(kOrientation, "-12.67", "nan")), "no JSON");
     EXPECT_EQ(reasonOf(with(kOrientation, "19.13", "inf")), "no JSON");
-    EXPECT_EQ(reasonOf(with(kOrientation, "-12.67", "\"-12.67\"")), "azimuth is no number");
+    EXPECT_EQ(reasonOf(with(kOrientation, "-12.67", "\"-12.67\"")), "azimuth is not a number");
     EXPECT_EQ(reasonOf(with(kOrientation, "-12.67", "1e300")), "azimuth out of range");
     EXPECT_EQ(reasonOf(with(kOrientation, "19.13", "180.5")), "elevation out of range");
-    EXPECT_EQ(reasonOf(with(kOrientation, "\"revolutions\": -1", "\"revolutions\": 0.5")), "revolutions is no number");
-    EXPECT_EQ(reasonOf(with(kOrientation, "\"revolutions\": -1", "\"revolutions\": null")), "revolutions is no number");
+    EXPECT_EQ(reasonOf(with(kOrientation, "\"revolutions\": -1", "\"revolutions\": 0.5")),
+              "revolutions is not a number");
+    EXPECT_EQ(reasonOf(with(kOrientation, "\"revolutions\": -1", "\"revolutions\": null")),
+              "revolutions is not a number");
     EXPECT_EQ(reasonOf(with(kOrientation, "\"azimuth\"", "\"azimut\"")), "azimuth is missing");
     EXPECT_EQ(reasonOf(with(kOrientation, "\"ts\": \"1", "\"tx\": \"1")), "time is missing");
-    EXPECT_EQ(reasonOf(with(kOrientation, "1771493560427", "yesterday")), "time is no number");
+    EXPECT_EQ(reasonOf(with(kOrientation, "1771493560427", "yesterday")), "time is not a number");
     EXPECT_EQ(reasonOf(with(kOrientation, "decimal degrees", "radians")), "unit");
     for (const char* const bad : {"", "{", "[1]", "17", "null", "\"text\"", "{}x"}) {
         EXPECT_EQ(reasonOf(bad), "no JSON") << bad;

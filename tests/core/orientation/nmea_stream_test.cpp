@@ -83,14 +83,14 @@ TEST(NmeaSentence, WhatNoSensorSendsIsRefused)
     EXPECT_EQ(with("1", "180.01", "0", "20", "3,3,3,3"), "elevation out of range");
     EXPECT_EQ(with("1", "-0.01", "0", "20", "3,3,3,3"), "elevation out of range");
     EXPECT_EQ(with("1", "inf", "0", "20", "3,3,3,3"), "elevation is not finite");
-    EXPECT_EQ(with("1", "0.00", "0.5", "20", "3,3,3,3"), "revolutions is no number");
+    EXPECT_EQ(with("1", "0.00", "0.5", "20", "3,3,3,3"), "revolutions is not a number");
     EXPECT_EQ(with("1", "0.00", "0", "128", "3,3,3,3"), "temperature out of range");
-    EXPECT_EQ(with("1", "0.00", "0", "20.5", "3,3,3,3"), "temperature is no number");
+    EXPECT_EQ(with("1", "0.00", "0", "20.5", "3,3,3,3"), "temperature is not a number");
     EXPECT_EQ(with("1", "0.00", "0", "20", "3,-1,3,3"), "calibration out of range");
-    EXPECT_EQ(with("1", "0.00", "0", "20", "3,,3,3"), "calibration is no number");
+    EXPECT_EQ(with("1", "0.00", "0", "20", "3,,3,3"), "calibration is not a number");
     EXPECT_EQ(with("-1", "0.00", "0", "20", "3,3,3,3"), "time out of range");
     EXPECT_EQ(with("9223372036855", "0.00", "0", "20", "3,3,3,3"), "time out of range");
-    EXPECT_EQ(with("99999999999999999999", "0.00", "0", "20", "3,3,3,3"), "time is no number");
+    EXPECT_EQ(with("99999999999999999999", "0.00", "0", "20", "3,3,3,3"), "time is not a number");
 }
 
 TEST(NmeaSentence, LowerCaseHexMeansTheSameAndIsCounted)

@@ -45,8 +45,8 @@ TEST_F(PagePollTest, ThePageIsReadAgainAndAgain)
     EXPECT_EQ(poll->trouble(), QString());
 }
 
-// REQ-PAGE-02: A server that refuses, leads elsewhere or is gone is reported, without what follows a question mark, and
-// asked again.
+// REQ-PAGE-02: If a server refuses, redirects or does not answer, this is reported, and the page is requested again.
+// The report leaves out the part of the address after the question mark.
 TEST_F(PagePollTest, ATroubleIsReported)
 {
     const auto reports = [this](const char* words) {
@@ -65,7 +65,7 @@ TEST_F(PagePollTest, ATroubleIsReported)
     EXPECT_TRUE(fakes::waitUntil([this] { return !poll->trouble().isEmpty(); }));
 }
 
-// REQ-PAGE-03: Of a page without an end 4097 bytes are read, so its reader can refuse it.
+// REQ-PAGE-03: Of an endless page 4097 bytes are read, so the reader can detect that it is too long.
 TEST_F(PagePollTest, APageWithoutAnEndIsCut)
 {
     web.answers("/wind?key=secret", "HTTP/1.1 200 OK\r\nConnection: close\r\n\r\n12.3", fakes::CannedWeb::Then::GoesOn);
@@ -74,7 +74,7 @@ TEST_F(PagePollTest, APageWithoutAnEndIsCut)
     EXPECT_EQ(pages.front().size(), PagePoll::kLongest + 1);
 }
 
-// The thread ends while a question is open.
+// The thread ends while a request is pending.
 TEST_F(PagePollTest, EndsWhileTheServerSaysNothing)
 {
     web.answers("/wind?key=secret", "HTTP/1.1 200 OK\r\n\r\n", fakes::CannedWeb::Then::Waits);

@@ -109,7 +109,7 @@ class PairsThat : public PairsTest
 
 TEST_F(PairsThat, RefusesSaysWhyAndMovesNothing)
 {
-    EXPECT_TRUE(say("AZ10 EL20\n").starts_with("error: \"AZ10 EL20\" is no command. Known are: "));
+    EXPECT_TRUE(say("AZ10 EL20\n").starts_with("error: \"AZ10 EL20\" is not a command. The commands are "));
     EXPECT_EQ(say("10 181\n"), "error: elevation 181.0° is outside -90°…180°\n");
     EXPECT_TRUE(say("bearing XX00\n").starts_with("error: "));
     EXPECT_EQ(rotator.actions, 0);

@@ -65,8 +65,8 @@ bool atAnEnd(const PermittedRegion& region, const AxisPosition& place, Angle ske
 
 }  // namespace
 
-// REQ-POINTING-24: Offsets shift the forbidden area exactly. With other terms the forbidden area is only slightly
-// larger than in truth.
+// REQ-POINTING-24: Offsets shift the forbidden area exactly. Other terms make the computed forbidden area slightly
+// larger than the true one.
 TEST(AxisImage, AnOffsetMovesWhatIsForbiddenExactly)
 {
     const PermittedRegion region({.horizon = {{0_deg, 10_deg}, {90_deg, 20_deg}}, .keepOuts = {mast()}}, kAzimuths,
@@ -133,8 +133,9 @@ TEST(AxisImage, NothingForbiddenIsPermitted)
     EXPECT_GT(permitted, 20000);
 }
 
-// The forbidden area is not much larger than in truth: by about twice the shift of the beam. Near the zenith the whole
-// cap is forbidden, and a steep step in the horizon is widened by the lean. The test avoids both.
+// The computed forbidden area is larger than the true one by about twice the shift of the beam, not more. Two places
+// are exceptions, which the test avoids: near the zenith the whole cap is forbidden, and a steep step in the horizon is
+// widened by the lean.
 // REQ-POINTING-24
 TEST(AxisImage, HardlyMoreIsForbiddenThanIsTrue)
 {

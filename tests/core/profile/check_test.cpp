@@ -340,6 +340,36 @@ TEST(CrossCheck, TheTopicsOfCommandsAreTheirOwn)
     EXPECT_EQ(profile.mqtt.topic("stop"), "roof/stop");
 }
 
+// The "on" of the output, sent each second, would latch STOP.
+// REQ-TRANSMIT-33: An output is no topic that Boresight itself reads or publishes.
+TEST(CrossCheck, ATransmitOutputIsNoTopicOfBoresight)
+{
+    Profile profile;
+    const auto isRefused = [&profile](const std::string& output) {
+        profile.transmit.output = output;
+        return keysOf(crossCheck(profile)) == std::vector<std::string>{"transmit.output"};
+    };
+    profile.transmit.output = "mqtt:boresight/stop";
+    EXPECT_TRUE(crossCheck(profile).empty()) << "commands are off";
+    profile.mqtt.commands = BrokerCommands::Stop;
+    ASSERT_TRUE(isRefused("mqtt:boresight/stop"));
+    EXPECT_EQ(crossCheck(profile).front().text.toStdString(),
+              "Boresight takes each message of the topic boresight/stop for a command (mqtt.commands). Choose another "
+              "topic");
+    EXPECT_TRUE(isRefused("mqtt:boresight/command"));
+    EXPECT_TRUE(isRefused("mqtt:boresight/answer"));
+    EXPECT_FALSE(isRefused("mqtt:boresight/state")) << "nothing is published";
+    profile.mqtt.publish = Publish::On;
+    EXPECT_TRUE(isRefused("mqtt:boresight/state"));
+    EXPECT_TRUE(isRefused("mqtt:boresight/availability"));
+    profile.wind.source = "mqtt:roof/wind";
+    EXPECT_TRUE(isRefused("mqtt:roof/wind"));
+    EXPECT_FALSE(isRefused("mqtt:roof/stop"));
+    EXPECT_FALSE(isRefused("file:/boresight/stop"));
+    profile.mqtt.prefix = "roof";
+    EXPECT_TRUE(isRefused("mqtt:roof/stop")) << "a prefix without a slash";
+}
+
 // Sensor and position share one connection to the broker.
 // REQ-PROFILE-04
 TEST(CrossCheck, APositionHasATopicOfItsOwn)
@@ -419,7 +449,7 @@ TEST(CrossCheck, KeepOutsHaveAMaximum)
     profile.limits.keepOuts.push_back({"one more", 100_deg, 110_deg, 40_deg, 50_deg});
     const auto problems = crossCheck(profile);
     ASSERT_EQ(keysOf(problems), std::vector<std::string>{"keep_out"});
-    EXPECT_EQ(problems.front().text.toStdString(), "33 keep-outs are too many. The most is 32.");
+    EXPECT_EQ(problems.front().text.toStdString(), "33 keep-outs are too many. The maximum is 32.");
 }
 
 // REQ-PROFILE-05b: Keep-away from the Sun needs the site.

@@ -35,7 +35,7 @@ TEST(InForce, WhatWaitsForAConnectionIsWantedOnly)
     EXPECT_THAT(inForce.waitingKeys(), ElementsAre("bus.name"));
 }
 
-// The window uses such a value in its own thread meanwhile.
+// The window may still use the shared value in its own thread.
 TEST(InForce, AValueThatWasSharedStaysAsItWas)
 {
     InForce inForce{Profile()};

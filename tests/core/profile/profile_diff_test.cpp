@@ -82,7 +82,7 @@ TEST(ProfileDiff, ListsAndTheSiteAreOneLineEach)
                   {"limits.horizon", "2 points", "3 points", Applies::Now},
                   {"keep_out", "\"mast\" (different), \"tree\"", "\"mast\" (different), \"roof\"", Applies::Now},
                   {"preset", "none", "\"north\"", Applies::Now},
-                  {"site", "not given", "-33.9 °, 151.25 °, 12.0 m", Applies::Now},
+                  {"site", "not set", "-33.9 °, 151.25 °, 12.0 m", Applies::Now},
               }));
     to = from;
     to.limits.horizon[1].elevation = -3.5_deg;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the behaviour of a client shows: how often it sends, and how coarsely it tracks its target.
+// Tests the conclusions from the behaviour of a client: how often it sends, and how coarsely it tracks its target.
 #include "core/rotctld/command_rate.h"
 #include "core/rotctld/point_steps.h"
 

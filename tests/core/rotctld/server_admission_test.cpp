@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which clients may connect, and how many.
+// Tests which clients may connect, and how many.
 #include "tests/core/rotctld/server_fixture.h"
 
 #include <arpa/inet.h>

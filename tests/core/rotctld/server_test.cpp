@@ -129,8 +129,9 @@ TEST(RotctldServer, DropsHalfACommandAfterAMinute)
     EXPECT_EQ(idle->ask("p\n", 2), "0.00\n0.00\n");  // a silent client may stay connected
 }
 
-// It reads its replies and sends 5000 commands in each second of the hand-turned clock. In this second the server gets
-// a few turns with at most eight commands each. So commands wait all the time, on a fast computer as on a slow one.
+// The client reads its replies and sends 5000 commands in each second of the hand-turned clock. In this second the
+// server gets a few turns with at most eight commands each. So commands wait all the time, on a fast computer as on a
+// slow one.
 TEST(RotctldServer, DropsAFloodAfterTenSeconds)
 {
     ServerFixture fixture;

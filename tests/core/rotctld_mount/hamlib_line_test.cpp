@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The mount with a rotctld that Boresight starts itself: Hamlib's own, with its dummy, and with its driver of a GS-232B
-// on a pseudo-terminal.
+// The mount with a rotctld that Boresight starts itself. It is Hamlib's own program, with its dummy, and with its
+// driver of a GS-232B on a pseudo-terminal.
 #include "core/rotctld_mount/hamlib_line.h"
 
 #include "core/base/file_descriptor.h"
@@ -25,7 +25,7 @@
 namespace boresight::rotctl {
 namespace {
 
-// The processes named rotctld that this one has started.
+// The processes named rotctld that this process has started.
 std::vector<pid_t> ownPrograms()
 {
     std::vector<pid_t> found;
@@ -59,7 +59,7 @@ protected:
     }
     void TearDown() override { EXPECT_TRUE(ownPrograms().empty()) << "it ends with its line"; }
 
-    // It is answered, and turns.
+    // rotctld answers, and the rotator turns.
     static void startTurning(Rig& rig)
     {
         ASSERT_TRUE(rig.comesTrue([&] { return rig.place().has_value() && rig.connection->driver().answers(); }));
@@ -67,7 +67,7 @@ protected:
         ASSERT_TRUE(rig.control.request(request::PointAxes{{100_deg, 60_deg}}, kOperator));
         ASSERT_TRUE(rig.comesTrue([&] { return rig.place()->azimuth > 5_deg; }));
     }
-    // Another one answers, and nothing has moved by itself.
+    // Another rotctld answers, and nothing has moved by itself.
     static void expectRestarted(Rig& rig, pid_t before)
     {
         ASSERT_TRUE(rig.comesTrue([&] { return rig.connection->driver().answers() && !ownPrograms().empty(); }));
@@ -79,8 +79,8 @@ protected:
     }
 };
 
-// REQ-ROTCTLDMOUNT-61: Boresight starts rotctld for a model of Hamlib, on a free port of this computer alone, and
-// drives it as any other rotctld. It ends with the mount.
+// REQ-ROTCTLDMOUNT-61: For a model of Hamlib Boresight starts rotctld on a free port that only this computer can reach.
+// It uses this rotctld like any other, and ends it with the mount.
 TEST_F(HamlibProgram, IsStartedAndDriven)
 {
     Rig rig(lineOf("hamlib:1"));
@@ -97,8 +97,8 @@ TEST_F(HamlibProgram, IsStartedAndDriven)
     EXPECT_TRUE(fakes::waitUntil([] { return ownPrograms().empty(); }));
 }
 
-// REQ-ROTCTLDMOUNT-62: A rotctld of our own that ends or hangs is silence of the rotator: the motion ends. One that
-// hangs is killed. The next one is started, and nothing moves by itself.
+// REQ-ROTCTLDMOUNT-62: If the rotctld that Boresight has started ends or hangs, the rotator counts as silent and the
+// motion ends. A rotctld that hangs is killed. Another one is started, and nothing moves by itself.
 TEST_F(HamlibProgram, ThatIsKilledIsReportedAndStartedAgain)
 {
     Rig rig(lineOf("hamlib:1"));
@@ -123,8 +123,8 @@ TEST_F(HamlibProgram, ThatHangsIsKilledAndStartedAgain)
     expectRestarted(rig, program);
 }
 
-// REQ-ROTCTLDMOUNT-63: A rotctld of our own that ends at once, as with a wrong port or model, is reported with what it
-// printed last. Where Hamlib is not installed, the alarm says what to install.
+// REQ-ROTCTLDMOUNT-63: If the rotctld that Boresight has started ends at once, for example because of a wrong port or
+// model, its last output is reported. If Hamlib is not installed, the alarm says what to install.
 TEST_F(HamlibProgram, WithoutItsPortSaysWhy)
 {
     Rig rig(lineOf("hamlib:603:/dev/no-such-port"));
@@ -157,7 +157,7 @@ TEST_F(HamlibProgram, ThatIsNotInstalledIsToldWithItsPackage)
     EXPECT_TRUE(rig.line().problem.contains(QStringLiteral("libhamlib-utils"))) << rig.line().problem.toStdString();
 }
 
-// A GS-232B on a pseudo-terminal, which Hamlib's driver 603 turns.
+// A GS-232B on a pseudo-terminal, for Hamlib's driver 603.
 struct SerialRotator
 {
     void work(SteadyTime now)
@@ -169,14 +169,14 @@ struct SerialRotator
     }
 
     fakes::PseudoTerminal terminal;
-    // Else the terminal hangs up when the first rotctld ends.
+    // Keeps the terminal open: it would hang up when the first rotctld ends.
     FileDescriptor keeper{::open(terminal.path().toLocal8Bit().constData(), O_RDWR | O_NOCTTY | O_CLOEXEC)};
     gs232::Gs232Box box{{},
                         {.acknowledge = gs232::Gs232Box::Acknowledge::None, .latency = std::chrono::milliseconds(5)}};
 };
 
-// REQ-ROTCTLDMOUNT-64: From the control to a rotator on a serial port, by a rotctld of our own: it is sent somewhere
-// and stopped. The last stop reaches it before rotctld ends.
+// REQ-ROTCTLDMOUNT-64: The control moves and stops a rotator on a serial port through a rotctld that Boresight has
+// started. The last stop reaches the rotator before this rotctld ends.
 TEST_F(HamlibProgram, TurnsARotatorOnASerialPort)
 {
     SerialRotator rotator;
@@ -198,7 +198,7 @@ TEST_F(HamlibProgram, TurnsARotatorOnASerialPort)
     const auto starts = rotator.box.heard().size();
     rig.connection->close();
     EXPECT_TRUE(fakes::waitUntil([&] {
-        rig.clock.advance(Seconds(0.005));  // the box takes its time to answer
+        rig.clock.advance(Seconds(0.005));  // the box needs some time to answer
         rotator.work(rig.clock.now());
         return ownPrograms().empty();
     }));

@@ -10,7 +10,7 @@
 namespace boresight::rotctl {
 namespace {
 
-// Lines of Hamlib 4.5.4 on Debian 12.
+// From Hamlib 4.5.4 on Debian 12.
 const QString kListing = QStringLiteral(
     " Rot #  Mfg                    Model                   Version         Status        Macro\n"
     "     1  Hamlib                 Dummy                   20220531.0      Stable        ROT_MODEL_DUMMY\n"
@@ -19,7 +19,7 @@ const QString kListing = QStringLiteral(
     "  1001  M2                     RC2800                  20210129        Stable        ROT_MODEL_RC2800\n"
     "  1501  DG9OAA                 Ether6 (via ethernet)   20220109.0      Stable        ROT_MODEL_ETHER6\n");
 
-// REQ-ROTCTLDMOUNT-60: The models of Hamlib are read from what `rotctl -l` prints: number, maker and model.
+// REQ-ROTCTLDMOUNT-60: The models of Hamlib are read from the output of `rotctl -l`: number, maker and model.
 TEST(HamlibModels, AreReadFromTheListing)
 {
     EXPECT_EQ(parseModels(kListing),

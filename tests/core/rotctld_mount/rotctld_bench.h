@@ -7,10 +7,10 @@
 
 #include <string>
 
-// A rotctld with its rotator, a control above it and a clock that is turned by hand.
+// A rotctld with its rotator below a control, with a clock that is turned by hand.
 namespace boresight::rotctl {
 
-// As the manual advises for such a rotator.
+// The settings that the manual recommends for such a rotator.
 inline profile::Profile rotctldProfile(profile::AxisDriver azimuth = profile::AxisDriver::Rotctld,
                                        profile::AxisDriver elevation = profile::AxisDriver::Rotctld)
 {
@@ -64,7 +64,7 @@ public:
         m_control.profileChanged(before, *m_profile);
     }
     bool ordered() override { return m_box.moves() > 0; }
-    // The network: the rotator runs on to where it was sent.
+    // Interrupts the network. The rotator then goes on to its last target.
     void setLine(bool connected) override { m_connected = connected; }
 
     [[nodiscard]] RotctldBox& box() { return m_box; }

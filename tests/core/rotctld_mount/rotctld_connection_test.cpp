@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The mount with a real TCP connection: to Hamlib's own rotctld and rigctld, and to servers that the test plays.
+// The mount with a real TCP connection to Hamlib's own rotctld and rigctld, and to servers that the test controls.
 #include "core/rotator_box/tcp_box_line.h"
 #include "tests/core/rotctld_mount/rotctld_rig.h"
 #include "tests/fakes/program.h"
@@ -25,8 +25,8 @@ std::unique_ptr<BoxLine> lineTo(quint16 port)
     return std::make_unique<TcpBoxLine>(BusName{.kind = BusKind::Rotctld, .target = "127.0.0.1", .port = port});
 }
 
-// REQ-ROTCTLDMOUNT-40: A rotctld is reached at its host and port. A connection that ends is opened again, and the text
-// names what to check.
+// REQ-ROTCTLDMOUNT-40: Boresight connects to the host and port of a rotctld. A connection that ends is opened again,
+// and the text says what to check.
 TEST(RotctldConnection, ConnectsAgain)
 {
     QTcpServer server;
@@ -46,8 +46,8 @@ TEST(RotctldConnection, ConnectsAgain)
     }
 }
 
-// REQ-ROTCTLDMOUNT-41: A server that is no rotctld is asked once and never commanded. The connection is closed and not
-// opened again.
+// REQ-ROTCTLDMOUNT-41: A server that is no rotctld receives one query and never a command. The connection is closed and
+// not opened again.
 TEST(RotctldConnection, AForeignServerIsClosedAndLeftAlone)
 {
     QTcpServer server;
@@ -67,7 +67,7 @@ TEST(RotctldConnection, AForeignServerIsClosedAndLeftAlone)
     EXPECT_FALSE(server.hasPendingConnections());
 }
 
-// A server of Hamlib with its dummy, as Debian ships it.
+// A server program of Hamlib from Debian, with its dummy.
 class HamlibServer : public testing::Test
 {
 protected:
@@ -88,8 +88,8 @@ protected:
     std::unique_ptr<fakes::Program> server;
 };
 
-// REQ-ROTCTLDMOUNT-42: Hamlib's own rotctld is asked, sent somewhere, stopped, ended and started again. After the
-// reconnect nothing moves by itself.
+// REQ-ROTCTLDMOUNT-42: Boresight queries, moves and stops a rotator by Hamlib's own rotctld. This rotctld is ended and
+// started again. After the reconnect nothing moves by itself.
 TEST_F(HamlibServer, ItsRotctldIsDriven)
 {
     start("rotctld");
@@ -128,7 +128,7 @@ TEST_F(HamlibServer, ItsRotctldIsDriven)
     EXPECT_EQ(rig.place(), (AxisPosition{0_deg, 0_deg})) << "the dummy begins there";
 }
 
-// REQ-ROTCTLDMOUNT-43: A rigctld, whose port is the next one, is recognised and never commanded.
+// REQ-ROTCTLDMOUNT-43: A rigctld, whose usual port is the next number, is recognised and never receives a command.
 TEST_F(HamlibServer, ItsRigctldIsLeftAlone)
 {
     start("rigctld");

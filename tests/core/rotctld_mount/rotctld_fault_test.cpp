@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The faults of a rotctld and of the rotator behind it: what Boresight does, and what it says.
+// The faults of a rotctld and of the rotator behind it: the reaction and the alarm of Boresight.
 #include "tests/core/rotctld_mount/rotctld_bench.h"
 
 #include <gtest/gtest.h>
@@ -13,13 +13,13 @@ namespace {
 struct Fault
 {
     const char* name;
-    std::function<void(RotctldBench&)> happens;  // three seconds into a slew from 10° to 90°
-    const char* alarm;                           // "": it goes on
-    double within;                               // s
+    std::function<void(RotctldBench&)> happens;  // called three seconds after the start of a slew from 10° to 90°
+    const char* alarm;                           // the expected alarm; "": the motion continues
+    double within;                               // s, until the alarm
 };
 
-// REQ-ROTCTLDMOUNT-20 (RotctldFault.*): Each fault of a rotctld in motion ends the motion with a stop and an alarm of
-// its own, and nothing moves before a re-arm. A fault that passes by itself is survived.
+// REQ-ROTCTLDMOUNT-20 (RotctldFault.*): Each fault of a rotctld during a motion ends the motion with a stop and a
+// separate alarm. Nothing moves before a re-arm. A fault that disappears by itself does not end the motion.
 class RotctldFault : public testing::TestWithParam<Fault>
 {
 protected:
@@ -45,7 +45,7 @@ TEST_P(RotctldFault, EndsTheMotionOrPasses)
     }
     EXPECT_TRUE(bench.alarm(fault.alarm));
     EXPECT_TRUE(bench.control().faultLatched());
-    // The network, the server and the rotator are well again.
+    // The network, the server and the rotator work again.
     bench.box().faults() = {};
     bench.setLine(true);
     bench.run(Seconds(8.0));
@@ -105,8 +105,8 @@ INSTANTIATE_TEST_SUITE_P(
               [](RotctldBench& bench) { bench.box().send({.azimuth = 5_deg, .elevation = 5_deg}); }, "", 3.0}),
     [](const auto& one) { return std::string(one.param.name); });
 
-// REQ-ROTCTLDMOUNT-21: A stop is watched. One that the rotator does not obey is repeated each second, and after six
-// seconds an alarm says that it runs on.
+// REQ-ROTCTLDMOUNT-21: Boresight checks that a stop works. If the rotator does not obey, the stop is repeated each
+// second. After six seconds an alarm reports that the rotator still moves.
 TEST(RotctldStop, IsRepeatedUntilTheRotatorStands)
 {
     RotctldBench bench;
@@ -126,7 +126,7 @@ TEST(RotctldStop, IsRepeatedUntilTheRotatorStands)
     EXPECT_TRUE(bench.stands(Seconds(5.0)));
 }
 
-// REQ-ROTCTLDMOUNT-22: A stop works also where the rotator has no stop, and where it is refused at first.
+// REQ-ROTCTLDMOUNT-22: A stop also works if the rotator has no stop command, and if the command is refused at first.
 TEST(RotctldStop, WorksWhereItIsRefused)
 {
     for (const ErrorCode error : {ErrorCode::NotAvailable, ErrorCode::Io}) {
@@ -148,8 +148,8 @@ TEST(RotctldStop, WorksWhereItIsRefused)
     }
 }
 
-// REQ-ROTCTLDMOUNT-27: However long rotctld works at each command, no more than a question and the stop wait in its
-// queue. So the stop is carried out as soon as it can be.
+// REQ-ROTCTLDMOUNT-27: However long rotctld needs for each command, at most one query and the stop wait in its queue.
+// So the stop is executed as soon as possible.
 TEST(RotctldStop, IsNotBehindAQueue)
 {
     for (const int ms : {300, 900, 1300, 1600, 2500}) {
@@ -171,8 +171,9 @@ TEST(RotctldStop, IsNotBehindAQueue)
     }
 }
 
-// REQ-ROTCTLDMOUNT-28: A rotator without a stop is sent to where it is believed to stand, and never outside of the
-// limits of rotctld: not where one wrong answer says, and not below its horizon by the noise of its sensor.
+// REQ-ROTCTLDMOUNT-28: A rotator without a stop command is sent to its believed position, always inside the limits of
+// rotctld. A single wrong answer does not change this position, and neither does a value below the horizon that is only
+// noise of the sensor.
 TEST(RotctldStop, SendsARotatorWithoutOneNowhereElse)
 {
     RotctldBench bench;
@@ -204,8 +205,8 @@ TEST(RotctldStop, SendsARotatorWithoutOneNowhereElse)
     EXPECT_LT(low.truth().azimuth, 60_deg);
 }
 
-// REQ-ROTCTLDMOUNT-23: A server that does not answer is asked on, and the alarm says what to check. So is one whose
-// rotator does not answer: the error of Hamlib is in the alarm in words.
+// REQ-ROTCTLDMOUNT-23: A server that does not answer still receives queries, and the alarm says what to check. The same
+// holds for a server whose rotator does not answer: the alarm has the error of Hamlib in words.
 TEST(RotctldStart, WhatDoesNotAnswerIsAskedOnAndNothingElse)
 {
     RotctldBench silent;
@@ -229,8 +230,8 @@ TEST(RotctldStart, WhatDoesNotAnswerIsAskedOnAndNothingElse)
     EXPECT_FALSE(dead.ordered());
 }
 
-// REQ-ROTCTLDMOUNT-24: A travel outside of what rotctld permits is refused, with the keys to change. So is an axis that
-// the rotator does not have, and a sign or an offset of the profile.
+// REQ-ROTCTLDMOUNT-24: A travel outside the limits of rotctld is refused, with the keys to change. So are an axis that
+// the rotator does not have, and a sign or an offset in the profile.
 TEST(RotctldStart, AProfileThatDoesNotFitIsRefused)
 {
     const auto refusal = [](const profile::Profile& profile) {
@@ -272,7 +273,8 @@ TEST(RotctldStart, AnAxisThatTheRotatorDoesNotHaveIsTold)
     EXPECT_TRUE(mount.interlock().error().text.contains(QStringLiteral("elevation.driver")));
 }
 
-// REQ-ROTCTLDMOUNT-25: A motion that nobody ordered is stopped behind STOP. A jump at rest moves nothing.
+// REQ-ROTCTLDMOUNT-25: While STOP is latched, a motion that nobody commanded is stopped. A jump of the position at
+// standstill moves nothing.
 TEST(RotctldRest, AMotionThatNobodyOrderedIsStopped)
 {
     RotctldBench bench;
@@ -300,7 +302,7 @@ TEST(RotctldRest, AJumpIsReportedAndNothingMoves)
     EXPECT_TRUE(bench.stands(Seconds(10.0)));
 }
 
-// REQ-ROTCTLDMOUNT-26: An axis that this mount does not turn is sent to where it stands.
+// REQ-ROTCTLDMOUNT-26: The axis that this mount does not use is always sent to its present position.
 TEST(RotctldAxes, TheOtherAxisStands)
 {
     RotctldBench bench(axesIf(true, false));

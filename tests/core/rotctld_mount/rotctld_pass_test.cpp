@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A pass followed by the dummy rotator of Hamlib: how well, and at what cost in commands.
+// The dummy rotator of Hamlib tracks a pass: its error, and the number of commands.
 #include "tests/core/rotctld_mount/rotctld_bench.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace boresight::rotctl {
 namespace {
 
-// Of a satellite that culminates at 57° in the south, eight minutes long.
+// The position of a satellite that culminates at 57° in the south and is up for eight minutes.
 AxisPosition passAt(double seconds)
 {
     const double half = std::numbers::pi * seconds / 480.0;
@@ -19,12 +19,11 @@ AxisPosition passAt(double seconds)
             .elevation = Angle::fromDegrees(2.0 + 55.0 * std::sin(half))};
 }
 
-// The two minutes around its culmination, where the azimuth is fastest.
+// s: the two minutes around the culmination, where the azimuth is fastest.
 constexpr int kFrom = 180;
 constexpr int kTo = 300;
 
-// REQ-ROTCTLDMOUNT-30: A pass is followed within 0.6° by a rotator that is exact. rotctld gets at most six commands a
-// second.
+// REQ-ROTCTLDMOUNT-30: An exact rotator tracks a pass within 0.6°. rotctld receives at most six commands a second.
 TEST(RotctldPass, IsFollowedWithFewCommands)
 {
     RotctldBench bench;

@@ -14,7 +14,7 @@
 
 namespace boresight::rotctl {
 
-// A control above a real connection. The clock is turned by hand, a tick for each look of the test.
+// A control above a real connection. The clock is turned by hand, by one tick for each check of the test.
 struct Rig
 {
     explicit Rig(std::unique_ptr<BoxLine> line, const profile::Profile& wanted = rotctldProfile())
@@ -25,7 +25,7 @@ struct Rig
     {
         clock.advance(kOneTick);
         if (++ticks % 50 == 1) {
-            connection->open();  // as the station does, once a second
+            connection->open();  // once a second, as the station does
         }
         control.tick();
         connection->send();

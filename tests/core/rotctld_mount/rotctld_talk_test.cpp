@@ -22,7 +22,7 @@ const std::string kState =
     "rot_type=AzEl\ndone\nRPRT 0\n";
 const std::string kPlainState = "1\n1\nmin_az=0.0\nmax_az=360.0\nmin_el=0.0\nmax_el=90.0\nrot_type=AzEl\ndone\n";
 
-using Answers = std::map<std::string, std::string>;  // by the beginning of what is asked
+using Answers = std::map<std::string, std::string>;  // by the beginning of the query
 const Answers kExtended{{"+\\dump_state", kState},
                         {"+\\get_pos", "get_pos:\nAzimuth: 180.00\nElevation: 45.00\nRPRT 0\n"},
                         {"+\\set_pos", "set_pos: 100.00 10.00\nRPRT 0\n"},
@@ -30,8 +30,8 @@ const Answers kExtended{{"+\\dump_state", kState},
 const Answers kPlain{{"\\dump_state", kPlainState}, {"p", "180.00\n45.00\n"}, {"P", "RPRT 0\n"}, {"S", "RPRT 0\n"}};
 const Answers kPlainest{{"p", "180.00\n45.00\n"}, {"P", "RPRT 0\n"}, {"S", "RPRT 0\n"}};
 
-// What is sent, with the time, to a server that answers 40 ms later, or in the time that an order takes. The line is
-// opened anew when that is asked for.
+// Records what is sent, with the time. The server answers after 40 ms, or after the time that a command takes. The line
+// is opened again when this is requested.
 class Talk
 {
 public:
@@ -62,7 +62,7 @@ public:
         return static_cast<int>(
             std::ranges::count_if(sent, [&beginning](const Sent& one) { return one.bytes.starts_with(beginning); }));
     }
-    // Anything but a question.
+    // The number of lines that are no queries.
     [[nodiscard]] int orders() const { return count("+\\s") + count("P") + count("S"); }
 
     struct Sent
@@ -90,7 +90,8 @@ private:
     std::vector<Sent> m_due;
 };
 
-// REQ-ROTCTLDMOUNT-01: A rotctld is asked for its limits first. Before they came nothing but questions is sent.
+// REQ-ROTCTLDMOUNT-01: The first query to a rotctld is about its limits. Until the answer arrives only queries are
+// sent.
 TEST(RotctldTalk, IsAskedForItsLimitsFirst)
 {
     Talk talk;
@@ -111,8 +112,8 @@ TEST(RotctldTalk, IsAskedForItsLimitsFirst)
     EXPECT_FALSE(talk->takePlaces()) << "once";
 }
 
-// REQ-ROTCTLDMOUNT-02: A server that does not know the extended form is used in the plain form. One that tells no
-// limits either is known by its position. Each is asked on a connection of its own, and nothing but questions is sent.
+// REQ-ROTCTLDMOUNT-02: A server that does not know the extended form is used in the plain form. If it reports no limits
+// either, it is recognised by its position. Each attempt uses a new connection, and only queries are sent.
 TEST(RotctldTalk, ImitationsAreUsedInThePlainForm)
 {
     for (const auto& [answers, limits] : {std::pair{kPlain, true}, {kPlainest, false}}) {
@@ -130,7 +131,7 @@ TEST(RotctldTalk, ImitationsAreUsedInThePlainForm)
         talk.run(milliseconds(500), answers);
         EXPECT_EQ(talk.count("S\n"), 1);
     }
-    // A server that refuses what it does not know is asked on at once.
+    // After a server has refused an unknown query, the next query follows at once.
     Answers refusing = kPlainest;
     refusing["+\\dump_state"] = "RPRT -11\n";
     refusing["\\dump_state"] = "RPRT -11\n";
@@ -140,8 +141,8 @@ TEST(RotctldTalk, ImitationsAreUsedInThePlainForm)
     EXPECT_EQ(talk.lines, 1);
 }
 
-// REQ-ROTCTLDMOUNT-03: The rotator is asked at most four times and sent elsewhere at most twice a second. A command
-// waits for the answer to the one before. Only a stop waits for nothing.
+// REQ-ROTCTLDMOUNT-03: The rotator receives at most four queries and two new targets in a second. A command waits for
+// the answer to the previous one. Only a stop waits for nothing.
 TEST(RotctldTalk, CommandsArePaced)
 {
     Talk talk;
@@ -158,14 +159,15 @@ TEST(RotctldTalk, CommandsArePaced)
     for (std::size_t i = 1; i < talk.sent.size(); ++i) {
         EXPECT_GE(talk.sent[i].when - talk.sent[i - 1].when, milliseconds(40));
     }
-    talk.run(milliseconds(300));  // a question that is not answered
+    talk.run(milliseconds(300));  // a query without an answer
     talk->stop();
     talk.run(milliseconds(20));
     EXPECT_EQ(talk.sent.back().bytes, "+\\stop\n");
 }
 
-// REQ-ROTCTLDMOUNT-66: A rotator that is slower than its targets is asked for its position between two of them. Story:
-// a SPID at 600 Bd takes 0.8 s for a target. It was never asked in motion, and was taken for silent.
+// Story: a SPID at 600 Bd needs 0.8 s for a target. It never received a query during a motion, and counted as silent.
+// REQ-ROTCTLDMOUNT-66: If a rotator needs more time for a target than there is between two targets, its position is
+// still queried between them.
 TEST(RotctldTalk, ASlowRotatorIsAskedBetweenTargets)
 {
     Talk talk;
@@ -194,8 +196,8 @@ TEST(RotctldTalk, AStopTakesTheTargetThatWaits)
     EXPECT_EQ(talk.count("+\\set_pos"), 0);
 }
 
-// REQ-ROTCTLDMOUNT-04: A server that says something else is left alone: a rigctld, whose port is the next one, a web
-// server, a shell, a GS-232 box behind a serial server, and one that speaks binary.
+// REQ-ROTCTLDMOUNT-04: A server that sends something else gets no more queries: a rigctld, whose usual port is the next
+// number, a web server, a shell, a GS-232 box behind a serial server, and a server with a binary protocol.
 TEST(RotctldTalk, AForeignServerIsLeftAlone)
 {
     const std::vector<std::string> servers = {
@@ -204,7 +206,7 @@ TEST(RotctldTalk, AForeignServerIsLeftAlone)
         "SSH-2.0-OpenSSH_9.2p1\r\n",
         "?>\r\n",
         "AZ=180  EL=090\r\n",
-        std::string("\x15\x03\x01\x00\x02\x02\x46", 7),  // an alert of TLS
+        std::string("\x15\x03\x01\x00\x02\x02\x46", 7),  // a TLS alert
         "220 mail.example.org ESMTP\r\n",
     };
     for (const std::string& said : servers) {
@@ -228,8 +230,8 @@ TEST(RotctldTalk, AForeignServerIsLeftAlone)
     EXPECT_TRUE(banner.sent.empty());
 }
 
-// REQ-ROTCTLDMOUNT-05: A target that is refused is sent again, and counted until one is accepted. A stop that is
-// refused is repeated twice a second until it is accepted.
+// REQ-ROTCTLDMOUNT-05: A refused target is sent again. The refusals are counted until a target is accepted. A refused
+// stop is repeated twice a second until it is accepted.
 TEST(RotctldTalk, WhatIsRefusedIsSentAgain)
 {
     Answers refusing = kExtended;
@@ -252,7 +254,7 @@ TEST(RotctldTalk, WhatIsRefusedIsSentAgain)
     EXPECT_EQ(talk.count("+\\stop"), stops + 1);
 }
 
-// REQ-ROTCTLDMOUNT-06: A rotator that cannot stop is sent to where it stands, at once.
+// REQ-ROTCTLDMOUNT-06: A rotator that cannot stop is sent to its present position at once.
 TEST(RotctldTalk, WhoCannotStopIsSentToWhereItStands)
 {
     Answers unable = kExtended;
@@ -273,9 +275,9 @@ TEST(RotctldTalk, WhoCannotStopIsSentToWhereItStands)
     EXPECT_EQ(talk.count("+\\set_pos 180.00 45.00\n"), 2);
 }
 
-// REQ-ROTCTLDMOUNT-07: An answer is waited for, and nothing but one stop is sent meanwhile: it would stand in the queue
-// of the server. A server that owes one for five seconds is connected to anew, in the form that it knows. A stop that
-// was not answered is sent again.
+// REQ-ROTCTLDMOUNT-07: While an answer is missing nothing is sent except one stop, because more would wait in the queue
+// of the server. If the answer is missing for five seconds, the connection is opened again and continues in the known
+// form. A stop without an answer is sent again.
 TEST(RotctldTalk, AServerThatHangsIsConnectedToAnew)
 {
     for (const Answers& answers : {kExtended, kPlain}) {
@@ -306,7 +308,7 @@ TEST(RotctldTalk, AServerThatHangsIsConnectedToAnew)
     }
 }
 
-// REQ-ROTCTLDMOUNT-08: A damaged answer is left out, and no position comes of it.
+// REQ-ROTCTLDMOUNT-08: A damaged answer is ignored, and gives no position.
 TEST(RotctldTalk, ADamagedAnswerIsLeftOut)
 {
     Talk talk;
@@ -326,7 +328,7 @@ TEST(RotctldTalk, ADamagedAnswerIsLeftOut)
     EXPECT_EQ(talk->proof(), Proof::Box);
 }
 
-// REQ-ROTCTLDMOUNT-09: A line too many behind an answer is passed over, and so is the second of two refusals.
+// REQ-ROTCTLDMOUNT-09: An additional line after an answer is ignored, and so is the second of two refusals.
 TEST(RotctldTalk, AReportTooManyIsPassedOver)
 {
     Answers ending = kPlainest;
@@ -340,7 +342,7 @@ TEST(RotctldTalk, AReportTooManyIsPassedOver)
     EXPECT_GE(talk.count("p"), 15);
 }
 
-// No target passes a stop that was refused.
+// After a refused stop no target is sent before the stop is accepted.
 TEST(RotctldTalk, ATargetWaitsForTheStop)
 {
     Answers refusing = kExtended;

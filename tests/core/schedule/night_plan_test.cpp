@@ -13,7 +13,7 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-// From and to in seconds after the beginning of the plan.
+// `from` and `to` are seconds after the beginning of the plan.
 WatchedPass pass(std::int64_t number, int from, int to, int priority = 1)
 {
     WatchedPass one{.number = number, .priority = priority, .pass = {}};
@@ -23,7 +23,7 @@ WatchedPass pass(std::int64_t number, int from, int to, int priority = 1)
     return one;
 }
 
-// Those that are tracked whole.
+// The numbers of the passes that are tracked completely.
 std::vector<std::int64_t> chosen(const NightPlan& plan)
 {
     std::vector<std::int64_t> numbers;
@@ -54,8 +54,8 @@ WatchedPass seenOnly(WatchedPass one, std::vector<std::pair<int, int>> parts)
     return one;
 }
 
-// REQ-SCHEDULE-900: Of passes that overlap the policy chooses one: by priority, by length, or the one that begins
-// first. Each that is left out is listed with what was chosen, and why.
+// REQ-SCHEDULE-900: If passes overlap, the policy chooses one of them: by priority, by length, or the earliest. Each
+// omitted pass is listed with the pass that was chosen instead, and with the reason.
 TEST(NightPlan, ThePolicyChoosesOneOfThoseThatOverlap)
 {
     const std::vector<WatchedPass> passes{pass(1, 0, 500, 2), pass(2, 300, 600, 1), pass(3, 550, 1200, 3)};
@@ -79,8 +79,8 @@ TEST(NightPlan, ThePolicyChoosesOneOfThoseThatOverlap)
     EXPECT_FALSE(byBeginning.conflicts[1].overlaps);
 }
 
-// REQ-SCHEDULE-901: Where the policy does not tell two passes apart the next rule does, to the number of the satellite.
-// The order of the passes that are given changes nothing.
+// REQ-SCHEDULE-901: If two passes are equal under the policy, the next rule decides, at last the number of the
+// satellite. The order of the given passes has no effect.
 TEST(NightPlan, ATieIsDecidedTheSameWayEachTime)
 {
     EXPECT_EQ(plan({pass(1, 0, 400), pass(2, 100, 600)}).conflicts[0].reason, Reason::Longer);
@@ -104,8 +104,8 @@ TEST(NightPlan, ATieIsDecidedTheSameWayEachTime)
     }
 }
 
-// REQ-SCHEDULE-902: Two passes are both tracked when the mount has its lead between them. A shorter gap is a conflict.
-// A pass that is up when the plan begins needs no lead.
+// REQ-SCHEDULE-902: Two passes are both tracked if there is at least the lead time of the mount between them. A shorter
+// gap is a conflict. A pass that is up when the plan begins needs no lead time.
 TEST(NightPlan, TheMountIsInPlaceBeforeEachPass)
 {
     EXPECT_THAT(chosen(plan({pass(1, 0, 400), pass(2, 460, 900)})), ElementsAre(1, 2));
@@ -120,9 +120,8 @@ TEST(NightPlan, TheMountIsInPlaceBeforeEachPass)
     EXPECT_THAT(plan({}).chosen, IsEmpty());
 }
 
-// REQ-SCHEDULE-907: What is left of a pass that is left out, before, between or after the chosen ones, is tracked, too,
-// if it is seen for 60 s from when the mount can be in place for it. It keeps back no whole pass. The conflict lists
-// it.
+// REQ-SCHEDULE-907: The rest of an omitted pass, before, between or after the chosen passes, is tracked if it is
+// visible for 60 s after the mount can be in place. A rest never prevents a complete pass. The conflict lists it.
 TEST(NightPlan, TheRestOfAPassThatIsLeftOutIsTracked)
 {
     const NightPlan after = plan({pass(1, 0, 400, 1), pass(2, 200, 600, 2)});
@@ -144,7 +143,7 @@ TEST(NightPlan, TheRestOfAPassThatIsLeftOutIsTracked)
     EXPECT_THAT(both.conflicts[0].rests, ElementsAre(stretch(0, 940), stretch(1400, 1940), stretch(2300, 5000)));
     EXPECT_TRUE(std::ranges::is_sorted(both.chosen, {}, &WatchedPass::begins));
 
-    // By priority alone the second would take the time of the third.
+    // By priority alone the second pass would also prevent the third.
     EXPECT_THAT(chosen(plan({pass(1, 0, 400, 1), pass(2, 300, 900, 2), pass(3, 500, 1000, 3)})), ElementsAre(1, 3));
 }
 
@@ -181,9 +180,9 @@ TEST(NightPlan, NothingOfTheChosenPassesIsTakenByARest)
     EXPECT_GT(rests, 10);
 }
 
-// REQ-SCHEDULE-905: The horizon, the keep-outs and the limits of the mount count. A pass is as long as the antenna sees
-// it, and conflicts only from the first to the last moment of that. A pass that the antenna never sees is listed as
-// hidden, and keeps back no other.
+// REQ-SCHEDULE-905: The plan takes the horizon, the keep-outs and the limits of the mount into account. A pass counts
+// only with the time in which the antenna sees it, and conflicts only between the first and the last of these moments.
+// A pass that the antenna never sees is listed as hidden, and prevents no other pass.
 TEST(NightPlan, WhatTheAntennaDoesNotSeeDoesNotCount)
 {
     const WatchedPass second = pass(2, 300, 700, 2);

@@ -11,12 +11,12 @@ PassTally::Look lookAt(Angle error, Seconds during, bool isOnTarget = true)
     return {.error = error, .isOnTarget = isOnTarget, .during = during};
 }
 
-// REQ-SCHEDULE-903: The report has the seconds that a pass was tracked, those within 1 and 3 dB of the beam, and the
-// rms and peak error on the sky.
+// REQ-SCHEDULE-903: The report of a pass has the seconds that were tracked, the seconds within 1 dB and 3 dB of the
+// beam, and the rms and peak error on the sky.
 TEST(NightReport, ATallyHasSecondsAndErrors)
 {
     PassTally tally({.number = 25544, .name = QStringLiteral("TEST ONE"), .why = {}});
-    tally.add(lookAt(0_deg, Seconds(1.0)), 10_deg);  // it settles
+    tally.add(lookAt(0_deg, Seconds(1.0)), 10_deg);  // the beam settles on the target
     for (const Angle error : {0_deg, 2.8_deg, 4.9_deg, 6_deg}) {
         tally.add(lookAt(error, Seconds(10.0)), 10_deg);
     }
@@ -26,14 +26,16 @@ TEST(NightReport, ATallyHasSecondsAndErrors)
     EXPECT_EQ(record.within1dB, Seconds(21.0));
     EXPECT_EQ(record.within3dB, Seconds(31.0));
     EXPECT_EQ(record.peakError, 6_deg);
-    EXPECT_NEAR(record.rmsError.value().degrees(), 4.11856, 1e-5);  // of 0, 7.84, 24.01 and 36 deg²
+    EXPECT_NEAR(record.rmsError.value().degrees(), 4.11856, 1e-5);  // rms of the squares 0, 7.84, 24.01 and 36 deg²
     EXPECT_EQ(record.end, PassEnd::Set);
     EXPECT_EQ(record.number, 25544);
 }
 
-// Story: a pass that was joined in its middle had an error of 40°, though it was tracked within 0.1° from then on.
-// REQ-SCHEDULE-922: rms and peak error count from the moment in which the beam was on target for a second, to the end
-// of the pass. The way there counts as seconds outside 1 and 3 dB. A beam that only crosses its target is not on it.
+// Story: tracking began in the middle of a pass. The error was reported as 40°, although the pass was tracked within
+// 0.1° from then on.
+// REQ-SCHEDULE-922: rms and peak error count from the moment when the beam has been on the target for a second, until
+// the end of the pass. The time before it counts as seconds outside 1 and 3 dB. A beam that only crosses the target is
+// not on it.
 TEST(NightReport, TheWayToAPassIsNoError)
 {
     PassTally tally({.number = 25544, .name = {}, .why = {}});

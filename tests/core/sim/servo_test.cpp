@@ -36,7 +36,7 @@ protected:
             lowestPower = std::min(lowestPower, out.power);
         }
     }
-    // Holds its position, without a watchdog unless given.
+    // Holds the present position. Without an argument there is no watchdog.
     void hold(double watchdog = kNone)
     {
         servo.command({.mode = Mode::Position, .position = kNone, .watchdogTimeout = watchdog});

@@ -160,6 +160,19 @@ TEST(SimulatedSensor, IronAndALeaningMastShow)
     EXPECT_NEAR(north.elevation, 20.0 - 0.6, 0.02);
 }
 
+TEST(SimulatedSensor, SteelTurnsItInASectorOnly)
+{
+    SensorRig rig({.steelFrom = 350_deg, .steelTo = 20_deg, .steel = 15_deg, .noise = Angle{}});
+    const auto error = [&](double degrees) {
+        const Angle azimuth = Angle::fromDegrees(degrees);
+        return (Angle::fromDegrees(rig.run(3.0, standing(azimuth, 10_deg)).back().azimuth) - azimuth).wrapped180();
+    };
+    EXPECT_NEAR(error(349.0).degrees(), 0.0, 0.01);
+    EXPECT_NEAR(error(351.0).degrees(), 15.0, 0.01);
+    EXPECT_NEAR(error(19.0).degrees(), 15.0, 0.01);
+    EXPECT_NEAR(error(21.0).degrees(), 0.0, 0.01);
+}
+
 TEST(SimulatedSensor, FailsOnRequest)
 {
     SensorRig rig({.noise = 0.5_deg});

@@ -27,7 +27,7 @@ protected:
     {
         pair.faults().add({.kind = kind, .axis = axis, .value = value});
     }
-    // What arrives for one query, a tick later.
+    // Sends a query a tick later and returns the replies that arrive.
     std::vector<moteus::Reply> ask(std::uint8_t id)
     {
         now += kTick;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The mount that parks when nobody needs it.
+// The mount parks when nobody uses it.
 #include "core/sources/idle_park.h"
 
 #include "core/targets/target_text.h"
@@ -37,8 +37,8 @@ protected:
     StationRig rig{parkingWhenIdle()};
 };
 
-// REQ-CONTROL-960: After park.after_min without a motion and without a command the mount parks, with a line of the log.
-// It takes the control from nobody.
+// REQ-CONTROL-960: The mount parks after park.after_min without a motion and without a command, with a line in the log.
+// The control authority does not change.
 TEST_F(IdleParkTest, ParksAfterItsTime)
 {
     goUp();
@@ -56,8 +56,8 @@ TEST_F(IdleParkTest, ParksAfterItsTime)
     EXPECT_TRUE(rig.point(60.0, 40.0, kClient));
 }
 
-// REQ-CONTROL-961: Any command of the operator or a client counts, also one that is refused. A client that reads the
-// position, and a question of the window, do not.
+// REQ-CONTROL-961: Every command of the operator or of a client starts the idle time again, even a refused one. A
+// client that reads the position, or a question of the window, does not.
 TEST_F(IdleParkTest, ACommandCounts)
 {
     goUp();
@@ -76,7 +76,7 @@ TEST_F(IdleParkTest, ACommandCounts)
     EXPECT_NE(rig.state(), StationState::Hold);
 }
 
-// REQ-CONTROL-962: The last target of a client that only reads the position is no tracking. The mount parks.
+// REQ-CONTROL-962: If a client only reads the position, its last target does not count as tracked. The mount parks.
 TEST_F(IdleParkTest, AClientThatOnlyReadsDoesNotCount)
 {
     goUp(kClient);
@@ -87,7 +87,8 @@ TEST_F(IdleParkTest, AClientThatOnlyReadsDoesNotCount)
     EXPECT_EQ(rig.state(), StationState::Parked);
 }
 
-// REQ-CONTROL-963: What is tracked is not idle, although it stands still. Nor is a jog that is held.
+// REQ-CONTROL-963: While a target is tracked the mount is not idle, even if it stands still. The same holds while a jog
+// button is held.
 TEST_F(IdleParkTest, WhatIsTrackedDoesNotPark)
 {
     ASSERT_TRUE(rig.ask(request::Track{targets::parseTarget("radec 12:00:00,+80:00:00", {}).value()}));
@@ -96,8 +97,8 @@ TEST_F(IdleParkTest, WhatIsTrackedDoesNotPark)
     EXPECT_TRUE(rig.control.status().tracked);
 }
 
-// REQ-CONTROL-964: A mount that nobody has moved since the start, STOP or a fault stays where it is, and so does one at
-// its park position. 0 means never.
+// REQ-CONTROL-964: A mount that nobody has moved since the start, STOP or a fault stays where it is. So does a mount at
+// its park position. 0 switches this function off.
 TEST_F(IdleParkTest, NothingStartsByItself)
 {
     minutes(6.0);

@@ -158,7 +158,7 @@ struct Taken
     const Source& by;
 };
 
-// Which source accepts which request of which client.
+// Finds the source that accepts each request of each client.
 std::vector<Taken> findTaken()
 {
     std::vector<Taken> taken;
@@ -223,8 +223,8 @@ TEST(MotionSources, WithoutThemNothingMoves)
     EXPECT_FALSE(rig.moving());
 }
 
-// Without this the refusals below would prove nothing. A source that takes no request moves the mount by a rule of the
-// profile.
+// If no source could move the mount, the refusals tested below would prove nothing. A source without requests moves the
+// mount by a rule of the profile.
 TEST(MotionSources, EachMovesTheMount)
 {
     std::set<std::size_t> asked;

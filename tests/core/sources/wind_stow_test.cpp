@@ -34,7 +34,7 @@ protected:
         blow(5.0, Seconds(1.0));
     }
 
-    // With a reading each second, where there is one.
+    // One reading each second; no reading if `speed` is empty.
     void blow(std::optional<double> speed, Seconds time)
     {
         for (int i = 0; i < static_cast<int>(time / rig.step); ++i) {
@@ -73,7 +73,7 @@ protected:
 
 const Request kGo = request::PointAxes{{.azimuth = 50_deg, .elevation = 30_deg}};
 
-// REQ-WIND-20: In a strong wind the motion ends and the mount parks. An alarm says why, with speed and limit.
+// REQ-WIND-20: In a strong wind the motion ends and the mount parks. An alarm gives the reason, with speed and limit.
 TEST_F(WindStowTest, AStrongWindParksTheMount)
 {
     goUp();
@@ -92,8 +92,9 @@ TEST_F(WindStowTest, AStrongWindParksTheMount)
     EXPECT_TRUE(isAt(20.0, 10.0));
 }
 
-// REQ-WIND-21: Every motion but Park is refused, whoever wants it, with the reason. Below the lower limit for the calm
-// time it is permitted again, and nothing moves by itself, not even a client that never stopped asking.
+// REQ-WIND-21: In a strong wind every motion but Park is refused, whoever requests it, with the reason. Motion is
+// permitted again when the wind was below the lower limit for the calm time. Nothing moves by itself then, not even for
+// a client that kept sending.
 TEST_F(WindStowTest, NothingElseMovesUntilTheWindIsOver)
 {
     goUp();
@@ -120,7 +121,7 @@ TEST_F(WindStowTest, NothingElseMovesUntilTheWindIsOver)
     EXPECT_TRUE(isAt(50.0, 30.0));
 }
 
-// REQ-WIND-22: The profile may name a place of its own for a strong wind. Park leads there, too, until it is over.
+// REQ-WIND-22: The profile may name a separate place for a strong wind. While the wind is strong, Park also goes there.
 TEST_F(WindStowTest, AnOwnPlace)
 {
     profile::Profile own = withAnemometer();
@@ -140,8 +141,8 @@ TEST_F(WindStowTest, AnOwnPlace)
     EXPECT_TRUE(isAt(20.0, 10.0));
 }
 
-// REQ-WIND-23: STOP stops the mount on its way to the park position. Then it does not start by itself, also not after
-// the reset of STOP: an alarm offers Park now.
+// REQ-WIND-23: STOP stops the mount on its way to the park position. The mount does not start again by itself, not even
+// after the reset of STOP. An alarm offers Park now.
 TEST_F(WindStowTest, AfterStopNothingStartsByItself)
 {
     goUp();
@@ -164,8 +165,8 @@ TEST_F(WindStowTest, AfterStopNothingStartsByItself)
     EXPECT_TRUE(isRaised("wind.parks"));
 }
 
-// REQ-WIND-24: A mount that nobody has moved since the start, or since a fault, is not started by the wind. The alarm
-// offers Park now.
+// REQ-WIND-24: The wind does not start a mount that nobody has moved since the start or since a fault. The alarm offers
+// Park now.
 TEST_F(WindStowTest, AfterTheStartAndAFaultNothingStartsByItself)
 {
     blow(17.0, Seconds(30.0));
@@ -202,14 +203,14 @@ TEST_F(WindStowTest, OnAnUnknownWrapNothingStartsByItself)
     EXPECT_TRUE(lost.ask(request::OverrideWind{})) << "the cable may have to be brought where its wrap can be judged";
 }
 
-// REQ-WIND-25: The operator overrides the wind for the time of the profile, visibly. Then the mount parks again. No
-// client may.
+// REQ-WIND-25: The operator may move the mount in a strong wind for the time in the profile. The window shows this.
+// Then the mount parks again. No client may do this.
 TEST_F(WindStowTest, TheOperatorOverrides)
 {
     EXPECT_EQ(refusal(request::OverrideWind{}), "The wind does not forbid any motion.");
     goUp();
     blow(17.0, Seconds(60.0));
-    EXPECT_EQ(refusal(request::OverrideWind{}, kClient), "only the operator does this");
+    EXPECT_EQ(refusal(request::OverrideWind{}, kClient), "only the operator may do this");
     ASSERT_EQ(refusal(request::OverrideWind{}), "");
     EXPECT_THAT(rig.lastLog(), HasSubstr("lets the mount move in the wind until "));
     blow(17.0, Seconds(0.1));
@@ -228,7 +229,8 @@ TEST_F(WindStowTest, TheOperatorOverrides)
     EXPECT_NE(refusal(kGo), "");
 }
 
-// REQ-WIND-26: Silence raises an alarm, and the mount goes on. With wind.when_silent = "stow" it parks.
+// REQ-WIND-26: If no reading arrives, an alarm is raised and the mount works on. With wind.when_silent = "stow" the
+// mount parks.
 TEST_F(WindStowTest, SilenceIsToldOrParks)
 {
     goUp();
@@ -246,13 +248,14 @@ TEST_F(WindStowTest, SilenceIsToldOrParks)
     blow(std::nullopt, Seconds(31.0));
     EXPECT_FALSE(isRaised("wind.silent"));
     ASSERT_TRUE(isRaised("wind.parks"));
-    EXPECT_THAT(alarmOf("wind.parks")->what.toStdString(), HasSubstr("The wind is unknown. No reading came since "));
+    EXPECT_THAT(alarmOf("wind.parks")->what.toStdString(),
+                HasSubstr("The wind is unknown. No reading has come since "));
     blow(std::nullopt, Seconds(60.0));
     EXPECT_EQ(rig.state(), StationState::Parked);
     const QString since = alarmOf("wind.parks")->what.section(QLatin1Char(' '), -1);
     blow(5.0, Seconds(10.0));
     EXPECT_EQ(alarmOf("wind.parks")->what,
-              QStringLiteral("The wind was unknown. No reading came after %1, until now.").arg(since.chopped(1)));
+              QStringLiteral("The wind was unknown. No reading came after %1.").arg(since.chopped(1)));
     blow(5.0, Seconds(60.0));
     EXPECT_FALSE(isRaised("wind.parks"));
 }
@@ -269,7 +272,7 @@ TEST_F(WindStowTest, AReadingFromBeforeASuspendIsOld)
     EXPECT_FALSE(rig.control.status().wind.isSilent);
 }
 
-// REQ-WIND-27: Without a source the wind forbids nothing, whatever was known of it.
+// REQ-WIND-27: Without a source the wind forbids nothing, whatever the last reading was.
 TEST_F(WindStowTest, WithoutASourceTheWindForbidsNothing)
 {
     goUp();

@@ -50,8 +50,8 @@ struct CommandRig : StationRig
     const rotctld::Client other{.id = 3, .address = "127.0.0.1:50000"};
 };
 
-// REQ-MQTTCOMMANDS-08 (CommandControl.*): Those who send commands by MQTT are one client of the mount. The rule of the
-// clients, the operator, STOP, a fault and a re-arm count for them as for a rotctld client.
+// REQ-MQTTCOMMANDS-08 (CommandControl.*): All senders of commands by MQTT together are one client of the mount. For
+// this client the rule for clients, the operator, STOP, faults and re-arm apply as for a rotctld client.
 TEST(CommandControl, IsOneClient)
 {
     CommandRig rig;
@@ -67,8 +67,8 @@ TEST(CommandControl, IsOneClient)
     EXPECT_NEAR(rig.azimuthDegrees(), 50.0, 0.1);
 }
 
-// REQ-MQTTCOMMANDS-09: A sender that falls silent, or whose broker is lost, keeps the control for 10 s at most. Its
-// last target stands.
+// REQ-MQTTCOMMANDS-09: If the sender falls silent or the broker is lost, the sender keeps control for at most 10 s. Its
+// last target stays.
 TEST(CommandControl, EndsWithItsSilence)
 {
     CommandRig rig;
@@ -109,7 +109,7 @@ TEST(CommandControl, YieldsToTheOperator)
     EXPECT_EQ(rig.say("200 30"), "OK");
 }
 
-// Whoever has the control.
+// A stop works whoever has control.
 TEST(CommandControl, StopsWhatOthersMove)
 {
     CommandRig rig;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Commands for the mount by a real broker, and what Home Assistant finds there.
+// Commands for the mount by a real broker, and the messages for Home Assistant.
 #include "core/station/message_commands.h"
 
 #include "tests/core/station/broker_station.h"
@@ -29,7 +29,7 @@ profile::Profile commanded(std::uint16_t port, profile::BrokerCommands commands 
 class MessageCommandsTest : public StationBrokerTest
 {
 protected:
-    // Until the broker has granted both topics, and for 4 s of the station.
+    // Runs until the broker has granted both topics, and then for 4 s of station time.
     void begin(const profile::Profile& profile)
     {
         build(profile);
@@ -67,9 +67,10 @@ private:
     std::uint64_t m_request = 0;
 };
 
-// REQ-MQTTCOMMANDS-10: With commands on, Boresight reads `PREFIXcommand` and `PREFIXstop` and answers on
-// `PREFIXanswer`. The senders are in the list of clients. What the broker kept is refused with an answer at every
-// connection. REQ-MQTTCOMMANDS-03
+// REQ-MQTTCOMMANDS-10: If commands are permitted, Boresight reads `PREFIXcommand` and `PREFIXstop` and answers on
+// `PREFIXanswer`. The senders are in the list of clients. Retained messages are refused with an answer at every
+// connection.
+// REQ-MQTTCOMMANDS-03
 TEST_F(MessageCommandsTest, ACommandMovesTheMount)
 {
     send("boresight/command", "200 60", mqtt::Retain::Yes);
@@ -89,7 +90,7 @@ TEST_F(MessageCommandsTest, ACommandMovesTheMount)
     EXPECT_EQ(clients().front().address, QStringLiteral("topic boresight/command"));
     EXPECT_EQ(clients().front().lastCommand, QStringLiteral("40 30"));
     EXPECT_THAT(ask("?"), HasSubstr("30.0"));
-    EXPECT_THAT(ask("open the door"), HasSubstr("error: \"open the door\" is no command."));
+    EXPECT_THAT(ask("open the door"), HasSubstr("error: \"open the door\" is not a command."));
 }
 
 // REQ-MQTTCOMMANDS-06
@@ -106,7 +107,7 @@ TEST_F(MessageCommandsTest, AMessageOfTheTopicStopLatchesStop)
     EXPECT_EQ(station->status().state, StationState::Stopped);
 }
 
-// Story: each message of a flood made a tick, and each tick sends frames to the drives.
+// Story: each message of a flood caused a tick, and each tick sends frames to the drives.
 // REQ-MQTTCOMMANDS-07
 TEST_F(MessageCommandsTest, AFloodOfStopIsNoFloodOfTicks)
 {
@@ -120,14 +121,14 @@ TEST_F(MessageCommandsTest, AFloodOfStopIsNoFloodOfTicks)
         clock.advance(Seconds(1.0));
         send("boresight/command", "the last one");
         return std::ranges::any_of(logger.messages,
-                                   [](const mqtt::Message& one) { return one.payload.contains("is no command"); });
+                                   [](const mqtt::Message& one) { return one.payload.contains("is not a command"); });
     }));
     EXPECT_EQ(ticks, 1);
     EXPECT_TRUE(station->status().stopLatched);
 }
 
-// REQ-MQTTCOMMANDS-11: Commands are off by default. Boresight then does not read the topics. A change of the right is
-// in force at once.
+// REQ-MQTTCOMMANDS-11: By default commands are off, and Boresight does not read their topics. A change of this setting
+// applies at once.
 TEST_F(MessageCommandsTest, AreOffUntilTheProfilePermitsThem)
 {
     profile::Profile profile = publishing(broker->port());
@@ -158,7 +159,7 @@ TEST_F(MessageCommandsTest, AreOffUntilTheProfilePermitsThem)
     EXPECT_THAT(clients(), IsEmpty());
 }
 
-// The mount goes on to its last target and stays there.
+// The mount continues to its last target and stays there.
 // REQ-MQTTCOMMANDS-09
 TEST_F(MessageCommandsTest, ALostBrokerIsALostClient)
 {
@@ -185,7 +186,7 @@ TEST_F(MessageCommandsTest, ALostBrokerIsALostClient)
     EXPECT_GT(clients().front().id, first + 1) << "it begins anew";
 }
 
-// REQ-MQTTCOMMANDS-13: An alarm says when everybody who reaches a broker on another computer can move the mount.
+// REQ-MQTTCOMMANDS-13: An alarm reports that everybody who can reach a broker on another computer can move the mount.
 TEST_F(MessageCommandsTest, ABrokerThatIsOpenToAllIsAnAlarm)
 {
     profile::Profile profile = commanded(broker->port());
@@ -208,7 +209,7 @@ TEST_F(MessageCommandsTest, ABrokerThatIsOpenToAllIsAnAlarm)
     EXPECT_FALSE(isRaised()) << "they stop it at most";
 }
 
-// A topic that the access list of the broker hides is named in the log.
+// If the access list of the broker refuses a topic, the log names the topic.
 TEST_F(MessageCommandsTest, ATopicThatTheBrokerRefusesIsALineInTheLog)
 {
     if (!fakes::MqttBroker::canBeGuarded()) {
@@ -229,7 +230,7 @@ TEST_F(MessageCommandsTest, ATopicThatTheBrokerRefusesIsALineInTheLog)
 // REQ-MQTT-13
 TEST_F(MessageCommandsTest, HomeAssistantFindsTheMount)
 {
-    // What somebody finds who comes later.
+    // The messages that a client receives that connects later.
     const auto found = [this] {
         mqtt::Rig finder;
         finder.client.subscribe(QStringLiteral("homeassistant/#"));

@@ -41,7 +41,8 @@ TEST(StationPosition, AnotherCallSignIsNotLogged)
     EXPECT_EQ(log.since(0, 10).front().severity, Severity::Warning);
 }
 
-// REQ-POSITION-20: A datagram is one position, a line or a JSON object. What cannot be read is told with the reason.
+// REQ-POSITION-20: A datagram is one position: a line or a JSON object. An unreadable datagram is reported with the
+// reason.
 TEST(StationPosition, ADatagramIsOnePosition)
 {
     fakes::ManualClock clock;

@@ -258,7 +258,7 @@ TEST_F(StationTransmitTest, AChangeOfTheProfileSwitchesItOff)
     tick(30);
     EXPECT_EQ(calls.front(), "off");
     EXPECT_EQ(std::ranges::count(take(), "gone"), 0);
-    EXPECT_EQ(transmit.status().whyOff, QStringLiteral("The output before has not answered yet."));
+    EXPECT_EQ(transmit.status().whyOff, QStringLiteral("The previous output has not answered yet."));
     Q_EMIT output->failed(QStringLiteral("unplugged"));
     ASSERT_TRUE(fakes::waitUntil([this] { return calls.size() >= 2; }));
     EXPECT_THAT(take(), ElementsAre("gone", "off"));

@@ -11,8 +11,8 @@
 namespace boresight {
 namespace {
 
-// REQ-WIND-43: The page of a web server is read each interval of the profile, and each page is a reading. A server that
-// is gone is reported.
+// REQ-WIND-43: The page of a web server is read at the interval in the profile, and each page is a reading. If the
+// server does not answer, this is reported.
 TEST(StationWindPage, IsRead)
 {
     const QTemporaryDir folder;

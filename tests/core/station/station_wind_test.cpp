@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Readings of the wind by UDP, and the station that obeys them.
+// Readings of the wind by UDP, and the reaction of the station.
 #include "core/station/station_wind.h"
 
 #include "tests/core/station/moving_station.h"
@@ -32,7 +32,7 @@ protected:
             return moving.station->status().wind.speed == speed;
         });
     }
-    // In one go, so that the last reading stays young.
+    // The clock is turned at once after the readings, so that the last reading is still recent.
     void blow(const QByteArray& text, Seconds time)
     {
         for (Seconds left = time; left > Seconds(0.0); left -= Seconds(5.0)) {
@@ -70,7 +70,7 @@ TEST_F(StationWindTest, AReadingByUdpParksTheMount)
     EXPECT_NEAR(status.azimuth.actual->degrees(), 20.0, 0.2);
 }
 
-// REQ-WIND-41: What is no reading is counted, with the reason of the last one, and is no wind.
+// REQ-WIND-41: A text that is no reading is counted, with the reason of the last one. It does not change the wind.
 TEST_F(StationWindTest, RubbishIsCounted)
 {
     ASSERT_TRUE(arrives("4.5", 4.5));
@@ -78,7 +78,7 @@ TEST_F(StationWindTest, RubbishIsCounted)
         send("storm");
         return station().status().wind.refused > 0;
     }));
-    EXPECT_EQ(station().status().wind.refusal, QStringLiteral("the wind speed is no number"));
+    EXPECT_EQ(station().status().wind.refusal, QStringLiteral("the wind speed is not a number"));
     EXPECT_EQ(station().status().wind.speed, 4.5);
 }
 

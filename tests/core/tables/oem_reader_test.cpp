@@ -96,7 +96,7 @@ TEST(OemReader, RefusesWhatItCannotDo)
     EXPECT_EQ(refusalOf(changed(text, "SYSTEM = UTC", "SYSTEM = TDB")),
               "a.oem:13: The time system is \"TDB\". Boresight reads UTC, TAI, GPS and TT.");
     EXPECT_THAT(refusalOf(whole("INTERPOLATION = PROPAGATE\n")),
-                HasSubstr("INTERPOLATION is \"PROPAGATE\". Boresight does HERMITE, LAGRANGE and LINEAR."));
+                HasSubstr("INTERPOLATION is \"PROPAGATE\". Boresight supports HERMITE, LAGRANGE and LINEAR."));
     EXPECT_THAT(refusalOf(whole("INTERPOLATION_DEGREE = 26\n")), HasSubstr("It must be a number from 1 to 25."));
     EXPECT_THAT(refusalOf(changed(text, "ITRF2014", "TEME\nREF_FRAME_EPOCH = 2026-12-24T00:00:00")),
                 HasSubstr("The frame TEME has the fixed date REF_FRAME_EPOCH."));
@@ -153,7 +153,7 @@ TEST(OemReader, KeepsTheSegmentsApart)
     EXPECT_THAT(refusalOf(first + segmentText("ITRF", "UTC", samples(5, 180s))),
                 HasSubstr("begins before the end of the segment above it."));
     EXPECT_THAT(refusalOf(first + changed(segmentText("ITRF", "UTC", samples(5, 300s)), "TEST ONE", "TEST TWO")),
-                HasSubstr("The object is \"TEST TWO\", and above it is \"TEST ONE\"."));
+                HasSubstr("The object is \"TEST TWO\", but the object above is \"TEST ONE\"."));
 }
 
 }  // namespace

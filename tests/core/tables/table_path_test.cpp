@@ -129,8 +129,8 @@ TEST_F(OrbitOfOurOwn, RisesAndSetsAsTheOrbit)
     EXPECT_GE(stays, 4);
 }
 
-// The example of Vallado from the test of EarthAxis, in each frame, in km. UT1 equals UTC here, so the time is earlier
-// by that amount.
+// The example of Vallado from the test of EarthAxis, in each frame, in km. The example has UT1 = UTC - 0.4399619 s.
+// Here UT1 equals UTC, so the time is earlier by this amount.
 // REQ-TABLES-932: A position in GCRF, EME2000, TOD, TEME and a frame of the Earth gives the same direction as in a
 // published example, to 0.2″.
 TEST(TablePath, TheFramesOfAPublishedExampleAgree)
@@ -276,7 +276,7 @@ TEST(TablePath, UnevenRowsHaveNoWayRatherThanAWrongOne)
     TablePath path(std::make_shared<const Table>(std::move(table)), kLisbon);
     const auto place = path.at(UtcTime(std::chrono::nanoseconds(1'000'000'000'000'000'000)));
     ASSERT_FALSE(place);
-    EXPECT_THAT(textOf(place.error()), HasSubstr("are too uneven for a way between them."));
+    EXPECT_THAT(textOf(place.error()), HasSubstr("are too uneven to interpolate between them."));
 }
 
 }  // namespace

@@ -219,7 +219,7 @@ TEST(TargetStream, AClientThatReadsNoMoreIsNot)
     EXPECT_EQ(stream.target(at(25.3))->position, *stream.lastPoint());
 }
 
-// Otherwise the mount would start again by itself, seconds after its standstill.
+// A stream that came back would move the mount again by itself, seconds after it stood still.
 // REQ-TRACKING-14a
 TEST(TargetStream, ReadingDoesNotBringAnEndedStreamBack)
 {

@@ -22,10 +22,15 @@ using testing::StartsWith;
 // Long enough for a slow computer.
 constexpr programs::Limits kPatient{.longest = std::chrono::minutes(1), .patience = std::chrono::minutes(1), .most = 1};
 
-// The program for "on" runs until letOnGo().
+// The program for "on" runs until letGo("on").
 const QString kOnHangs = QStringLiteral(
-    "echo $2 >>\"$0/journal\"; test $2 = off && exit; while [ ! -e \"$0/go\" ]; do sleep 0.05; done; "
+    "echo $2 >>\"$0/journal\"; test $2 = off && exit; while [ ! -e \"$0/go-on\" ]; do sleep 0.05; done; "
     "echo late >>\"$0/journal\"");
+
+// Each program runs until letGo() of its word. The one for "on" fails.
+const QString kBothHang = QStringLiteral(
+    "echo $2 >>\"$0/journal\"; while [ ! -e \"$0/go-$2\" ]; do sleep 0.05; done; test $2 = off && exit; "
+    "echo late >>\"$0/journal\"; exit 1");
 
 class CommandOutputTest : public testing::Test
 {
@@ -50,9 +55,9 @@ protected:
         QFile file(folder.filePath(QStringLiteral("journal")));
         return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
     }
-    void letOnGo() const
+    void letGo(const char* word) const
     {
-        QFile go(folder.filePath(QStringLiteral("go")));
+        QFile go(folder.filePath(QStringLiteral("go-%1").arg(QLatin1String(word))));
         ASSERT_TRUE(go.open(QIODevice::WriteOnly));
     }
 
@@ -99,7 +104,7 @@ TEST_F(CommandOutputTest, ATroubleIsToldAndTriedAgain)
     EXPECT_EQ(reason, "/no/such/program could not be started: No such file or directory");
 }
 
-// REQ-TRANSMIT-17: "off" does not wait for an "on" that hangs, and runs once more when that has ended.
+// REQ-TRANSMIT-17: "off" does not wait for an "on" that hangs, and runs once more when both have ended.
 TEST_F(CommandOutputTest, OffDoesNotWaitForOn)
 {
     begin(kOnHangs);
@@ -109,11 +114,62 @@ TEST_F(CommandOutputTest, OffDoesNotWaitForOn)
     ASSERT_TRUE(tells(1));
     ASSERT_EQ(journal(), "on\noff\n");
     EXPECT_FALSE(output->isIdle()) << "\"on\" still runs";
-    letOnGo();
+    letGo("on");
     ASSERT_TRUE(fakes::waitUntil([this] { return journal() == "on\noff\nlate\noff\n"; }));
     ASSERT_TRUE(tells(2)) << "an \"off\" without a word of its end would never be let go";
     EXPECT_THAT(told, ElementsAre("off", "off"));
     EXPECT_TRUE(output->isIdle());
+}
+
+// An "on" that ends while "off" runs may have taken effect last. So that "off" does not count.
+// REQ-TRANSMIT-17
+TEST_F(CommandOutputTest, OffRunsAgainWhenOnEndedWithinIt)
+{
+    begin(kBothHang);
+    output->set(true);
+    ASSERT_TRUE(fakes::waitUntil([this] { return journal() == "on\n"; }));
+    output->set(false);
+    ASSERT_TRUE(fakes::waitUntil([this] { return journal() == "on\noff\n"; }));
+    letGo("on");
+    ASSERT_TRUE(tells(1)) << "\"on\" failed";
+    EXPECT_FALSE(output->isIdle()) << "\"off\" still runs";
+    letGo("off");
+    ASSERT_TRUE(tells(2));
+    EXPECT_EQ(journal(), "on\noff\nlate\noff\n");
+    EXPECT_EQ(told.back(), "off");
+    EXPECT_TRUE(output->isIdle());
+}
+
+// REQ-TRANSMIT-17
+TEST_F(CommandOutputTest, TheLastWordIsOffAlsoWhereOnEndedWithinIt)
+{
+    begin(kBothHang);
+    output->set(true);
+    ASSERT_TRUE(fakes::waitUntil([this] { return journal() == "on\n"; }));
+    output->set(false);
+    ASSERT_TRUE(fakes::waitUntil([this] { return journal() == "on\noff\n"; }));
+    letGo("on");
+    ASSERT_TRUE(tells(1));
+    letGo("off");
+    output.reset();  // it has not yet received the end of "off"
+    EXPECT_EQ(journal(), "on\noff\nlate\noff\n");
+}
+
+// A station lets go of an output that it no longer needs when a signal comes and the output is idle.
+// REQ-TRANSMIT-17
+TEST_F(CommandOutputTest, AnOutputThatIsNotIdleGivesASignalLater)
+{
+    begin(kBothHang);
+    output->set(true);
+    output->set(false);
+    output->set(true);
+    output->set(false);
+    letGo("on");
+    letGo("off");
+    bool wasIdle = false;
+    QObject::connect(output.get(), &TransmitOutput::reached, output.get(), [&] { wasIdle = output->isIdle(); });
+    EXPECT_TRUE(fakes::waitUntil([&] { return wasIdle; }));
+    EXPECT_EQ(told.back(), "off");
 }
 
 // REQ-TRANSMIT-17
@@ -136,7 +192,7 @@ TEST_F(CommandOutputTest, TheLastWordIsOffAlsoWhereOnHangs)
     output->set(false);
     ASSERT_TRUE(tells(1));
     ASSERT_EQ(journal(), "on\noff\n");
-    letOnGo();
+    letGo("on");
     output.reset();  // it has not yet received the end of "on"
     EXPECT_EQ(journal(), "on\noff\nlate\noff\n");
 }

@@ -6,8 +6,8 @@
 namespace boresight::wind {
 namespace {
 
-// REQ-WIND-01: The readings come by UDP to a port of this computer, 127.0.0.1 unless another address is named, from one
-// topic of the broker, or from a page of a web server. Anything else is refused.
+// REQ-WIND-01: The readings arrive by UDP at a port of this computer (at 127.0.0.1 unless the profile names another
+// address), from one topic of the broker, or from a page of a web server. Any other source is refused.
 TEST(WindSource, IsAPortATopicOrAPage)
 {
     EXPECT_EQ(parseSource(""), SourceName{});

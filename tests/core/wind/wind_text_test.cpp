@@ -6,14 +6,14 @@
 namespace boresight::wind {
 namespace {
 
-// -1: refused.
+// Returns -1 if the text is refused.
 double speedOf(std::string_view text, const Format& format = {})
 {
     return readWind(text, format).value_or(-1.0);
 }
 
-// REQ-WIND-02: A reading is a number, with the key or "wind" in front of it if the sender likes, or a JSON object with
-// the key. Points in the key lead into objects of the object.
+// REQ-WIND-02: A reading is a number, optionally preceded by the key or the word "wind", or a JSON object with the key.
+// A point in the key leads into an object inside the object.
 TEST(WindText, IsANumberOrAnObject)
 {
     EXPECT_EQ(speedOf("12.3"), 12.3);
@@ -35,8 +35,8 @@ TEST(WindText, IsConverted)
     EXPECT_NEAR(speedOf("500", {.unit = Unit::KilometresPerHour}), 138.889, 1e-3);
 }
 
-// REQ-WIND-04: What is no wind speed for sure is refused with the reason, and an unreadable number is never 0: garbage,
-// several numbers, negative speeds, more than 150 m/s, a missing key, more than 4096 bytes.
+// REQ-WIND-04: A text that is not clearly a wind speed is refused with the reason, and an unreadable number never
+// becomes 0: garbage, several numbers, negative speeds, more than 150 m/s, a missing key, more than 4096 bytes.
 TEST(WindText, AllElseIsRefused)
 {
     for (const char* const text : {"",
@@ -70,7 +70,7 @@ TEST(WindText, AllElseIsRefused)
     EXPECT_EQ(speedOf(std::string(4097, ' ') + "5"), -1.0);
     EXPECT_EQ(speedOf(std::string(4000, ' ') + "5"), 5.0);
     EXPECT_EQ(speedOf(std::string("5\0", 2)), -1.0);
-    EXPECT_EQ(readWind("strong", {}).error().text, QStringLiteral("the wind speed is no number"));
+    EXPECT_EQ(readWind("strong", {}).error().text, QStringLiteral("the wind speed is not a number"));
 }
 
 }  // namespace

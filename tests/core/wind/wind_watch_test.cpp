@@ -13,7 +13,7 @@ using Cause = WindWatch::Cause;
 class WindWatchTest : public ::testing::Test
 {
 protected:
-    // With a reading each second, where there is one.
+    // One reading each second; no reading if `speed` is empty.
     void blow(std::optional<double> speed, Seconds time)
     {
         constexpr Seconds kStep{0.1};
@@ -31,8 +31,8 @@ protected:
     WindWatch watch{now};
 };
 
-// REQ-WIND-05: The wind is too strong when the mean of the gust time is above the upper limit. One high reading among
-// several is no gust.
+// REQ-WIND-05: The wind is too strong when the mean over the gust time is above the upper limit. A single high reading
+// among several lower ones is no gust.
 TEST_F(WindWatchTest, AGustIsAMean)
 {
     blow(12.0, Seconds(10.0));
@@ -54,7 +54,7 @@ TEST_F(WindWatchTest, WithoutAMeanEachReadingCounts)
     EXPECT_EQ(watch.cause(), Cause::Wind);
 }
 
-// An anemometer that reports each 20 s.
+// An anemometer with one reading every 20 s.
 TEST_F(WindWatchTest, ARareReadingCountsUntilTheNext)
 {
     watch.take(16.0, now);
@@ -64,7 +64,7 @@ TEST_F(WindWatchTest, ARareReadingCountsUntilTheNext)
     EXPECT_FALSE(watch.isSilent());
 }
 
-// REQ-WIND-06: It stays too strong until the mean was below the lower limit for the calm time without a break.
+// REQ-WIND-06: A strong wind ends only when the mean was below the lower limit for the calm time without interruption.
 TEST_F(WindWatchTest, CalmMustLast)
 {
     blow(17.0, Seconds(3.0));
@@ -79,8 +79,8 @@ TEST_F(WindWatchTest, CalmMustLast)
     EXPECT_EQ(watch.peak(), 0.0);
 }
 
-// REQ-WIND-07: Without a reading the wind is unknown after the time of the profile, also when none ever came. Silence
-// never ends a strong wind. It counts as one where the profile wants that.
+// REQ-WIND-07: The wind is unknown after the time in the profile without a reading, also if there never was one.
+// Silence never ends a strong wind. If the profile says so, silence counts as a strong wind.
 TEST_F(WindWatchTest, SilenceIsUnknown)
 {
     blow(std::nullopt, Seconds(30.0));

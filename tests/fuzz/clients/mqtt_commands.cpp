@@ -27,7 +27,7 @@ public:
     Result<> park(const rotctld::Client&) override { return moved(); }
 };
 
-// What the first byte of an input selects.
+// The conditions that the first byte of an input selects.
 struct Chance
 {
     explicit Chance(std::uint8_t bits)

@@ -134,7 +134,7 @@ pid_t childOf(qint64 parent)
     return 0;
 }
 
-// Also where nobody has asked for its end yet.
+// True also for a process that has ended but was not waited for (a zombie).
 bool hasEnded(pid_t process)
 {
     QFile stat(QStringLiteral("/proc/%1/stat").arg(process));

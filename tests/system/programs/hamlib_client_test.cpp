@@ -102,7 +102,7 @@ TEST_F(HamlibClient, StopsMovesResetsAndAsksWhoWeAre)
     const Place first = position();
     expectAccepted({QStringLiteral("R"), QStringLiteral("1")});
     EXPECT_TRUE(comesTo(position()));
-    // It may have stopped before it began to move, slightly below 0°.
+    // The mount may have stopped before it began to move, slightly below 0°.
     EXPECT_LT(std::abs(std::remainder(first.azimuth, 360.0)), 100.0) << "S ended the way to 180°";
     expectAccepted({QStringLiteral("M"), QStringLiteral("16"), QStringLiteral("50"), QStringLiteral("p")});
     const Outcome outcome = rotctl({QStringLiteral("_")});

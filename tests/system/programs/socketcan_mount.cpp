@@ -52,8 +52,9 @@ std::optional<Truth> readTruth(const QString& line)
                  .elevationRate = number(5)};
 }
 
-// Even with its slow clock (slow_clock.cpp) a guest is slower than a computer at a mast, and the start of a program is
-// not interrupted. So this uses half the tick rate, and the longest time-out that a profile may have.
+// A guest is slower than a computer at a mast, although its clock is slowed (slow_clock.cpp). While a program starts,
+// the guest does not interrupt it for another program. So this profile has half the tick rate, and the longest time-out
+// that a profile may have.
 profile::Profile forASlowMachine()
 {
     profile::Profile slow;

@@ -123,9 +123,9 @@ TEST_F(DrivesTest, TheBusCanBeReleasedWhileTheDrivesAreRead)
     EXPECT_TRUE(named<CommandButton>("Release bus")->isEnabled());
     StationStatus fixing = samples::reading();
     fixing.drives->driveCheck = DriveCheckState::Fixing;
-    fixing.permissions.refuse(Action::ReleaseBus, QStringLiteral("the drives' settings are being written"));
+    fixing.permissions.refuse(Action::ReleaseBus, QStringLiteral("Boresight is writing the settings of the drives"));
     give(samples::update(fixing));
-    expectBlocked("Release bus", "settings are being written");
+    expectBlocked("Release bus", "is writing the settings");
 }
 
 TEST_F(DrivesTest, TheBusIsReleasedAndTakenBackByOneButton)

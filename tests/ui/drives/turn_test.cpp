@@ -113,7 +113,7 @@ TEST_F(TurnTest, WithoutAProposalNothingIsSelectedAndNothingCanBeSent)
         EXPECT_FALSE(button->isChecked());
     }
     EXPECT_FALSE(answer().isEnabled());
-    EXPECT_TRUE(answer().toolTip().contains(QLatin1String("first select where the axis stands")));
+    EXPECT_TRUE(answer().toolTip().contains(QLatin1String("first select the position of the axis")));
     QTest::mouseClick(place("225.1°"), Qt::LeftButton, {}, QPoint(10, 20));
     EXPECT_TRUE(place("225.1°")->isChecked());
     ASSERT_TRUE(answerable());

@@ -90,7 +90,7 @@ protected:
     JogButton& hold(Axis axis, bool upwards)
     {
         const char* const names[2][2] = {
-            {"Turn azimuth back at 1.0°/s while held", "Turn azimuth on at 1.0°/s while held"},
+            {"Turn azimuth counter-clockwise at 1.0°/s while held", "Turn azimuth clockwise at 1.0°/s while held"},
             {"Lower elevation at 1.0°/s while held", "Raise elevation at 1.0°/s while held"}};
         return inGuide<JogButton>(names[axis == Axis::Elevation][upwards]);
     }

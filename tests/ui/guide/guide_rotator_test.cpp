@@ -34,7 +34,7 @@ protected:
     }
 
     void choose(int kind) { inGuide<QComboBox>("What turns the mount").setCurrentIndex(kind); }
-    QComboBox& place() { return inGuide<QComboBox>("Where the rotator answers"); }
+    QComboBox& place() { return inGuide<QComboBox>("Port or address of the rotator"); }
     void enter(const char* where) { place().setEditText(QString::fromLatin1(where)); }
     QString words() { return inGuide<QPlainTextEdit>("Who answers").toPlainText(); }
     bool isShown(const char* name) { return findNamed<QWidget>(guide(), name)->isVisible(); }
@@ -69,7 +69,7 @@ protected:
 // moves.
 TEST_F(GuideRotatorTest, ARotctldIsConnectedByItsAddress)
 {
-    EXPECT_FALSE(isShown("Where the rotator answers"));
+    EXPECT_FALSE(isShown("Port or address of the rotator"));
     choose(kRotctld);
     EXPECT_FALSE(isShown("Adapters of this computer"));
     EXPECT_FALSE(isShown("Scan"));
@@ -186,7 +186,7 @@ TEST_F(GuideRotatorTest, WhatCannotBeAnAddressIsRefusedWithTheReason)
     choose(kRotctld);
     for (const char* const host : {"two words", "a/b", "[::1", "x]", "tower:", "tower:99999", "tower:port"}) {
         enter(host);
-        EXPECT_TRUE(whyNoConnect().contains(QStringLiteral("is no address"))) << host;
+        EXPECT_TRUE(whyNoConnect().contains(QStringLiteral("is not an address"))) << host;
     }
     enter("localhost");
     EXPECT_TRUE(whyNoConnect().contains(QStringLiteral("rotctld -t 4534"))) << whyNoConnect().toStdString();
@@ -194,7 +194,7 @@ TEST_F(GuideRotatorTest, WhatCannotBeAnAddressIsRefusedWithTheReason)
     choose(kGs232);
     for (const char* const port : {"ttyUSB0", "10.0.0.7"}) {
         enter(port);
-        EXPECT_TRUE(whyNoConnect().contains(QStringLiteral("is no address"))) << port;
+        EXPECT_TRUE(whyNoConnect().contains(QStringLiteral("is not an address"))) << port;
     }
 }
 

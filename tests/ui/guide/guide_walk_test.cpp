@@ -169,7 +169,7 @@ TEST_F(GuideWalk, FromTheFirstStartToTheFirstSafeMove)
     station->request({.id = 900, .request = request::PointSky{{.azimuth = 113_deg, .elevation = 10_deg}}});
     run(Seconds(0.2));
     EXPECT_LT(farthest.azimuth, 0.05_deg);
-    hold("Turn azimuth on at 1.0°/s while held", Seconds(3.0));
+    hold("Turn azimuth clockwise at 1.0°/s while held", Seconds(3.0));
     hold("Raise elevation at 1.0°/s while held", Seconds(3.0));
     ASSERT_TRUE(until([this] { return station->status().azimuth.state != AxisState::Moving; }, Seconds(5.0)));
     EXPECT_GT(farthest.azimuth, 0.5_deg);

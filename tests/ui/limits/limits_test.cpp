@@ -333,7 +333,7 @@ TEST_F(LimitsTest, AChangeFromElsewhereUnderEditsIsSaidAndKeepEditsJoinsBoth)
 TEST_F(LimitsTest, KeepOutsAreAddedAndRemovedByButtons)
 {
     auto* const table = named<QTableView>("Keep-outs");
-    QTest::mouseClick(named<QPushButton>("Add a keep-out around where the mount points"), Qt::LeftButton);
+    QTest::mouseClick(named<QPushButton>("Add a keep-out around the present direction of the mount"), Qt::LeftButton);
     ASSERT_EQ(table->model()->rowCount(), 3);
     EXPECT_EQ(table->currentIndex().row(), 2);
     EXPECT_EQ(table->model()->index(2, 1).data().toString(), QStringLiteral("10.0"));  // the mount points to 20°

@@ -335,8 +335,8 @@ TEST_F(ProfileDraftTest, ABusTypedByHandLeavesTheSimulationWhole)
     EXPECT_FALSE(draft.leavesSimulation());
 }
 
-// A north found meanwhile would count as changed together with the bus, and a north that was undone would count as
-// typed.
+// Without this decision, a north that was found meanwhile would count as changed together with the bus, and a north
+// whose change was undone would count as entered.
 // REQ-PROFILE-17a
 TEST_F(ProfileDraftTest, AChangeFromElsewhereIsDecidedUponBeforeTheSimulationIsLeft)
 {

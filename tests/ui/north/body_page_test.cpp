@@ -60,7 +60,7 @@ TEST_F(NorthTest, OverTheTopIsOfferedToABoomThatGoesThere)
     ASSERT_EQ(wanted<request::FollowBody>().size(), 1u);
     EXPECT_TRUE(wanted<request::FollowBody>().front().overTheTop);
     choose("Points by the Moon");
-    expectBlocked("Track Moon", "do not reach it over the top");
+    expectBlocked("Track Moon", "do not permit this direction over the top");
 
     give(samples::update(samples::followingOverTheTop()));
     choose("Points by the Sun");

@@ -134,7 +134,7 @@ TEST_F(NorthTest, TheRmsIsThatOfWhatIsProposed)
     EXPECT_TRUE(told.endsWith(QStringLiteral("χ² 0.012"))) << told.toStdString();
 }
 
-// Story: six stored points waited for a drive, and only "No fit of these points" was shown.
+// Story: six stored points waited for a drive, and only "No fit for these points" was shown.
 // REQ-NORTH-38i
 TEST_F(NorthTest, WhyThereIsNoFitIsSaid)
 {
@@ -144,7 +144,7 @@ TEST_F(NorthTest, WhyThereIsNoFitIsSaid)
     calibration.fit.reset();
     status.calibration = std::make_shared<const CalibrationStatus>(calibration);
     show(CalibrationStep::Model, status);
-    EXPECT_EQ(text("How well the model fits"), QStringLiteral("No fit of these points"));
+    EXPECT_EQ(text("How well the model fits"), QStringLiteral("No fit for these points"));
     calibration.noFit = QStringLiteral("they wait");
     status.calibration = std::make_shared<const CalibrationStatus>(calibration);
     give(samples::update(status));

@@ -55,6 +55,33 @@ TEST_F(NorthTest, TheSimulatedMountWithoutASensorOffersItsOwn)
     expectBlocked("Average", "The profile has no orientation sensor.");
 }
 
+// REQ-UI-1702: The page Sensor asks whether the sensor applies the declination of the site. The answer in force is
+// marked, its effect is shown beside it, and another answer changes the profile at once.
+TEST_F(NorthTest, TheDeclinationIsAQuestionWithTwoAnswers)
+{
+    StationStatus status = samples::heard();
+    status.sensor.declinationText = QStringLiteral("The sensor applies the declination (+5.07°).");
+    show(CalibrationStep::Sensor, status);
+    auto& yes = *named<CommandButton>("Yes, the sensor applies the declination");
+    auto& no = *named<CommandButton>("No, Boresight applies the declination");
+    EXPECT_TRUE(yes.isChecked());
+    EXPECT_FALSE(no.isChecked());
+    EXPECT_TRUE(text("Where the declination is applied").startsWith(QStringLiteral("The sensor applies")));
+    QTest::mouseClick(&no, Qt::LeftButton);
+    const auto applied = asked<request::ApplyProfile>();
+    ASSERT_EQ(applied.size(), 1u);
+    profile::Profile wanted = *status.profile;
+    wanted.sensor.declinationBy = geomagnetism::DeclinationBy::Boresight;
+    EXPECT_EQ(applied[0].profile, wanted);
+    give(samples::update(status));
+    EXPECT_TRUE(yes.isChecked()) << "until the station has the new profile in force";
+    EXPECT_FALSE(no.isChecked());
+    status.profile = std::make_shared<const profile::Profile>(wanted);
+    give(samples::update(status));
+    EXPECT_FALSE(yes.isChecked());
+    EXPECT_TRUE(no.isChecked());
+}
+
 // REQ-UI-978: Details shows, in the place of the dial, all that the sensor reports: revolutions, its time and
 // temperature, the firmware with unknown parts of its status, and refused data by reason. Old values show their age.
 // Copy copies it as text.

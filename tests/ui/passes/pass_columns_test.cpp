@@ -180,6 +180,61 @@ TEST_F(PassColumnsTest, ByItselfTheListHasWhatThereIsRoomFor)
     EXPECT_EQ(window.arrangement().passes.columns, QStringList());
 }
 
+// Story: the name of the ISS was elided, because the column Unwraps had room for "59:59 or flip" in each list.
+// REQ-PASSES-910: A column is as wide as what is seen of it. The name has the rest of the room. Columns after Unwraps
+// appear only where the name is whole.
+TEST_F(PassColumnsTest, TheNameHasTheRoomThatTheNumbersDoNotNeed)
+{
+    StationStatus status = withShortCable();
+    const std::string name = "ISS DEB [SPX-28 IPA FSE]";
+    status.satellites = std::make_shared<const std::vector<orbit::ElementSet>>(
+        std::vector{satellite(name.c_str(), 57212, 10_deg, status.utc)});
+    window.resize(1280, 800);
+    giveFound(status);
+    settle();
+    EXPECT_TRUE(isShown(PassTable::Unwraps));
+    const QFontMetrics metrics(table().font());
+    EXPECT_LE(metrics.horizontalAdvance(QString::fromStdString(name)) + 6, table().columnWidth(PassTable::Satellite));
+    EXPECT_EQ(table().horizontalScrollBar()->maximum(), 0);
+
+    profile::Profile profile = *status.profile;
+    profile.elevation.geometry.travel = {0_deg, 180_deg};
+    profile.limits.elevation = {0_deg, 180_deg};
+    status.profile = std::make_shared<const profile::Profile>(profile);
+    giveFound(status);
+    const auto flips = [this] {
+        for (int row = 0; row < rows(); ++row) {
+            if (cell(row, PassTable::Unwraps).endsWith(QStringLiteral("or flip"))) {
+                return row;
+            }
+        }
+        return -1;
+    };
+    ASSERT_TRUE(fakes::waitUntil([&] { return flips() >= 0; }));
+    table().scrollTo(table().model()->index(flips(), PassTable::Unwraps));
+    give(samples::update(status));
+    settle();
+    if (isShown(PassTable::Unwraps)) {
+        const QString text = cell(flips(), PassTable::Unwraps);
+        EXPECT_LE(metrics.horizontalAdvance(text) + 6, table().columnWidth(PassTable::Unwraps)) << text.toStdString();
+    }
+    const int wide = table().columnWidth(PassTable::Unwraps);
+    table().scrollToTop();
+    settle();
+    EXPECT_EQ(table().columnWidth(PassTable::Unwraps), wide) << "it does not dance";
+}
+
+// The numbers and their headings end at one line.
+// REQ-PASSES-910
+TEST_F(PassColumnsTest, AHeadingStandsAboveItsNumbers)
+{
+    giveFound(withShortCable());
+    for (int column = PassTable::Satellite; column < model().columnCount(); ++column) {
+        const QVariant cells = model().index(0, column).data(Qt::TextAlignmentRole);
+        EXPECT_EQ(model().headerData(column, Qt::Horizontal, Qt::TextAlignmentRole), cells) << column;
+    }
+}
+
 TEST_F(PassColumnsTest, AMenuChoosesTheColumns)
 {
     giveFound(withShortCable());

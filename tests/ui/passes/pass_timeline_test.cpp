@@ -3,6 +3,7 @@
 
 #include "tests/ui/event_loop.h"
 #include "tests/ui/passes/passes_fixture.h"
+#include "ui/passes/pass_views.h"
 #include "ui/sky/polar_plot.h"
 
 #include <QToolButton>
@@ -175,13 +176,60 @@ TEST_F(TimelineViewTest, TheSkyKeepsItsSizeInEachView)
 {
     const QSize sky = window.findChild<PolarPlot*>()->size();
     for (const char* const view : {"The elevation of the selected pass over time",
-                                   "The way of the selected satellite over the Earth", "The passes as a list"}) {
+                                   "The path of the selected satellite over the Earth", "The passes as a list"}) {
         QTest::mouseClick(named<QToolButton>(view), Qt::LeftButton);
         settle();
         EXPECT_EQ(window.findChild<PolarPlot*>()->size(), sky) << view;
         EXPECT_EQ(window.size(), QSize(1024, 700)) << view;
     }
     EXPECT_TRUE(table().isVisible());
+}
+
+// Story: at 1024×700 the map was 84 px high, and the timeline had three rows.
+// REQ-PASSES-911: In a low window the pictures have the room of the note, and a picture of one pass that of the filter.
+// The buttons that choose the view stay in their places.
+TEST_F(TimelineViewTest, APictureHasRoomInALowWindow)
+{
+    auto* const list = named<QToolButton>("The passes as a list");
+    const QPoint place = list->mapTo(&window, QPoint());
+    const std::pair<const char*, int> views[] = {{"The passes of the next 24 hours side by side", 100},
+                                                 {"The elevation of the selected pass over time", 140},
+                                                 {"The way of the selected satellite over the Earth", 140}};
+    for (const auto& [view, height] : views) {
+        QTest::mouseClick(named<QToolButton>(view), Qt::LeftButton);
+        settle();
+        ASSERT_EQ(window.size(), QSize(1024, 700));
+        EXPECT_GE(window.findChild<PassViews*>()->height(), height) << view;
+        EXPECT_EQ(list->mapTo(&window, QPoint()), place) << view;
+        EXPECT_FALSE(named<ValueLabel>("The selected pass")->isElided()) << view;
+    }
+    QTest::mouseClick(list, Qt::LeftButton);
+    settle();
+    EXPECT_TRUE(named<QLineEdit>("Satellites to list")->isVisible());
+}
+
+// A name is whole where it takes no more than a third of the timeline, and the selected satellite is in sight.
+// REQ-PASSES-911
+TEST(PassTimeline, ShowsTheNameAndTheRowOfTheSelectedPass)
+{
+    Timeline many;
+    for (int i = 0; i < 30; ++i) {
+        many.rows.push_back(
+            {.number = i + 1,
+             .name = QStringLiteral("ISS DEB [SPX-28 IPA FSE]"),
+             .bars = {{.rises = kTimelineNow, .highest = kTimelineNow + 5min, .sets = kTimelineNow + 9min}}});
+    }
+    PassTimeline timeline;
+    timeline.resize(700, 140);
+    timeline.setVisible(true);
+    timeline.setNow(kTimelineNow);
+    timeline.show(many);
+    EXPECT_GE(timeline.nameBox(0).width(), timeline.fontMetrics().horizontalAdvance(many.rows[0].name));
+    timeline.setSelected(25, kTimelineNow + 5min);
+    const QRectF bar = timeline.barBox(24, many.rows[24].bars[0]);
+    EXPECT_TRUE(QRectF(timeline.viewport()->rect()).contains(bar));
+    timeline.setSelected(1, kTimelineNow + 5min);
+    EXPECT_GE(timeline.barBox(0, many.rows[0].bars[0]).top(), 0.0);
 }
 
 }  // namespace

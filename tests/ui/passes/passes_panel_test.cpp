@@ -59,8 +59,9 @@ TEST_F(PassesPanelTest, SaysWhatToDoWithoutSatellites)
     EXPECT_TRUE(text("About the passes").startsWith(QStringLiteral("The site is not set.")));
 }
 
-// REQ-PASSES-990: What the list lacks can be added on the page itself. Without elements a button adds a file or a group
-// of CelesTrak to the profile at once, and a refusal stays readable. Without a site it opens that step of the guide.
+// REQ-PASSES-990: If elements or the site are missing, they can be added from the page of the passes. Without elements
+// a button adds a file or a group of CelesTrak to the profile at once, and a refusal stays readable. Without a site a
+// button opens that step of the guide.
 TEST_F(PassesPanelTest, TheButtonAddsElements)
 {
     StationStatus status = samples::idle();
@@ -191,14 +192,14 @@ TEST_F(PassesPanelTest, JudgesTheAgeOfTheElements)
 TEST_F(PassesPanelTest, TheViewAndFavouritesOnlyAreRemembered)
 {
     giveFound(withSatellites());
-    QTest::mouseClick(named<QToolButton>("The way of the selected satellite over the Earth"), Qt::LeftButton);
+    QTest::mouseClick(named<QToolButton>("The path of the selected satellite over the Earth"), Qt::LeftButton);
     QTest::mouseClick(named<QToolButton>("Favourites only"), Qt::LeftButton);
     WindowSettings next = settings();
     next.layout = window.arrangement();
     EXPECT_EQ(next.layout.passes, (PassesLayout{.view = PassViews::Map, .onlyFavourites = true}));
     MainWindow again(clock, next);
     EXPECT_EQ(again.arrangement().passes, next.layout.passes);
-    EXPECT_TRUE(findNamed<QToolButton>(again, "The way of the selected satellite over the Earth")->isChecked());
+    EXPECT_TRUE(findNamed<QToolButton>(again, "The path of the selected satellite over the Earth")->isChecked());
     EXPECT_TRUE(findNamed<QToolButton>(again, "Favourites only")->isChecked());
     next.layout.passes.view = 77;  // from a file that was edited by hand
     const MainWindow wrong(clock, next);

@@ -115,7 +115,7 @@ TEST_P(PassesPictures, AreTakenOfEachView)
     for (const auto& [scene, view] : {std::pair("passes", "The passes as a list"),
                                       std::pair("passes-timeline", "The passes of the next 24 hours side by side"),
                                       std::pair("passes-elevation", "The elevation of the selected pass over time"),
-                                      std::pair("passes-map", "The way of the selected satellite over the Earth")}) {
+                                      std::pair("passes-map", "The path of the selected satellite over the Earth")}) {
         QTest::mouseClick(named<ChoiceButton>(view), Qt::LeftButton);
         refresh();
         take(QLatin1String(scene));

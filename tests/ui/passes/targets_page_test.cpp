@@ -2,6 +2,7 @@
 #include "ui/passes/targets_page.h"
 
 #include "core/targets/track_rules.h"
+#include "tests/fakes/low_orbit.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/kit/command_button.h"
 #include "ui/kit/format.h"
@@ -11,6 +12,10 @@
 #include <QLineEdit>
 #include <QTabWidget>
 #include <QTableView>
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
 
 namespace boresight::ui {
 namespace {
@@ -37,6 +42,12 @@ protected:
     void show(const StationStatus& status) { give(samples::update(status)); }
     QTableView& table() { return *named<QTableView>("Targets in the sky"); }
     QString cell(int row, TargetTable::Column column) { return table().model()->index(row, column).data().toString(); }
+    // Whether some label of the window begins with this text.
+    [[nodiscard]] bool isTold(const QString& text)
+    {
+        const QList<ValueLabel*> labels = window.findChildren<ValueLabel*>();
+        return std::ranges::any_of(labels, [&](const ValueLabel* label) { return label->text().startsWith(text); });
+    }
     [[nodiscard]] QString trackedLast() { return asked<request::Track>().back().target.name; }
 };
 
@@ -158,6 +169,52 @@ TEST_F(TargetsPageTest, OffersOnlyWhatTheStationTracks)
     EXPECT_TRUE(track->toolTip().endsWith(QStringLiteral("keeps the beam away from the Sun.")));
 }
 
+// Story: a typed target was judged only after Track was pressed.
+// REQ-TARGETS-963: Track is offered for a typed target only while the station tracks it. Else the tooltip has the
+// reason: the text, the site, the age of the elements, a rise that is far off or does not come, the Sun, or a place
+// that the mount does not reach. Enter shows the same reason.
+TEST_F(TargetsPageTest, OffersOnlyATypedTargetThatTheStationTracks)
+{
+    StationStatus status = atSite();
+    orbit::ElementSet old = fakes::lowOrbit(status.utc - std::chrono::hours(24 * 90));
+    old.name = "OLDSAT";
+    status.satellites = std::make_shared<const std::vector<orbit::ElementSet>>(std::vector{old});
+    status.permissions.refuse(Action::TrackSun, QStringLiteral("the profile keeps the beam away from the Sun."));
+    judge = [](const SkyPointing& direction) {
+        return DirectionVerdict{.whyNot = direction.azimuth == 120_deg ? QStringLiteral("the mast") : QString()};
+    };
+    auto* const typed = named<QLineEdit>("Another target");
+    auto* const track = named<CommandButton>("Track");
+    const auto whyNot = [&](const char* target) {
+        typed->setText(QLatin1String(target));
+        show(status);  // asks the station
+        show(status);  // its answer
+        EXPECT_EQ(track->isEnabled(), track->obstacle().isEmpty());
+        return track->obstacle().toStdString();
+    };
+    EXPECT_EQ(whyNot(""), "Type a target first.");
+    EXPECT_THAT(whyNot("nonsense"), testing::StartsWith("\"nonsense\" is not a known satellite"));
+    EXPECT_THAT(whyNot("oldsat"), testing::StartsWith("The elements of OLDSAT are 90.0 days old."));
+    EXPECT_EQ(whyNot("sun"), "the profile keeps the beam away from the Sun.");
+    EXPECT_THAT(whyNot("radec 12,-80"), testing::EndsWith("does not rise within a day."));
+    EXPECT_EQ(whyNot("azel 120,30"), "forbidden: the mast");
+    QTest::keyClick(typed, Qt::Key_Return);
+    EXPECT_TRUE(isTold(QStringLiteral("forbidden: the mast")));
+    EXPECT_TRUE(requests.empty());
+    EXPECT_EQ(whyNot("azel 121,30"), "");
+    EXPECT_EQ(whyNot("IM58kr"), "");
+    EXPECT_EQ(whyNot("radec 12,80"), "") << "it never sets";
+    EXPECT_EQ(whyNot("table /home/me/pass.csv"), "") << "the station reads the file when it is asked";
+
+    profile::Profile nowhere = *status.profile;
+    nowhere.site.known = false;
+    status.profile = std::make_shared<const profile::Profile>(nowhere);
+    EXPECT_THAT(whyNot("IM58kr"), testing::StartsWith("The site of the mount is not set."));
+    EXPECT_EQ(whyNot("azel 121,30"), "") << "it needs no site";
+    status.permissions.refuse(Action::Track, QStringLiteral("STOP is latched."));
+    EXPECT_EQ(whyNot("azel 121,30"), "STOP is latched.");
+}
+
 // REQ-TARGETS-951: A typed target is tracked, with the same words as for boresightctl track. An invalid text is refused
 // with the reason, and no request is sent.
 TEST_F(TargetsPageTest, TracksWhatIsTyped)
@@ -174,11 +231,7 @@ TEST_F(TargetsPageTest, TracksWhatIsTyped)
     QTest::keyClicks(typed, QStringLiteral("nonsense"));
     QTest::keyClick(typed, Qt::Key_Return);
     EXPECT_EQ(asked<request::Track>().size(), 1U);
-    bool isTold = false;
-    for (const ValueLabel* const label : window.findChildren<ValueLabel*>()) {
-        isTold = isTold || label->text().startsWith(QStringLiteral("\"nonsense\" is not a known satellite"));
-    }
-    EXPECT_TRUE(isTold);
+    EXPECT_TRUE(isTold(QStringLiteral("\"nonsense\" is not a known satellite")));
 }
 
 // REQ-TARGETS-952: The table of a file is tracked by a button that asks for the file, or by its path in the field. The

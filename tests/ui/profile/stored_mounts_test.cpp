@@ -140,7 +140,8 @@ TEST_F(ProfilePageTest, AFileOfTheSimulatedMountDoesNotReplaceARealOnes)
     EXPECT_EQ(*profile::loadProfile(fieldFile), field);
 }
 
-// Otherwise it could be imported over the file of the real mount, with all calibrations from the simulation.
+// An export with the name of a bus could be imported over the file of the real mount, with all calibrations from the
+// simulation.
 // REQ-PROFILE-17a
 TEST_F(ProfilePageTest, AnExportFromASimulationNamesNoBus)
 {

@@ -45,7 +45,7 @@ protected:
     }
     SkyMarkers& markers() { return *plot.findChild<SkyMarkers*>(); }
     QColor pixel(QPointF at) { return plot.grab().toImage().pixelColor(at.toPoint()); }
-    // Nothing is drawn there or next to it.
+    // True if nothing is drawn at this direction or next to it.
     bool isFree(const SkyPointing& direction)
     {
         const QImage image = plot.grab().toImage();
@@ -95,7 +95,6 @@ TEST_F(PlotTest, ActualIsPaintedWhereItPointsAndOnlyWhileItIsLive)
 // was drawn as a part of them.
 // REQ-MOUNT-14: The plot shows the beam of a mount with one axis as a line of all its possible places. Forbidden areas
 // are drawn as they apply, and no text contains the missing angle.
-// is forbidden is drawn as it holds, and no text has the angle that is missing.
 TEST_F(PlotTest, TheBeamOfAMountWithOneAxisIsALine)
 {
     applyTheme(ThemeKind::Day);

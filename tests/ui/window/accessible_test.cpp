@@ -13,7 +13,8 @@
 #include <QSet>
 #include <QWindow>
 
-// What a screen reader reads and what the keyboard reaches: on each panel, in each step of the guide, on the help page.
+// What a screen reader announces and what the keyboard reaches: on each panel, in each step of the guide, on the help
+// page.
 namespace boresight::ui {
 namespace {
 
@@ -160,7 +161,7 @@ TEST_F(AccessibleTest, TabGoesFromAboveToBelow)
         std::string where;
         for (qsizetype i = 1; i < round.size(); ++i) {
             const bool both = isInPanel(round[i - 1]) && isInPanel(round[i]);
-            // Completely above it, not beside it in another column.
+            // The control is completely above the previous one, not beside it in another column.
             if (both && place(round[i]).bottom() < place(round[i - 1]).top()) {
                 ++upwards;
                 where += nameOf(*round[i - 1]) + " -> " + nameOf(*round[i]) + "; ";

@@ -19,7 +19,7 @@ QString windShown(const WindReadout& readout, const char* accessibleName)
     return findNamed<ValueLabel>(readout, accessibleName)->text();
 }
 
-// REQ-WIND-50: The window shows the wind and the age of its last reading below the axes, where the profile reads it.
+// REQ-WIND-50: If the profile reads the wind, the window shows the wind and the age of its last reading below the axes.
 TEST(WindReadout, IsThereOnlyWithASource)
 {
     WindReadout readout;
@@ -36,7 +36,7 @@ TEST(WindReadout, IsThereOnlyWithASource)
     EXPECT_EQ(windShown(readout, "What the wind forbids"), QStringLiteral("only Park moves the mount"));
 }
 
-// REQ-WIND-51: A speed that is not of now is not shown, and what is wrong stands beside it.
+// REQ-WIND-51: An old speed is not shown. The reason why there is no reading is shown instead.
 TEST(WindReadout, AnOldSpeedIsNotShown)
 {
     WindStatus silent = breeze();

@@ -119,9 +119,9 @@ TEST_F(StationAntenna, DirectionsAreThoseOfItsBeam)
     EXPECT_LT(angleBetween(*rig.control.directionBy(rig.profile.pointing), {175.9976_deg, 57.0605_deg}), 0.01_deg);
 }
 
-// REQ-ANTENNA-911: Choosing another antenna moves nothing. The choice is refused to clients, while a client's target is
-// tracked, on the way to a target, and for an antenna that is not in the profile. That refusal lists the antennas of
-// the profile.
+// REQ-ANTENNA-911: Choosing another antenna moves nothing. Clients cannot choose one. The choice is refused while a
+// client's target is tracked, and while the mount is on its way to a target. An antenna that is not in the profile is
+// refused, and the refusal lists the antennas of the profile.
 TEST_F(StationAntenna, ToChooseItMovesNothing)
 {
     ASSERT_EQ(ask(request::PointAxes{{100_deg, 30_deg}}), "");
@@ -137,9 +137,9 @@ TEST_F(StationAntenna, ToChooseItMovesNothing)
 
     ASSERT_TRUE(rig.point(200.0, 30.0, kOperator));
     rig.run(Seconds(1.0));
-    EXPECT_THAT(use("main"), HasSubstr("on its way to a target"));
+    EXPECT_THAT(use("main"), HasSubstr("moves to a target"));
     EXPECT_THAT(rig.control.status().permissions.reason(Action::UseAntenna).toStdString(),
-                HasSubstr("on its way to a target"));
+                HasSubstr("moves to a target"));
     rig.settle();
     EXPECT_EQ(use("main"), "");
     ASSERT_EQ(ask(request::GiveAuthority{}), "");
@@ -258,7 +258,7 @@ TEST_F(StationAntenna, FollowsTheProfile)
     profile::Profile without = wider;
     without.antennas.clear();
     without.satellites.clear();
-    EXPECT_THAT(ask(request::ApplyProfile{without}), HasSubstr("would move it"));
+    EXPECT_THAT(ask(request::ApplyProfile{without}), HasSubstr("would move the mount"));
     ASSERT_EQ(ask(request::Hold{}), "");
     rig.settle();
     EXPECT_EQ(ask(request::ApplyProfile{without}), "");
@@ -298,9 +298,9 @@ TEST_F(StationAntenna, AnotherChoiceForASatelliteMovesNoClientsBeam)
     ASSERT_EQ(inUse(), "70 cm");
     profile::Profile other = rig.profile;
     other.satellites[0].antenna = "13 cm";
-    EXPECT_THAT(ask(request::ApplyProfile{other}), HasSubstr("would move it"));
+    EXPECT_THAT(ask(request::ApplyProfile{other}), HasSubstr("would move the mount"));
     other.satellites.clear();
-    EXPECT_THAT(ask(request::ApplyProfile{other}), HasSubstr("would move it"));
+    EXPECT_THAT(ask(request::ApplyProfile{other}), HasSubstr("would move the mount"));
     EXPECT_EQ(inUse(), "70 cm");
 }
 
