@@ -36,7 +36,7 @@ Result<> fits(const profile::Profile& profile, const Capabilities& capabilities,
 }  // namespace
 
 Gs232Mount::Gs232Mount(const profile::InForce& profile, AlarmBoard& alarms, const AxisSet& axes)
-    : BoxMount(profile, alarms, axes, withStarts(kAxis, *profile, true), kAxis.step),
+    : BoxMount(profile, alarms, axes, withStarts(kAxis, *profile), kAxis.step),
       m_interlock(fits(*profile, capabilities(), Axis::Azimuth).and_then([&] {
           return fits(*profile, capabilities(), Axis::Elevation);
       })),

@@ -356,7 +356,12 @@ GuardedAxes::Surroundings GuardedAxes::surroundings(const AxisPosition& room) co
     const AxisBox& ranges = m_region.ranges();
     const AxisBox wide{.azimuth = around(Axis::Azimuth, box.azimuth, room.azimuth, ranges.azimuth),
                        .elevation = around(Axis::Elevation, box.elevation, room.elevation, ranges.elevation)};
-    if (m_region.permits(wide)) {
+    const bool isSeenInside = std::ranges::all_of(kAxes, [&](Axis axis) {
+        const std::optional<Angle>& seen = m_sights[index(axis)].place;
+        const TravelRange& range = axis == Axis::Azimuth ? ranges.azimuth : ranges.elevation;
+        return !seen || with(range, *seen) == range;
+    });
+    if (isSeenInside && m_region.permits(wide)) {
         return {.box = wide, .free = true};
     }
     const auto step = [this](Axis axis) {

@@ -116,8 +116,29 @@ void Motion::lead(const AxisPosition& place, const AxisRates& rates, SteadyTime 
     }
     const AxisPosition trimmed{.azimuth = place.azimuth + m_trim.azimuth,
                                .elevation = place.elevation + m_trim.elevation};
-    m_wanted =
-        Straight{.target = {.position = trimmed, .rates = rates, .streaming = rates != AxisRates{}}, .since = now};
+    const bool isMoving = rates != AxisRates{};
+    m_wanted = Straight{.target = {.position = trimmed, .rates = rates, .streaming = isMoving},
+                        .since = now,
+                        .pauses = !isMoving && pausesAt(trimmed)};
+}
+
+// The target moved until this call, and stands where the set-points stop.
+bool Motion::pausesAt(const AxisPosition& place) const
+{
+    const auto* const last = std::get_if<Straight>(&m_wanted);
+    if (!last || (!last->pauses && !last->target.streaming)) {
+        return false;
+    }
+    const AxisPosition stop = last->pauses ? last->target.position
+                                           : AxisPosition{m_axes.restOf(Axis::Azimuth), m_axes.restOf(Axis::Elevation)};
+    const bool isNear = abs(stop.elevation - place.elevation) < kSameEnd || !m_capabilities.has(Axis::Elevation);
+    return isNear && (abs(stop.azimuth - place.azimuth) < kSameEnd || !m_capabilities.has(Axis::Azimuth));
+}
+
+bool Motion::pauses() const
+{
+    const auto* const straight = std::get_if<Straight>(&m_wanted);
+    return straight && straight->pauses;
 }
 
 void Motion::run(const AxisRates& rates)
@@ -297,7 +318,7 @@ std::optional<tracking::MovingTarget> Motion::path(SteadyTime now) const
 
 bool Motion::follows(SteadyTime now) const
 {
-    const auto target = path(now);
+    const auto target = pauses() ? movingTarget(now) : path(now);
     return target && abs(target->position.azimuth - place().azimuth) < kFollows &&
            abs(target->position.elevation - place().elevation) < kFollows;
 }
@@ -322,12 +343,12 @@ Angle Motion::band(Axis axis, SteadyTime now) const
     return isWide ? std::max(m_band->width, m_capabilities.axes[index(axis)]->step) : Angle{};
 }
 
-// While the set-point stands still, the axis has to be there.
+// While the set-point stands still, the axis has to be there, except while tracking pauses.
 Angle Motion::slack(Axis axis, SteadyTime now) const
 {
     const tracking::Setpoint& here = setpoint(axis);
     const bool stands = here.rate == AngularRate{} && here.acceleration == AngularAcceleration{};
-    if (!m_capabilities.startsSeldom(axis) || !m_band || stands) {
+    if (!m_capabilities.startsSeldom(axis) || !m_band || (stands && !pauses())) {
         return {};
     }
     if (std::holds_alternative<AxisRates>(m_wanted)) {
@@ -357,6 +378,7 @@ std::array<tracking::Leeway, 2> Motion::leeway(SteadyTime now) const
         if (one.band > Angle{} && follows(now)) {
             const Angle lead = setpoint(axis).rate * kLeadTime;
             one.lead = std::clamp(lead, -one.band, one.band);
+            one.follows = true;
             one.halfBeam = m_band->halfBeam;
         }
         const Angle step = m_capabilities.has(axis) ? m_capabilities.axes[index(axis)]->step : Angle{};
@@ -368,6 +390,7 @@ std::array<tracking::Leeway, 2> Motion::leeway(SteadyTime now) const
         one.within = axis == Axis::Azimuth ? around.box.azimuth : around.box.elevation;
         if (!around.free) {
             one.band = one.lead = one.halfBeam = Angle{};
+            one.follows = false;
         }
     }
     return all;

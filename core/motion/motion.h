@@ -38,7 +38,8 @@ public:
     void confirmStream(SteadyTime now);                      // the client of the stream has read the position
     void settleStream();                                     // no more points: stop at the last one
     void keepOn(SteadyTime now);                             // the stream goes on straight without more points
-    // The target is at `place` now and moves at `rates` until the next call.
+    // The target is at `place` now and moves at `rates` until the next call. If a target that moved stands where the
+    // set-points stop, an axis whose motor starts seldom stays where it is.
     void lead(const AxisPosition& place, const AxisRates& rates, SteadyTime now);
     void run(const AxisRates& rates);
     void setTrim(const AxisPosition& trim);  // added to the points of streams
@@ -113,6 +114,7 @@ private:
     {
         tracking::MovingTarget target;
         SteadyTime since;
+        bool pauses = false;  // it moved before, and moves on later
     };
     using Wanted = std::variant<Resting, AxisPosition, tracking::TargetStream, Straight, AxisRates>;
 
@@ -126,6 +128,8 @@ private:
     };
 
     [[nodiscard]] std::optional<tracking::MovingTarget> movingTarget(SteadyTime now) const;
+    [[nodiscard]] bool pausesAt(const AxisPosition& place) const;
+    [[nodiscard]] bool pauses() const;
     [[nodiscard]] bool follows(SteadyTime now) const;
     [[nodiscard]] Angle jogLead(Axis axis) const;
     // How far from its set-point the axis may stand, if nothing is forbidden near it.

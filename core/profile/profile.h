@@ -59,18 +59,17 @@ struct AxisSettings
     bool operator==(const AxisSettings&) const = default;
 };
 
-// Whether motors are only switched on and off. Boresight then starts them seldom.
+// On for motors that are only switched on and off, to start them seldom.
 enum class RareStarts
 {
-    Auto,  // as it is usual for the driver
-    On,
-    Off
+    Off,
+    On
 };
 
 // Of motors that are only switched on and off. Zero stands for what Boresight computes or measures itself.
 struct RotatorSettings
 {
-    RareStarts rareStarts = RareStarts::Auto;
+    RareStarts rareStarts = RareStarts::Off;
     Angle deadBand{};
     int mostStarts = 30;  // of each motor in a minute; 0: any number
     Angle coast{};

@@ -19,10 +19,9 @@ QString tableOf(Axis axis)
     return axis == Axis::Azimuth ? QStringLiteral("azimuth") : QStringLiteral("elevation");
 }
 
-AxisCapabilities withStarts(AxisCapabilities each, const profile::Profile& profile, bool usually)
+AxisCapabilities withStarts(AxisCapabilities each, const profile::Profile& profile)
 {
-    const profile::RareStarts wanted = profile.rotator.rareStarts;
-    each.rareStarts = wanted == profile::RareStarts::Auto ? usually : wanted == profile::RareStarts::On;
+    each.rareStarts = profile.rotator.rareStarts == profile::RareStarts::On;
     return each;
 }
 

@@ -15,8 +15,8 @@ namespace boresight {
 [[nodiscard]] TravelRange stepsIn(const TravelRange& travel, Angle step);
 // "azimuth", "elevation": the table of an axis in the profile.
 [[nodiscard]] QString tableOf(Axis axis);
-// `usually`: the motors of this kind are only switched on and off. The profile may say otherwise.
-[[nodiscard]] AxisCapabilities withStarts(AxisCapabilities each, const profile::Profile& profile, bool usually);
+// A rotator does not report whether its motors are only switched on and off, so the profile does.
+[[nodiscard]] AxisCapabilities withStarts(AxisCapabilities each, const profile::Profile& profile);
 // The rotator counts its angles itself, and its count is the angle of the axis. So a sign or an offset in the profile
 // would have no effect, and is refused.
 [[nodiscard]] Result<> countsAsTheRotator(const profile::Profile& profile, Axis axis);

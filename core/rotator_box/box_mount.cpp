@@ -164,7 +164,7 @@ void BoxMount::beginSilence(MountFindings& found)
 {
     m_state.silent = true;
     m_motors.forget();
-    const bool followed = m_state.follows;
+    const bool followed = m_state.follows || m_state.wanted;
     if (followed) {
         stop();  // it may still receive what we write
         letGo();
@@ -420,7 +420,7 @@ void BoxMount::showSpared(Axis axis)
     const AlarmKey spared = alarmEntry("rotator.spared").of(axis);
     const Angle away = abs(mine.setpoint.position - mine.filter.place().value_or(mine.setpoint.position));
     const tracking::Leeway& leeway = m_motors.leeway(axis);
-    if (m_motors.axis(axis).spared() && leeway.follows() && away > leeway.halfBeam) {
+    if (m_motors.axis(axis).spared() && leeway.follows && away > leeway.halfBeam) {
         mine.late = m_now;
         m_alarms.raise(spared, {label(axis), degreesText(away, 0), QString::number(m_profile->rotator.mostStarts)});
     } else if (mine.late && (!m_state.follows || m_now - *mine.late > kOver)) {

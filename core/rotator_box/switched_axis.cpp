@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/rotator_box/switched_axis.h"
 
+#include "core/rotator_box/each_step.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -16,18 +18,13 @@ constexpr int kManyReadings = 8;
 constexpr Angle kMostBelieved = Angle::fromDegrees(5.0);  // of a coast; a person or the wind moved it farther
 constexpr Angle kOfAStep = Angle::fromDegrees(1e-6);
 
-Angle rounded(Angle angle, Angle step)
-{
-    return step * std::round(angle / step);
-}
-
 }  // namespace
 
 void SwitchedAxis::begin()
 {
     m_phase = Phase::Stands;
     m_spared = false;
-    m_aim = rounded(place(), m_habits.step);
+    m_aim = inSteps(place(), m_habits.step);
     m_target.reset();
 }
 
@@ -83,28 +80,37 @@ bool SwitchedAxis::standsAt(Angle target) const
     return m_phase == Phase::Stands && target > m_same.min - near && target < m_same.max + near;
 }
 
+bool SwitchedAxis::isOutside(const TravelRange& within) const
+{
+    const Angle near = 0.5 * m_habits.step + kOfAStep;
+    return place() < within.min - near || place() > within.max + near;
+}
+
 // Not beyond the leeway. If there is no step in it, the nearest step.
 Angle SwitchedAxis::aimOf(const tracking::Leeway& leeway) const
 {
     const Angle wanted =
         std::clamp(leeway.within.clamped(leeway.rest + leeway.lead), place() - kFarthest, place() + kFarthest);
-    Angle aim = rounded(wanted, m_habits.step);
+    Angle aim = inSteps(wanted, m_habits.step);
     if (aim > leeway.within.max + kOfAStep) {
         aim -= m_habits.step;
     } else if (aim < leeway.within.min - kOfAStep) {
         aim += m_habits.step;
     }
     const bool isInside = aim <= leeway.within.max + kOfAStep && aim >= leeway.within.min - kOfAStep;
-    return isInside ? aim : rounded(wanted, m_habits.step);
+    return isInside ? aim : inSteps(wanted, m_habits.step);
 }
 
-// The motor is switched off earlier by its coast, so that the axis stops at `aim`.
+// The motor is switched off earlier by its coast, so that the axis stops at `aim`. A motor that runs keeps such a
+// target until the axis is there.
 Angle SwitchedAxis::shortened(Angle aim) const
 {
     const Angle steps = m_habits.step * std::floor(coast() / m_habits.step + 1e-6);
     const Angle way = aim - place();
-    const Angle shorter = rounded(way > Angle{} ? aim - steps : aim + steps, m_habits.step);
-    return abs(way) > steps + m_habits.step ? shorter : aim;
+    const Angle shorter = inSteps(way > Angle{} ? aim - steps : aim + steps, m_habits.step);
+    const bool goesOn = m_phase == Phase::Runs && m_way * way > Angle{};
+    const bool isAhead = goesOn ? m_way * (shorter - place()) > Angle{} : abs(way) > steps + m_habits.step;
+    return isAhead ? shorter : aim;
 }
 
 bool SwitchedAxis::mayStart(SteadyTime now) const
@@ -127,29 +133,33 @@ bool SwitchedAxis::isDue(Angle aim, const tracking::Leeway& leeway, SteadyTime n
         const bool isOnward = m_way * (aim - *m_aim) > Angle{};
         // The axis may be there already, unseen. A target a little farther would start it again.
         const bool isLate = m_way * (leeway.rest - *m_aim) > -0.5 * abs(leeway.lead);
-        const bool endsNear = !isExact && abs(*m_aim - leeway.rest) <= std::max(leeway.band, m_habits.step);
-        return isOnward ? !waits && (isLate || !leeway.follows()) : !endsNear;
+        const bool endsNear = !isExact && leeway.within.contains(*m_aim) &&
+                              abs(*m_aim - leeway.rest) <= std::max(leeway.band, m_habits.step);
+        return isOnward ? !waits && (isLate || !leeway.follows) : !endsNear;
     }
     if (waits) {
         return false;
+    }
+    if (isOutside(leeway.within)) {
+        return true;  // a limit was moved
     }
     if (isExact) {
         return standsAt(aim) || abs(aim - place()) >= coast();  // otherwise it would stop no nearer
     }
     // A slew and a jog start with their lead, because a person waits for them.
-    const Angle band = std::max({leeway.band, m_habits.step, leeway.follows() ? coast() : Angle{}});
-    const Angle wanted = leeway.follows() ? leeway.rest : leeway.rest + leeway.lead;
-    if (standsAt(aim) || abs(wanted - place()) < band || (coasts() && leeway.follows())) {
+    const Angle band = std::max({leeway.band, m_habits.step, leeway.follows ? coast() : Angle{}});
+    const Angle wanted = leeway.follows ? leeway.rest : leeway.rest + leeway.lead;
+    if (standsAt(aim) || abs(wanted - place()) < band || (coasts() && leeway.follows)) {
         return false;
     }
-    m_spared = leeway.follows() && !mayStart(now);
+    m_spared = leeway.follows && !mayStart(now);
     return !m_spared;
 }
 
 // On a slew and in a jog the motor is sent on before it arrives, so it is not switched off earlier by its coast.
 Angle SwitchedAxis::targetFor(Angle aim, const tracking::Leeway& leeway) const
 {
-    const bool isSentOn = leeway.band > Angle{} && !leeway.follows();
+    const bool isSentOn = leeway.band > Angle{} && !leeway.follows;
     return isSentOn ? aim : shortened(aim);
 }
 
@@ -164,8 +174,9 @@ std::optional<Angle> SwitchedAxis::next(const tracking::Leeway& leeway, SteadyTi
     m_spared = false;
     const Angle aim = aimOf(leeway);
     const Angle target = targetFor(aim, leeway);
-    const bool isEnd =
-        m_phase == Phase::Runs && aim == m_aim && target != m_target && m_way * (target - place()) > m_habits.step;
+    // The coast may be known better than at the start. A target that is farther would start the motor again.
+    const bool isEnd = m_phase == Phase::Runs && aim == m_aim && m_target && m_way * (*m_target - target) > Angle{} &&
+                       m_way * (target - place()) > m_habits.step;
     if (!isEnd && !isDue(aim, leeway, now, waits)) {
         return std::nullopt;
     }
@@ -206,7 +217,7 @@ std::optional<Angle> SwitchedAxis::unchanged() const
     const Angle noise = m_readings < kManyReadings ? m_habits.count + kOfAStep : kOfAStep;
     const bool isThere =
         m_target && !isMiddleKnown() && *m_target >= m_same.min - noise && *m_target <= m_same.max + noise;
-    return m_target && (m_phase == Phase::Runs || isThere) ? *m_target : rounded(place(), m_habits.step);
+    return m_target && (m_phase == Phase::Runs || isThere) ? *m_target : inSteps(place(), m_habits.step);
 }
 
 MotorStarts SwitchedAxis::starts(SteadyTime now) const

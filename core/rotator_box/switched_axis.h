@@ -81,6 +81,7 @@ private:
 
     [[nodiscard]] bool isMiddleKnown() const;
     [[nodiscard]] bool standsAt(Angle target) const;
+    [[nodiscard]] bool isOutside(const TravelRange& within) const;
     [[nodiscard]] Angle coast() const
     {
         return std::min(m_habits.coast.value_or(m_coast.value_or(Angle{})), kMostCoast);

@@ -49,7 +49,7 @@ Result<> axisFits(const profile::Profile& profile, const RotatorState& state, Ax
 }  // namespace
 
 RotctldMount::RotctldMount(const profile::InForce& profile, AlarmBoard& alarms, const AxisSet& axes)
-    : BoxMount(profile, alarms, axes, withStarts(kAxis, *profile, false), kGrain), m_interlock(fits())
+    : BoxMount(profile, alarms, axes, withStarts(kAxis, *profile), kGrain), m_interlock(fits())
 {}
 
 QString RotctldMount::kindInWords() const

@@ -14,9 +14,8 @@ struct Leeway
     Angle rest;    // where the set-point stops if it brakes from this tick on
     Angle band{};  // the axis may stand this far from `rest`; 0: it has to be there
     Angle lead{};  // it may be sent this far beyond `rest`, with the sign of its motion
-    Angle halfBeam{};  // of the antenna, while the axis follows a moving target; otherwise 0
-
-    [[nodiscard]] bool follows() const { return halfBeam > Angle{}; }
+    bool follows = false;  // a target that is tracked, and where all around is free
+    Angle halfBeam{};      // of the antenna, while it follows
     bool operator==(const Leeway&) const = default;
 };
 

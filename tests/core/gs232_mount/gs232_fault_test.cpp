@@ -151,6 +151,26 @@ TEST(Gs232Stop, ALineThatWasAwayForAMomentEndsTheMotion)
     EXPECT_LT(bench.truth().azimuth, 100_deg);
 }
 
+// Story: after a hold the rotator was not taken over yet, so its broken line was no fault, and it moved on.
+TEST(Gs232Stop, ALineThatWasAwayWhileItIsTakenOverIsAFault)
+{
+    for (const double seconds : {0.04, 0.5, 1.0}) {
+        Gs232Bench bench(switchedProfile());
+        bench.run(Seconds(2.0));
+        ASSERT_TRUE(bench.goTo(200.0, 20.0));
+        bench.run(Seconds(4.0));
+        ASSERT_TRUE(bench.ask(request::Hold{}));
+        bench.run(Seconds(seconds));
+        bench.mount().lineClosed();
+        bench.mount().lineOpened();
+        bench.run(Seconds(3.0));
+        EXPECT_TRUE(bench.control().faultLatched()) << seconds;
+        EXPECT_TRUE(bench.standsOnBoard("rotator.silent")) << seconds;
+        bench.run(Seconds(8.0));
+        EXPECT_TRUE(bench.stands(Seconds(5.0)));
+    }
+}
+
 // REQ-GS232-24: A converter that alternates between two counts does not count as a motion.
 TEST(Gs232Stop, AFlickerOfOneCountIsNoMotion)
 {
@@ -191,7 +211,7 @@ TEST(Gs232Stop, ASlowMotorIsNotStuckAndABlockedOneIsInSpiteOfNoise)
 TEST(Gs232Stop, ALostStopOfASlowMotorIsRepeated)
 {
     for (const bool obeys : {true, false}) {
-        Gs232Bench bench;
+        Gs232Bench bench(switchedProfile());
         bench.setPace({0.12, 0.12});
         bench.run(Seconds(2.0));
         for (int i = 0; i < 8; ++i) {

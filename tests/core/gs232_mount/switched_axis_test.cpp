@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace boresight::gs232 {
 namespace {
 
@@ -33,8 +36,12 @@ protected:
     // Of a target that moves clockwise, followed by a beam of 10°.
     static Leeway following(Angle rest)
     {
-        return {
-            .within = {.min = 0_deg, .max = 450_deg}, .rest = rest, .band = 2_deg, .lead = 2_deg, .halfBeam = 5_deg};
+        return {.within = {.min = 0_deg, .max = 450_deg},
+                .rest = rest,
+                .band = 2_deg,
+                .lead = 2_deg,
+                .follows = true,
+                .halfBeam = 5_deg};
     }
     std::optional<Angle> send(const Leeway& leeway)
     {
@@ -49,6 +56,65 @@ protected:
     SteadyTime now = SteadyTime{} + std::chrono::hours(1);
     SwitchedAxis::Habits habits{.step = 1_deg, .count = 1_deg};
     SwitchedAxis axis{habits};
+};
+
+// An axis whose motor goes on by its coast at its own speed. The box reports whole degrees, and switches the motor off
+// at the degree of its target.
+class CoastingAxis
+{
+public:
+    CoastingAxis(double coast, double speed)
+        : m_speed(speed), m_coast(coast), m_axis({.step = 1_deg, .count = 1_deg, .coast = Angle::fromDegrees(coast)})
+    {
+        m_axis.see(100_deg, m_now);
+        m_axis.begin();
+    }
+
+    void run(Angle aim, Seconds time)
+    {
+        constexpr Seconds kPart{0.01};
+        const Leeway exact{.within = {.min = 0_deg, .max = 450_deg}, .rest = aim};
+        if (const auto target = m_axis.next(exact, m_now)) {
+            m_axis.sent(*target, m_now);
+            const double way = target->degrees() - shown();
+            m_starts += way != 0.0 && (m_left == 0.0 || !m_target) ? 1 : 0;
+            m_way = way < 0.0 ? -1.0 : 1.0;
+            m_target = way != 0.0 ? std::optional(target->degrees()) : std::nullopt;
+        }
+        for (Seconds left = time; left > Seconds(0.0); left -= kPart) {
+            move(m_speed * kPart.count());
+        }
+        m_now += std::chrono::duration_cast<SteadyTime::duration>(time);
+        m_axis.see(Angle::fromDegrees(shown()), m_now);
+    }
+    [[nodiscard]] double truth() const { return m_place; }
+    [[nodiscard]] int starts() const { return m_starts; }
+
+private:
+    [[nodiscard]] double shown() const { return std::round(m_place); }
+    void move(double way)
+    {
+        if (m_target) {
+            m_place += m_way * way;
+            m_left = m_coast;
+            if (m_way * (shown() - *m_target) >= 0.0) {
+                m_target.reset();
+            }
+        } else if (m_left > 0.0) {
+            m_place += m_way * std::min(way, m_left);
+            m_left = std::max(m_left - way, 0.0);
+        }
+    }
+
+    SteadyTime m_now = SteadyTime{} + std::chrono::hours(1);
+    double m_speed;
+    double m_coast;
+    double m_place = 100.0;
+    double m_way = 1.0;
+    double m_left = 0.0;             // of its coast
+    std::optional<double> m_target;  // while the motor runs
+    int m_starts = 0;
+    SwitchedAxis m_axis;
 };
 
 // REQ-GS232-32: While a target is followed, an axis stands until its set-point is farther away than the dead-band. Then
@@ -127,7 +193,8 @@ TEST_F(SwitchedAxisTest, NoiseStartsNothing)
     EXPECT_EQ(starts(), 1U);
 }
 
-// REQ-GS232-35: The limit of starts makes tracking coarser. It delays no axis that has to be exact, and none that runs.
+// REQ-GS232-35: The limit of starts makes tracking coarser. It delays no axis that has to be exact, as in a slew and
+// beside a keep-out, and none that runs.
 TEST_F(SwitchedAxisTest, TheLimitMakesTrackingCoarser)
 {
     habits.mostStarts = 2;
@@ -168,6 +235,43 @@ TEST_F(SwitchedAxisTest, StopsEarlierByItsCoast)
     habits.coast = 1_deg;
     axis.setHabits(habits);
     EXPECT_EQ(send(exact(110_deg)), 111_deg) << "as the profile says";
+}
+
+// Story: within a step of the earlier stop, the full target was sent after all. It started the motor again, and the
+// axis ended beyond it by its coast.
+TEST(SwitchedAxisCoast, EndsEachWayAtItsAimWithOneStart)
+{
+    constexpr Seconds kReading{0.25};
+    for (const double coast : {1.0, 2.0}) {
+        for (const int degrees : {5, 6, 7, 8, 9, 10, 11, 12, -5, -8, -12}) {
+            for (const double speed : {1.0, 2.0, 3.0, 4.0, 5.0, 6.0}) {
+                CoastingAxis axis(coast, speed);
+                const Angle aim = Angle::fromDegrees(100 + degrees);
+                for (Seconds time{}; time < Seconds(25.0); time += kReading) {
+                    axis.run(aim, kReading);
+                }
+                EXPECT_NEAR(axis.truth(), aim.degrees(), 1.0) << coast << " " << degrees << " " << speed;
+                EXPECT_EQ(axis.starts(), 1) << coast << " " << degrees << " " << speed;
+            }
+        }
+    }
+}
+
+// REQ-GS232-68: A limit that is tightened calls back an axis whose lead is beyond it, whether it runs or stands.
+TEST_F(SwitchedAxisTest, ATightenedLimitCallsItBack)
+{
+    ASSERT_EQ(send(following(102_deg)), 104_deg);
+    see(101_deg);
+    Leeway tightened = following(102_deg);
+    tightened.within.max = 103_deg;
+    EXPECT_EQ(send(tightened), 103_deg);
+    rest(103_deg);
+    EXPECT_FALSE(send(tightened));
+    tightened.within.max = 102_deg;
+    EXPECT_EQ(send(tightened), 102_deg);
+    EXPECT_EQ(starts(), 2U);
+    rest(102_deg);
+    EXPECT_FALSE(send(tightened));
 }
 
 TEST_F(SwitchedAxisTest, AfterAStopNothingIsLeft)

@@ -20,7 +20,7 @@ void jog(Gs232Bench& bench, const AxisRates& rates, Seconds time)
 // REQ-GS232-39: Who releases a jog key or holds sends a stop at once. Nothing that waits is sent behind it.
 TEST(SwitchedMotorEnd, AReleasedKeyStopsTheMotorAtOnce)
 {
-    Gs232Bench bench;
+    Gs232Bench bench(switchedProfile());
     bench.run(Seconds(2.0));
     for (int i = 0; i < 40; ++i) {
         ASSERT_TRUE(bench.ask(request::Jog{.rates = {.azimuth = 6_deg_s}}));
@@ -47,7 +47,7 @@ TEST(SwitchedMotorJog, ATapMovesItWhileTheKeyIsDown)
 {
     for (const AngularRate rate : {6_deg_s, -6_deg_s, 1_deg_s, -1_deg_s}) {
         for (const int ticks : {2, 5, 8, 12}) {
-            Gs232Bench bench;
+            Gs232Bench bench(switchedProfile());
             bench.run(Seconds(2.0));
             ASSERT_TRUE(bench.goTo(100.0, 40.0));
             bench.run(Seconds(40.0));
@@ -73,7 +73,7 @@ TEST(SwitchedMotorJog, ATapMovesItWhileTheKeyIsDown)
 
 TEST(SwitchedMotorJog, AHeldKeyStartsTheMotorOnce)
 {
-    Gs232Bench bench;
+    Gs232Bench bench(switchedProfile());
     bench.run(Seconds(2.0));
     for (int i = 0; i < 150; ++i) {
         ASSERT_TRUE(bench.ask(request::Jog{.rates = {.azimuth = 6_deg_s}}));
@@ -85,7 +85,7 @@ TEST(SwitchedMotorJog, AHeldKeyStartsTheMotorOnce)
 
 profile::Profile wideBeam()
 {
-    profile::Profile profile = gs232Profile();
+    profile::Profile profile = switchedProfile();
     profile.mount.beamWidth = 40_deg;
     return profile;
 }
@@ -122,7 +122,7 @@ TEST(SwitchedMotorJog, OutOfTrackingMovesItsOwnAxisAlone)
 // REQ-GS232-66
 TEST(SwitchedMotorJog, OutOfASlewStopsBothAxesFirst)
 {
-    Gs232Bench bench;
+    Gs232Bench bench(switchedProfile());
     bench.run(Seconds(2.0));
     ASSERT_TRUE(bench.goTo(200.0, 80.0));
     bench.run(Seconds(4.0));
@@ -139,7 +139,7 @@ TEST(SwitchedMotorJog, ATapAfterASlewThatEndedBesideItsTargetMovesTheAxis)
 {
     for (const Angle coast : {1_deg, 2_deg}) {
         for (const AngularRate rate : {1_deg_s, -1_deg_s}) {
-            Gs232Bench bench;
+            Gs232Bench bench(switchedProfile());
             bench.box().faults().coast = coast;
             bench.run(Seconds(2.0));
             ASSERT_TRUE(bench.goTo(60.0, 40.0));
@@ -156,7 +156,7 @@ TEST(SwitchedMotorJog, ATapAfterASlewThatEndedBesideItsTargetMovesTheAxis)
 TEST(SwitchedMotorJog, HasNoLeadBeforeTheDirectionsAreConfirmed)
 {
     for (const AngularRate rate : {1_deg_s, -1_deg_s}) {
-        profile::Profile profile = gs232Profile();
+        profile::Profile profile = switchedProfile();
         profile.mount.directions = profile::Directions::Unconfirmed;
         profile.mount.beamWidth = 40_deg;
         Gs232Bench bench(profile);
@@ -174,7 +174,7 @@ TEST(SwitchedMotorJog, HasNoLeadBeforeTheDirectionsAreConfirmed)
 // A slew is no place beside a target: a wide way before its end does not count as tracking.
 TEST(SwitchedMotorState, ASlewIsNotOnTarget)
 {
-    profile::Profile profile = gs232Profile();
+    profile::Profile profile = switchedProfile();
     profile.mount.beamWidth = 2_deg;
     Gs232Bench bench(profile);
     bench.run(Seconds(2.0));

@@ -195,11 +195,10 @@ TEST_P(LaggingAxis, LeavesAKeepOut)
     EXPECT_FALSE(bench->control().faultLatched());
 }
 
-using profile::RareStarts;
-
-profile::Profile with(profile::Profile profile, RareStarts rareStarts)
+profile::Profile rareRotctldProfile()
 {
-    profile.rotator.rareStarts = rareStarts;
+    profile::Profile profile = rotctl::rotctldProfile();
+    profile.rotator.rareStarts = profile::RareStarts::On;
     return profile;
 }
 
@@ -213,14 +212,13 @@ std::unique_ptr<Bench> makeRotctld(const profile::Profile& profile)
     return std::make_unique<rotctl::RotctldBench>(profile);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Boxes, LaggingAxis,
-    testing::Values(
-        LaggingKind{"Gs232", [] { return gs232::gs232Profile(); }, makeGs232},
-        LaggingKind{"Gs232EachStep", [] { return with(gs232::gs232Profile(), RareStarts::Off); }, makeGs232},
-        LaggingKind{"Rotctld", [] { return rotctl::rotctldProfile(); }, makeRotctld},
-        LaggingKind{"RotctldRareStarts", [] { return with(rotctl::rotctldProfile(), RareStarts::On); }, makeRotctld}),
-    [](const auto& one) { return std::string(one.param.name); });
+INSTANTIATE_TEST_SUITE_P(Boxes, LaggingAxis,
+                         testing::Values(LaggingKind{"Gs232", [] { return gs232::gs232Profile(); }, makeGs232},
+                                         LaggingKind{"Gs232RareStarts", [] { return gs232::switchedProfile(); },
+                                                     makeGs232},
+                                         LaggingKind{"Rotctld", [] { return rotctl::rotctldProfile(); }, makeRotctld},
+                                         LaggingKind{"RotctldRareStarts", rareRotctldProfile, makeRotctld}),
+                         [](const auto& one) { return std::string(one.param.name); });
 
 }  // namespace
 }  // namespace boresight
