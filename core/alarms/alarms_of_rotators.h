@@ -107,6 +107,17 @@ inline constexpr std::array kRotatorAlarms{
                .kin = AlarmKin::Drive,
                .examples = {"azimuth drive"},
                .placeOf = "rotator.stuck"},
+    AlarmEntry{
+        .id = "rotator.spared",
+        .source = "%1",
+        .severity = Severity::Warning,
+        .what = QT_TRANSLATE_NOOP("Text", "The %1 is %2 away from its target, more than half the beam width"),
+        .action = QT_TRANSLATE_NOOP("Text", "Boresight waits, because the motor may start %3 times a minute"),
+        .remedy = QT_TRANSLATE_NOOP(
+            "Text", "Permit more starts on the page Profile (rotator.max_starts_per_min), or point less exactly."),
+        .help = AlarmHelp::OpenProfile,
+        .examples = {"azimuth drive", "7°", "4"},
+        .identifying = 1},
 };
 
 }  // namespace boresight

@@ -31,4 +31,12 @@ bool FirstMovesGuard::exceeded(const ControlParts& of) const
     return of.mount.follows() && m_moves.exceeded(rates, {rest(Axis::Azimuth), rest(Axis::Elevation)});
 }
 
+std::optional<Motion::Band> FirstMovesGuard::band(const profile::Profile& profile, const pointing::Antenna& antenna)
+{
+    if (profile.mount.directions != profile::Directions::Confirmed) {
+        return std::nullopt;
+    }
+    return Motion::Band{.width = profile.deadBand(antenna), .halfBeam = 0.5 * antenna.beamWidth};
+}
+
 }  // namespace boresight

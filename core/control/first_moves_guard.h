@@ -15,6 +15,10 @@ public:
     [[nodiscard]] Result<> admits(const ControlParts& of, const AxisRates& rates);
     // The motion that runs would stop outside the permitted small range.
     [[nodiscard]] bool exceeded(const ControlParts& of) const;
+    // How far beside its set-point an axis may stand. Empty before the directions are confirmed, because it would leave
+    // the permitted small range.
+    [[nodiscard]] static std::optional<Motion::Band> band(const profile::Profile& profile,
+                                                          const pointing::Antenna& antenna);
     // The permitted small range begins where the mount stands at this call.
     void beginAnew() { m_moves = {}; }
 

@@ -540,8 +540,11 @@ void StationControl::moveOn(Seconds step)
     } else {
         m_motion.brake(step);  // no motion with one axis alone, or with an axis whose place is unknown
     }
+    m_motion.setBand(FirstMovesGuard::band(*m_profile, m_antenna.inUse()));
+    const auto leeway = m_motion.leeway(m_now);
     for (const Axis axis : kAxes) {
         m_mount.command(axis, m_motion.setpoint(axis));
+        m_mount.setLeeway(axis, leeway[index(axis)]);
     }
 }
 

@@ -42,7 +42,8 @@ bool StatusReport::onTarget(Angle within) const
     }
     const Capabilities can = m_of.mount.capabilities();
     const auto near = [&](Axis axis, Angle away) {
-        return abs(away) < std::max(within, can.inexactness(axis) + kBetweenSteps);
+        const Angle inexactness = can.inexactness(axis) + m_of.motion.band(axis, m_of.now);
+        return abs(away) < std::max(within, inexactness + kBetweenSteps);
     };
     return near(Axis::Azimuth, target->azimuth - measured->azimuth) &&
            near(Axis::Elevation, target->elevation - measured->elevation);

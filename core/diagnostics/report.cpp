@@ -100,6 +100,18 @@ QString axisLine(const char* name, const AxisStatus& axis, const DriveStatus& dr
         .arg(drive.registers, axis.stateText);
 }
 
+QStringList startsLine(const char* name, const AxisStatus& axis)
+{
+    if (!axis.starts) {
+        return {};
+    }
+    return {QStringLiteral("%1 motor: %2 starts in the last minute, %3 since the mount was connected, coasts %4")
+                .arg(QLatin1String(name))
+                .arg(axis.starts->lastMinute)
+                .arg(axis.starts->total)
+                .arg(angleText(axis.starts->coast))};
+}
+
 QString joined(const QStringList& lines)
 {
     return lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
@@ -166,6 +178,7 @@ QString stationText(const StationStatus& status)
                       QStringLiteral("rotctld: listens on %1").arg(orUnknown(status.listening)),
                       axisLine("azimuth", status.azimuth, drives.azimuth),
                       axisLine("elevation", status.elevation, drives.elevation)};
+    lines << startsLine("azimuth", status.azimuth) << startsLine("elevation", status.elevation);
     if (status.broker.wanted) {
         lines << QStringLiteral("mqtt: %1%2%3")
                      .arg(status.broker.name,

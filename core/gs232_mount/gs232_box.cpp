@@ -60,7 +60,8 @@ void Gs232Box::run(Motor& motor, AngularRate speed, Seconds time)
         if (done == edge) {
             motor.runs = false;
             motor.target.reset();
-            motor.coast = way < Angle{} ? -std::min(kCoast, abs(way)) : std::min(kCoast, abs(way));
+            const Angle coast = m_faults.coast > kCoast ? m_faults.coast : std::min(kCoast, abs(way));
+            motor.coast = way < Angle{} ? -coast : coast;
         }
     }
     const Angle coasted = std::clamp(motor.coast, -farthest, farthest);
@@ -95,7 +96,8 @@ void Gs232Box::obey(const std::string& command, SteadyTime now)
     if (m_faults.refuses) {
         reply("?>\r\n", now);
     } else if (const auto answer = query(command)) {
-        const bool half = m_faults.halfLines && ++m_questions % 2 == 0;
+        ++m_questions;
+        const bool half = m_faults.halfLines && m_questions % 2 == 0;
         reply(half ? answer->substr(0, answer->size() / 2) : *answer + "\r\n", now);
     } else if (!move(command)) {
         reply("?>\r\n", now);
@@ -110,8 +112,12 @@ void Gs232Box::obey(const std::string& command, SteadyTime now)
 std::optional<std::string> Gs232Box::query(const std::string& command) const
 {
     const bool a = m_habits.dialect == Dialect::A;
-    const std::string azimuth = (a ? "+0" : "AZ=") + threeDigits(m_shown.azimuth + m_faults.offset);
-    const std::string elevation = (a ? "+0" : "EL=") + threeDigits(m_shown.elevation);
+    const auto noise = [this](int phase) {
+        constexpr std::array<double, 7> kNoise{0.0, 1.0, 1.0, -1.0, 0.0, -1.0, 1.0};
+        return Angle::fromDegrees(m_faults.worn ? kNoise[static_cast<std::size_t>(m_questions + phase) % 7] : 0.0);
+    };
+    const std::string azimuth = (a ? "+0" : "AZ=") + threeDigits(m_shown.azimuth + m_faults.offset + noise(0));
+    const std::string elevation = (a ? "+0" : "EL=") + threeDigits(m_shown.elevation + noise(3));
     if (command == "C") {
         return azimuth;
     }
@@ -160,7 +166,7 @@ bool Gs232Box::send(Axis axis, std::string_view digits)
         return true;  // the potentiometer already shows this degree
     }
     if (!motor.runs) {
-        ++m_starts;
+        ++motor.starts;
     }
     motor.target = target;
     motor.runs = true;
@@ -174,7 +180,7 @@ void Gs232Box::stop(Axis axis)
     if (m_faults.stuckRelay || !motor.runs) {
         return;
     }
-    motor.coast = *motor.target < motor.place ? -kCoast : kCoast;
+    motor.coast = *motor.target < motor.place ? -m_faults.coast : m_faults.coast;
     motor.target.reset();
     motor.runs = false;
 }

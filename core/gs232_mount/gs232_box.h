@@ -47,6 +47,8 @@ public:
         bool stuckMeter = false;               // the potentiometers keep their old values
         bool stuckRelay = false;               // a stop does not open the relays
         Angle offset{};                        // error of the reported azimuth
+        bool worn = false;                     // both potentiometers report the right count or one beside it
+        Angle coast = kCoast;                  // the way of a motor after its relay has opened
         std::array<double, 2> pace{1.0, 1.0};  // share of its speed that each motor reaches
     };
 
@@ -63,9 +65,10 @@ public:
 
     // The true position at the time of the last call.
     [[nodiscard]] AxisPosition truth() const { return {.azimuth = m_axes[0].place, .elevation = m_axes[1].place}; }
-    [[nodiscard]] int moves() const { return m_moves; }    // commands to move or stop, accepted so far
-    [[nodiscard]] int starts() const { return m_starts; }  // starts of a motor
-    [[nodiscard]] const std::deque<std::string>& heard() const { return m_heard; }  // without line ends
+    [[nodiscard]] int moves() const { return m_moves; }  // commands to move or stop, accepted so far
+    [[nodiscard]] int starts() const { return starts(Axis::Azimuth) + starts(Axis::Elevation); }
+    [[nodiscard]] int starts(Axis axis) const { return m_axes[index(axis)].starts; }  // starts of its motor
+    [[nodiscard]] const std::deque<std::string>& heard() const { return m_heard; }    // without line ends
     void moveOn(SteadyTime now);
 
 private:
@@ -76,6 +79,7 @@ private:
         std::optional<Angle> target;
         bool runs = false;
         Angle coast{};  // way that is still to come, with its sign
+        int starts = 0;
     };
     struct Due
     {
@@ -101,7 +105,6 @@ private:
     std::deque<std::string> m_heard;
     std::optional<SteadyTime> m_moved;
     int m_moves = 0;
-    int m_starts = 0;
     int m_questions = 0;
 };
 

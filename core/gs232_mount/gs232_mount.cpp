@@ -3,6 +3,7 @@
 
 #include "core/base/text.h"
 #include "core/gs232/box_command.h"
+#include "core/rotator_box/box_interlock.h"
 #include "core/units/degrees_text.h"
 
 namespace boresight::gs232 {
@@ -35,7 +36,7 @@ Result<> fits(const profile::Profile& profile, const Capabilities& capabilities,
 }  // namespace
 
 Gs232Mount::Gs232Mount(const profile::InForce& profile, AlarmBoard& alarms, const AxisSet& axes)
-    : BoxMount(profile, alarms, axes, kAxis),
+    : BoxMount(profile, alarms, axes, withStarts(kAxis, *profile), kAxis.step),
       m_interlock(fits(*profile, capabilities(), Axis::Azimuth).and_then([&] {
           return fits(*profile, capabilities(), Axis::Elevation);
       })),

@@ -18,6 +18,7 @@ struct AxisCapabilities
     std::optional<AngularRate> fastest{};  // empty: limited by the profile only
     Seconds silence{0.0};                  // without an answer for this time, an alarm is raised
     bool watchdog = false;                 // the axis stops by itself when no more commands arrive
+    bool rareStarts = false;               // the motor is only switched on and off, and has to start seldom
 };
 
 struct Capabilities
@@ -27,6 +28,7 @@ struct Capabilities
     [[nodiscard]] bool has(Axis axis) const { return axes[index(axis)].has_value(); }
     // An axis that runs to its target by itself may be far behind its set-point.
     [[nodiscard]] bool lags(Axis axis) const { return has(axis) && axes[index(axis)]->miss > Angle{}; }
+    [[nodiscard]] bool startsSeldom(Axis axis) const { return has(axis) && axes[index(axis)]->rareStarts; }
     // The largest distance between the place that an axis has reached and the place that was requested.
     [[nodiscard]] Angle inexactness(Axis axis) const
     {

@@ -9,6 +9,7 @@
 #include "core/messages/calibration_status.h"
 #include "core/messages/capabilities.h"
 #include "core/messages/drives_status.h"
+#include "core/messages/motor_starts.h"
 #include "core/messages/mount_line.h"
 #include "core/messages/permissions.h"
 #include "core/messages/position_status.h"
@@ -144,6 +145,7 @@ struct AxisStatus
     std::optional<double> torque;            // Nm
     std::optional<double> current;           // A, q axis
     std::optional<double> power;             // W, electrical
+    std::optional<MotorStarts> starts;       // of a motor that is only switched on and off
     bool turnKnown = false;                  // whether the wrap of the axis is known
     QString stateText;                       // e.g. "at travel limit 450.0°"; may be empty
 };

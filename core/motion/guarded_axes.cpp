@@ -67,6 +67,11 @@ bool within(const TravelRange& inner, const TravelRange& outer)
     return inner.min >= outer.min - pointing::kRounding && inner.max <= outer.max + pointing::kRounding;
 }
 
+TravelRange widened(const TravelRange& range, Angle by, const TravelRange& within)
+{
+    return {.min = std::max(range.min - by, within.min), .max = std::min(range.max + by, within.max)};
+}
+
 TravelRange with(const TravelRange& range, Angle place)
 {
     return {.min = std::min(range.min, place), .max = std::max(range.max, place)};
@@ -122,6 +127,8 @@ void GuardedAxes::start(Axis axis, Angle measured)
     (axis == Axis::Azimuth ? m_azimuth : m_elevation).reset(measured);
     m_swept.reset();
     m_leaves = false;
+    m_settles = m_settles && !startsSeldom();
+    m_aimed = false;
 }
 
 void GuardedAxes::setRegion(const pointing::Region& region, const pointing::PointingModel& pointing)
@@ -190,19 +197,31 @@ AxisBox GuardedAxes::fromSeen(AxisBox box) const
 }
 
 // True if no motion is wanted any more and the set-points stand still, but a slow rotator is still on its way there.
-// This ends once the rotator has arrived. If wind pushes it away later, its driver sends it back.
+// This ends once the rotator has arrived. If wind pushes it away later, its driver sends it back. An axis whose motor
+// starts seldom may stand beside its set-point, or run past it. So after each target it is taken over again where it
+// is, and a hold or a jog of the other axis does not start its motor.
 bool GuardedAxes::runsAfter(const AxisWish& azimuth, const AxisWish& elevation)
 {
     const auto isNothing = [](const AxisWish& wish) { return !wish.target && wish.rate == AngularRate{}; };
+    const bool hasTarget = azimuth.target || elevation.target;
+    m_aimed = m_aimed || hasTarget;
     if (!isNothing(azimuth) || !isNothing(elevation)) {
         m_settles = true;
-        return false;
+        return startsSeldom() && m_aimed && !hasTarget;
+    }
+    if (startsSeldom()) {
+        return m_settles;  // until start()
     }
     const bool isFar = std::ranges::any_of(kAxes, [this](Axis axis) {
         return lags(axis) && abs(*m_sights[index(axis)].place - setpoint(axis).position) > kRunsAfter;
     });
     m_settles = m_settles && (isFar || !atRest());
     return m_settles && atRest();
+}
+
+bool GuardedAxes::startsSeldom() const
+{
+    return std::ranges::any_of(kAxes, [this](Axis axis) { return m_capabilities.startsSeldom(axis); });
 }
 
 bool GuardedAxes::strays() const
@@ -311,6 +330,46 @@ void GuardedAxes::brake(Seconds duration, const AxisBox& within, const AxisWish&
 const tracking::Setpoint& GuardedAxes::setpoint(Axis axis) const
 {
     return (axis == Axis::Azimuth ? m_azimuth : m_elevation).setpoint();
+}
+
+Angle GuardedAxes::restOf(Axis axis) const
+{
+    const tracking::AxisProfile& profile = axis == Axis::Azimuth ? m_azimuth : m_elevation;
+    const TravelRange range = profile.untilRest();
+    const tracking::Setpoint& here = profile.setpoint();
+    const double way = here.rate != AngularRate{} ? here.rate.degrees() : here.acceleration.degrees();
+    return way > 0.0 ? range.max : way < 0.0 ? range.min : here.position;
+}
+
+GuardedAxes::Surroundings GuardedAxes::surroundings(const AxisPosition& room) const
+{
+    if (!m_enforced) {
+        return {.box = m_travel, .free = true};
+    }
+    AxisBox box = fromSeen(untilRest());
+    if (!m_region.permits(box)) {
+        return {.box = box};
+    }
+    const auto around = [&](Axis axis, const TravelRange& range, Angle by, const TravelRange& within) {
+        return widened(with(range, m_sights[index(axis)].place.value_or(range.min)), by, within);
+    };
+    const AxisBox& ranges = m_region.ranges();
+    const AxisBox wide{.azimuth = around(Axis::Azimuth, box.azimuth, room.azimuth, ranges.azimuth),
+                       .elevation = around(Axis::Elevation, box.elevation, room.elevation, ranges.elevation)};
+    const bool isSeenInside = std::ranges::all_of(kAxes, [&](Axis axis) {
+        const std::optional<Angle>& seen = m_sights[index(axis)].place;
+        const TravelRange& range = axis == Axis::Azimuth ? ranges.azimuth : ranges.elevation;
+        return !seen || with(range, *seen) == range;
+    });
+    if (isSeenInside && m_region.permits(wide)) {
+        return {.box = wide, .free = true};
+    }
+    const auto step = [this](Axis axis) {
+        return m_capabilities.has(axis) ? m_capabilities.axes[index(axis)]->step : Angle{};
+    };
+    box.azimuth = widened(box.azimuth, step(Axis::Azimuth), m_region.azimuthsAround(box));
+    box.elevation = widened(box.elevation, step(Axis::Elevation), m_region.elevationsAround(box));
+    return {.box = box};
 }
 
 AxisPosition GuardedAxes::place() const

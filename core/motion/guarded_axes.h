@@ -65,7 +65,19 @@ public:
     [[nodiscard]] bool atRest() const;
     // True in three cases. The way of the rotator to the set-points is not permitted any more, because an edge was
     // moved into it. The rotator was left behind there. Or no motion is wanted any more and the rotator is far behind.
+    // A rotator whose motors start seldom is also stray if no target is wanted any more, until it is taken over again.
     [[nodiscard]] bool stray() const { return m_stray; }
+    // Where both axes may be while the set-points are where they are: all that they pass until they stand still, the
+    // reported position, and `room` beside that, inside travel and limits. If another edge is in that box, it is not
+    // `free` and has at most a step beside.
+    struct Surroundings
+    {
+        pointing::AxisBox box;
+        bool free = false;
+    };
+    [[nodiscard]] Surroundings surroundings(const AxisPosition& room) const;
+    // Where the set-point stops if it brakes from this tick on.
+    [[nodiscard]] Angle restOf(Axis axis) const;
     // The shortest time until both axes stand still at `target`, if nothing is in the way.
     [[nodiscard]] Seconds restTime(const AxisPosition& target) const;
     // The axis was asked to go on, but is at an edge of the permitted region, or brakes for it.
@@ -89,6 +101,7 @@ private:
     [[nodiscard]] bool lags(Axis axis) const;
     [[nodiscard]] bool strays() const;
     [[nodiscard]] bool runsAfter(const AxisWish& azimuth, const AxisWish& elevation);
+    [[nodiscard]] bool startsSeldom() const;
     [[nodiscard]] pointing::AxisBox fromSeen(pointing::AxisBox box) const;
     void stepGuarded(Seconds duration, const AxisWish& azimuth, const AxisWish& elevation);
     void stepFree(Seconds duration, const AxisWish& azimuth, const AxisWish& elevation);
@@ -106,6 +119,7 @@ private:
     bool m_leaves = false;  // on its way out of a forbidden place
     bool m_stray = false;
     bool m_settles = false;                    // a motion was wanted, and the rotator has not arrived yet
+    bool m_aimed = false;                      // a target was wanted since the rotator was taken over
     std::optional<pointing::AxisBox> m_swept;  // permitted: all that was left to pass after the last step
     std::array<int, 2> m_held{};               // the direction in which each axis wants to move but may not: -1, 0, 1
 };

@@ -20,6 +20,20 @@ constexpr Angle kSameEnd = Angle::fromDegrees(0.5);
 // Behind a keep-out both of its sides can be equally near. The other side is used only if it is nearer by this much.
 constexpr Angle kSidePreference = Angle::fromDegrees(1.0);
 
+// A motor without speed control is faster than set-points that still speed up. It is switched on this late, so that it
+// does not stop on the way.
+constexpr Seconds kGather{0.9};
+constexpr Angle kMostGathered = Angle::fromDegrees(6.0);
+// A jog starts it at once. It must not arrive before the set-points have sped up.
+constexpr Seconds kJogLead{1.5};
+constexpr Angle kMostJogLead = Angle::fromDegrees(9.0);
+constexpr double kStepsOfJogLead = 1.4;
+constexpr double kOfJogLead = 0.8;  // a motor starts when this share of the lead is missing
+// Set-points that are nearer than this to a moving target follow it.
+constexpr Angle kFollows = Angle::fromDegrees(1.0);
+// The lead covers this time of the motion. A slow target needs less lead, because its motor starts seldom anyway.
+constexpr Seconds kLeadTime{20.0};
+
 Angle distance(const AxisPosition& a, const AxisPosition& b)
 {
     const double width = std::cos(a.elevation.radians());
@@ -102,8 +116,29 @@ void Motion::lead(const AxisPosition& place, const AxisRates& rates, SteadyTime 
     }
     const AxisPosition trimmed{.azimuth = place.azimuth + m_trim.azimuth,
                                .elevation = place.elevation + m_trim.elevation};
-    m_wanted =
-        Straight{.target = {.position = trimmed, .rates = rates, .streaming = rates != AxisRates{}}, .since = now};
+    const bool isMoving = rates != AxisRates{};
+    m_wanted = Straight{.target = {.position = trimmed, .rates = rates, .streaming = isMoving},
+                        .since = now,
+                        .pauses = !isMoving && pausesAt(trimmed)};
+}
+
+// The target moved until this call, and stands where the set-points stop.
+bool Motion::pausesAt(const AxisPosition& place) const
+{
+    const auto* const last = std::get_if<Straight>(&m_wanted);
+    if (!last || (!last->pauses && !last->target.streaming)) {
+        return false;
+    }
+    const AxisPosition stop = last->pauses ? last->target.position
+                                           : AxisPosition{m_axes.restOf(Axis::Azimuth), m_axes.restOf(Axis::Elevation)};
+    const bool isNear = abs(stop.elevation - place.elevation) < kSameEnd || !m_capabilities.has(Axis::Elevation);
+    return isNear && (abs(stop.azimuth - place.azimuth) < kSameEnd || !m_capabilities.has(Axis::Azimuth));
+}
+
+bool Motion::pauses() const
+{
+    const auto* const straight = std::get_if<Straight>(&m_wanted);
+    return straight && straight->pauses;
 }
 
 void Motion::run(const AxisRates& rates)
@@ -279,6 +314,86 @@ std::optional<tracking::MovingTarget> Motion::path(SteadyTime now) const
 {
     const auto target = movingTarget(now);
     return target && target->streaming ? target : std::nullopt;
+}
+
+bool Motion::follows(SteadyTime now) const
+{
+    const auto target = pauses() ? movingTarget(now) : path(now);
+    return target && abs(target->position.azimuth - place().azimuth) < kFollows &&
+           abs(target->position.elevation - place().elevation) < kFollows;
+}
+
+// The motor of a jog starts with the key, and stops with it. The lead is at least a step, wherever between two steps
+// the set-point is.
+Angle Motion::jogLead(Axis axis) const
+{
+    const auto* const rates = std::get_if<AxisRates>(&m_wanted);
+    const AngularRate rate = !rates ? AngularRate{} : axis == Axis::Azimuth ? rates->azimuth : rates->elevation;
+    if (rate == AngularRate{} || !m_capabilities.startsSeldom(axis)) {
+        return {};
+    }
+    const Angle least = kStepsOfJogLead * m_capabilities.axes[index(axis)]->step;
+    const Angle lead = std::clamp(abs(rate) * kJogLead, least, std::max(least, kMostJogLead));
+    return rate < AngularRate{} ? -lead : lead;
+}
+
+Angle Motion::band(Axis axis, SteadyTime now) const
+{
+    const bool isWide = m_band && m_capabilities.startsSeldom(axis) && follows(now);
+    return isWide ? std::max(m_band->width, m_capabilities.axes[index(axis)]->step) : Angle{};
+}
+
+// While the set-point stands still, the axis has to be there, except while tracking pauses.
+Angle Motion::slack(Axis axis, SteadyTime now) const
+{
+    const tracking::Setpoint& here = setpoint(axis);
+    const bool stands = here.rate == AngularRate{} && here.acceleration == AngularAcceleration{};
+    if (!m_capabilities.startsSeldom(axis) || !m_band || (stands && !pauses())) {
+        return {};
+    }
+    if (std::holds_alternative<AxisRates>(m_wanted)) {
+        return kOfJogLead * abs(jogLead(axis));
+    }
+    if (follows(now)) {
+        return band(axis, now);
+    }
+    const auto end = target(now);
+    const Angle left = end ? abs((axis == Axis::Azimuth ? end->azimuth : end->elevation) - here.position) : Angle{};
+    const Angle gathered = std::min(m_limits[index(axis)].speed * kGather, kMostGathered);
+    return left > gathered ? gathered : Angle{};
+}
+
+std::array<tracking::Leeway, 2> Motion::leeway(SteadyTime now) const
+{
+    std::array<tracking::Leeway, 2> all{};
+    if (!m_capabilities.startsSeldom(Axis::Azimuth) && !m_capabilities.startsSeldom(Axis::Elevation)) {
+        return all;
+    }
+    AxisPosition room;
+    for (const Axis axis : kAxes) {
+        tracking::Leeway& one = all[index(axis)];
+        one.rest = m_axes.restOf(axis);
+        one.band = slack(axis, now);
+        one.lead = one.band > Angle{} ? jogLead(axis) : Angle{};
+        if (one.band > Angle{} && follows(now)) {
+            const Angle lead = setpoint(axis).rate * kLeadTime;
+            one.lead = std::clamp(lead, -one.band, one.band);
+            one.follows = true;
+            one.halfBeam = m_band->halfBeam;
+        }
+        const Angle step = m_capabilities.has(axis) ? m_capabilities.axes[index(axis)]->step : Angle{};
+        (axis == Axis::Azimuth ? room.azimuth : room.elevation) = one.band + abs(one.lead) + step;
+    }
+    const GuardedAxes::Surroundings around = m_axes.surroundings(room);
+    for (const Axis axis : kAxes) {
+        tracking::Leeway& one = all[index(axis)];
+        one.within = axis == Axis::Azimuth ? around.box.azimuth : around.box.elevation;
+        if (!around.free) {
+            one.band = one.lead = one.halfBeam = Angle{};
+            one.follows = false;
+        }
+    }
+    return all;
 }
 
 bool Motion::limited(Axis axis) const

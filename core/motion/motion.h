@@ -6,6 +6,7 @@
 #include "core/messages/capabilities.h"
 #include "core/motion/guarded_axes.h"
 #include "core/profile/profile.h"
+#include "core/tracking/leeway.h"
 #include "core/tracking/target_stream.h"
 #include "core/units/sky.h"
 
@@ -37,7 +38,8 @@ public:
     void confirmStream(SteadyTime now);                      // the client of the stream has read the position
     void settleStream();                                     // no more points: stop at the last one
     void keepOn(SteadyTime now);                             // the stream goes on straight without more points
-    // The target is at `place` now and moves at `rates` until the next call.
+    // The target is at `place` now and moves at `rates` until the next call. If a target that moved stands where the
+    // set-points stop, an axis whose motor starts seldom stays where it is.
     void lead(const AxisPosition& place, const AxisRates& rates, SteadyTime now);
     void run(const AxisRates& rates);
     void setTrim(const AxisPosition& trim);  // added to the points of streams
@@ -52,6 +54,14 @@ public:
     void setArrival(profile::Arrival arrival) { m_arrival = arrival; }
     // While the wrap of an axis is unknown, the forbidden places are unknown, too, so only the travel counts.
     void enforceRegion(bool enforced) { m_axes.enforce(enforced); }
+    // How far beside a moving target an axis may stand whose motor is only switched on and off.
+    struct Band
+    {
+        Angle width;
+        Angle halfBeam;  // of the antenna
+    };
+    // Empty: each axis has to be at its set-point.
+    void setBand(const std::optional<Band>& band) { m_band = band; }
     // The present position of the rotator, if it is known.
     void setSeen(const std::optional<AxisPosition>& place) { m_axes.setSeen(place); }
 
@@ -69,6 +79,11 @@ public:
     [[nodiscard]] bool streaming(SteadyTime now) const;                      // the points look like a path in the sky
     [[nodiscard]] std::optional<tracking::MovingTarget> path(SteadyTime now) const;  // the position on that path
     [[nodiscard]] bool atRest() const { return m_axes.atRest(); }                    // both set-points stand still
+
+    // How far beside its set-point each axis may be sent. For a motor that is only switched on and off.
+    [[nodiscard]] std::array<tracking::Leeway, 2> leeway(SteadyTime now) const;
+    // How far beside a moving target the axis of such a motor may stand.
+    [[nodiscard]] Angle band(Axis axis, SteadyTime now) const;
 
     [[nodiscard]] const pointing::PermittedRegion& region() const { return m_axes.region(); }
     // The travel of the profile, ending at the last steps that the rotator can reach inside.
@@ -99,6 +114,7 @@ private:
     {
         tracking::MovingTarget target;
         SteadyTime since;
+        bool pauses = false;  // it moved before, and moves on later
     };
     using Wanted = std::variant<Resting, AxisPosition, tracking::TargetStream, Straight, AxisRates>;
 
@@ -112,6 +128,12 @@ private:
     };
 
     [[nodiscard]] std::optional<tracking::MovingTarget> movingTarget(SteadyTime now) const;
+    [[nodiscard]] bool pausesAt(const AxisPosition& place) const;
+    [[nodiscard]] bool pauses() const;
+    [[nodiscard]] bool follows(SteadyTime now) const;
+    [[nodiscard]] Angle jogLead(Axis axis) const;
+    // How far from its set-point the axis may stand, if nothing is forbidden near it.
+    [[nodiscard]] Angle slack(Axis axis, SteadyTime now) const;
     [[nodiscard]] std::optional<tracking::MovingTarget> permitted(const tracking::MovingTarget& target);
     void driveTo(const tracking::MovingTarget& target, SteadyTime now, Seconds step);
     void stepTo(const tracking::MovingTarget& goal, Seconds step);
@@ -126,6 +148,7 @@ private:
     std::array<AngularAcceleration, 2> m_hardest;
     bool m_hardBraking = false;
     profile::Arrival m_arrival;
+    std::optional<Band> m_band;
     Way m_way;
     struct Limited
     {

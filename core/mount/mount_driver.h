@@ -7,6 +7,7 @@
 #include "core/mount/mount_report.h"
 #include "core/profile/profile.h"
 #include "core/tracking/axis_profile.h"
+#include "core/tracking/leeway.h"
 #include "core/units/sky.h"
 
 #include <QString>
@@ -55,6 +56,8 @@ public:
     // The position of an axis that has begun to follow in this tick, once. Its first set-point must be there.
     [[nodiscard]] virtual std::optional<Angle> takeFollowing(Axis axis) = 0;
     virtual void command(Axis axis, const tracking::Setpoint& setpoint) = 0;
+    // How far beside its set-point an axis may be sent that moves by itself. With each command.
+    virtual void setLeeway(Axis /*axis*/, const tracking::Leeway& /*leeway*/) {}
     // Stops axes that move by themselves, and takes them over again where they are.
     virtual void retake() {}
     virtual void brakeHard(bool hard) = 0;  // the set-points brake as hard as the mount can

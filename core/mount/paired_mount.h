@@ -32,6 +32,7 @@ public:
     void engage() override;
     [[nodiscard]] std::optional<Angle> takeFollowing(Axis axis) override { return of(axis).takeFollowing(axis); }
     void command(Axis axis, const tracking::Setpoint& setpoint) override { of(axis).command(axis, setpoint); }
+    void setLeeway(Axis axis, const tracking::Leeway& leeway) override { of(axis).setLeeway(axis, leeway); }
     void retake() override;
     void brakeHard(bool hard) override;
     void seize() override;

@@ -42,6 +42,13 @@ std::vector<pointing::Antenna> Profile::allAntennas() const
     return all;
 }
 
+// To either side 0.15 of the beam costs 0.3 dB, and leaves what a motor needs to start within a quarter of the beam.
+Angle Profile::deadBand(const pointing::Antenna& antenna) const
+{
+    constexpr Angle kWidestBand = Angle::fromDegrees(5.0);
+    return rotator.deadBand > Angle{} ? rotator.deadBand : std::min(0.15 * antenna.beamWidth, kWidestBand);
+}
+
 pointing::Antenna Profile::antenna(const std::string& name) const
 {
     const std::vector<pointing::Antenna> all = allAntennas();

@@ -59,6 +59,24 @@ struct AxisSettings
     bool operator==(const AxisSettings&) const = default;
 };
 
+// On for motors that are only switched on and off, to start them seldom.
+enum class RareStarts
+{
+    Off,
+    On
+};
+
+// Of motors that are only switched on and off. Zero stands for what Boresight computes or measures itself.
+struct RotatorSettings
+{
+    RareStarts rareStarts = RareStarts::Off;
+    Angle deadBand{};
+    int mostStarts = 30;  // of each motor in a minute; 0: any number
+    Angle coast{};
+
+    bool operator==(const RotatorSettings&) const = default;
+};
+
 // What the drives do after the program has ended.
 enum class OnExit
 {
@@ -416,6 +434,7 @@ struct Profile
     std::vector<std::string> watchedBoards;  // boards that turn no axis: "3 polarisation" (WatchedBoard)
     AxisSettings azimuth = referenceAzimuth();
     AxisSettings elevation = referenceElevation();
+    RotatorSettings rotator;
     ControlSettings control;
     pointing::PointingTerms pointing;         // how the true direction differs from what the axes show
     std::vector<pointing::Antenna> antennas;  // in addition to the main antenna, which has the beam width of the mount
@@ -457,6 +476,8 @@ struct Profile
     {
         return pointing::termsFor(pointing, antenna, missing());
     }
+    // How far beside a moving target an axis may stand whose motor is only switched on and off.
+    [[nodiscard]] Angle deadBand(const pointing::Antenna& antenna) const;
     // The main antenna and all others, in the order of the file.
     [[nodiscard]] std::vector<pointing::Antenna> allAntennas() const;
     bool operator==(const Profile&) const = default;

@@ -165,6 +165,40 @@ void addLimits(std::vector<Setting>& list, const std::string& table, AxisSetting
         [axis](auto& p) -> auto& { return (p.*axis).timeoutMode; }));
 }
 
+void addRotator(std::vector<Setting>& list)
+{
+    list.push_back(choice(
+        "rotator.rare_starts", {"off", "on"}, Applies::OnReconnect,
+        {QT_TRANSLATE_NOOP("Text", "Rare motor starts"),
+         QT_TRANSLATE_NOOP("Text",
+                           "\"on\" starts the motors of a rotator seldom. Choose it if the control box only switches "
+                           "them on and off. \"off\" sends each step of the target.")},
+        [](auto& p) -> auto& { return p.rotator.rareStarts; }));
+    list.push_back(number(
+        "rotator.dead_band_deg", "°", {0.0, 10.0}, Applies::Now,
+        {QT_TRANSLATE_NOOP("Text", "Dead-band"),
+         QT_TRANSLATE_NOOP("Text",
+                           "With rare motor starts, a motor starts when a tracked target is this far away. Beside a "
+                           "keep-out, the horizon and the Sun there is no dead-band. 0: 0.15 of the beam width, at "
+                           "most 5°.")},
+        [](auto& p) -> auto& { return p.rotator.deadBand; }));
+    list.push_back(integer(
+        "rotator.max_starts_per_min", "", {0, 120}, Applies::Now,
+        {QT_TRANSLATE_NOOP("Text", "Most motor starts per minute"),
+         QT_TRANSLATE_NOOP("Text",
+                           "With rare motor starts, a motor starts at most this often in a minute while a target is "
+                           "tracked. The limit does not apply to a slew, to a jog, and beside a keep-out, the "
+                           "horizon or the Sun. 0: no limit.")},
+        [](auto& p) -> auto& { return p.rotator.mostStarts; }));
+    list.push_back(number(
+        "rotator.coast_deg", "°", {0.0, 2.0}, Applies::Now,
+        {QT_TRANSLATE_NOOP("Text", "Coast"),
+         QT_TRANSLATE_NOOP("Text",
+                           "With rare motor starts, how far an axis goes on when its motor is switched off. An axis "
+                           "that is nearer to its target stays there. 0: as Boresight measures it.")},
+        [](auto& p) -> auto& { return p.rotator.coast; }));
+}
+
 void addControl(std::vector<Setting>& list)
 {
     list.push_back(integer(
@@ -332,6 +366,7 @@ std::vector<Setting> makeSettings()
     }
     addPointing(list);
     addRegion(list);
+    addRotator(list);
     addControl(list);
     addSite(list);
     addGpredict(list);

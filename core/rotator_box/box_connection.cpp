@@ -103,6 +103,11 @@ void BoxConnection::describe(StationStatus& status) const
                    .sent = talk.counts().sent,
                    .received = talk.counts().received,
                    .dropped = talk.counts().unknown};
+    for (const Axis axis : kAxes) {
+        if (const auto starts = m_mount->starts(axis)) {
+            (axis == Axis::Azimuth ? status.azimuth : status.elevation).starts = starts;
+        }
+    }
 }
 
 }  // namespace boresight

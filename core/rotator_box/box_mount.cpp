@@ -3,6 +3,7 @@
 
 #include "core/alarms/catalogue.h"
 #include "core/base/text.h"
+#include "core/rotator_box/each_step.h"
 #include "core/units/degrees_text.h"
 
 #include <algorithm>
@@ -12,25 +13,8 @@
 namespace boresight {
 namespace {
 
-// The target is this far ahead of the set-point, because the next target comes half a second later.
-constexpr Seconds kAhead{0.6};
-// For a rotator that is slower than its profile says. It must not move far when the line fails.
-constexpr Angle kFarthest = 12_deg;
 // After this time without an answer an alarm is raised.
 constexpr std::chrono::seconds kPatience{3};
-
-Angle inSteps(Angle angle, Angle step)
-{
-    return step > Angle{} ? step * std::round(angle / step) : angle;
-}
-
-// The nearest position that the rotator can be sent to. For an angle inside the travel, the result is inside, too.
-Angle onStep(const TravelRange& travel, Angle angle, Angle step)
-{
-    const TravelRange steps = stepsIn(travel, step);
-    const bool isInside = angle >= travel.min && angle <= travel.max;
-    return isInside ? std::clamp(inSteps(angle, step), steps.min, steps.max) : inSteps(angle, step);
-}
 
 std::optional<AxisCapabilities> capabilitiesOf(const AxisSet& axes, Axis axis, const AxisCapabilities& each)
 {
@@ -39,40 +23,17 @@ std::optional<AxisCapabilities> capabilitiesOf(const AxisSet& axes, Axis axis, c
 
 }  // namespace
 
-TravelRange stepsIn(const TravelRange& travel, Angle step)
-{
-    constexpr double kRounding = 1e-6;  // steps
-    return {.min = step * std::ceil(travel.min / step - kRounding),
-            .max = step * std::floor(travel.max / step + kRounding)};
-}
-
-QString tableOf(Axis axis)
-{
-    return axis == Axis::Azimuth ? QStringLiteral("azimuth") : QStringLiteral("elevation");
-}
-
-// A new profile still has the default sign and offset, which belong to another mount. They are accepted.
-Result<> countsAsTheRotator(const profile::Profile& profile, Axis axis)
-{
-    const pointing::AxisGeometry& geometry = profile.axis(axis).geometry;
-    const pointing::AxisGeometry usual = profile::Profile().axis(axis).geometry;
-    const bool plain = geometry.sign == 1 && geometry.offset == Angle{};
-    if (plain || (geometry.sign == usual.sign && geometry.offset == usual.offset)) {
-        return {};
-    }
-    return failure(ErrorCode::Refused,
-                   Text::tr("This rotator counts its angles itself: %1.sign and %1.offset_deg have no "
-                            "effect on it. Set them to 1 and 0, and calibrate the count at its box.")
-                       .arg(tableOf(axis)));
-}
-
 BoxMount::BoxMount(const profile::InForce& profile, AlarmBoard& alarms, const AxisSet& axes,
-                   const AxisCapabilities& each)
+                   const AxisCapabilities& each, Angle count)
     : m_profile(profile),
       m_alarms(alarms),
       m_capabilities{.axes = {capabilitiesOf(axes, Axis::Azimuth, each), capabilitiesOf(axes, Axis::Elevation, each)}},
       m_each(each),
-      m_names{QStringLiteral("azimuth drive"), QStringLiteral("elevation drive")}
+      m_count(count),
+      m_names{QStringLiteral("azimuth drive"), QStringLiteral("elevation drive")},
+      m_axes{AxisOfBox{.watch = ObedienceWatch(each.rareStarts ? 2.0 * count : Angle{})},
+             AxisOfBox{.watch = ObedienceWatch(each.rareStarts ? 2.0 * count : Angle{})}},
+      m_motors(profile, m_capabilities, each.step, count)
 {}
 
 bool BoxMount::answers() const
@@ -136,6 +97,7 @@ void BoxMount::lineOpened()
         axis.filter.forget();
         axis.watch.release();
     }
+    m_motors.forget();
 }
 
 void BoxMount::observe(SteadyTime now)
@@ -167,7 +129,8 @@ void BoxMount::takePlaces(const RotatorTalk::Places& places)
             mine.jump = jump;
         }
         if (mine.filter.place() && mine.filter.placed() == m_now) {
-            mine.watch.place(inSteps(*mine.filter.place(), grain()), m_now);
+            mine.watch.place(inSteps(*mine.filter.place(), m_count), m_now);
+            m_motors.see(axis, *mine.filter.place(), m_now);
         }
     }
     if (placed()) {
@@ -202,7 +165,8 @@ MountFindings BoxMount::supervise(const MountSituation& /*known*/)
 void BoxMount::beginSilence(MountFindings& found)
 {
     m_state.silent = true;
-    const bool followed = m_state.follows;
+    m_motors.forget();
+    const bool followed = m_state.follows || m_state.wanted;
     if (followed) {
         stop();  // it may still receive what we write
         letGo();
@@ -239,6 +203,7 @@ void BoxMount::superviseAxis(Axis axis, MountFindings& found)
         lose(found, axis,
              {alarmEntry("rotator.jumped"), {label(axis), degreesText(jump->from, 0), degreesText(jump->to, 0)}});
     }
+    showSpared(axis);
     if (!answers()) {
         return;
     }
@@ -246,12 +211,12 @@ void BoxMount::superviseAxis(Axis axis, MountFindings& found)
         case ObedienceWatch::Verdict::Obeys:
             break;
         case ObedienceWatch::Verdict::SendAgain:
-            sendOrdered();
+            sendAgain(axis);
             break;
         case ObedienceWatch::Verdict::Stuck:
             lose(found, axis,
                  {alarmEntry("rotator.stuck"),
-                  {label(axis), degreesText(*of(axis).filter.place(), 0), degreesText(*of(axis).ordered, 0)}});
+                  {label(axis), degreesText(*of(axis).filter.place(), 0), degreesText(*targetOf(axis), 0)}});
             break;
         case ObedienceWatch::Verdict::StopAgain:
             talk().stop();
@@ -287,23 +252,28 @@ void BoxMount::loseAll(MountFindings& found, const AlarmCase& alarm)
 void BoxMount::begin()
 {
     m_state.follows = true;
+    m_motors.begin();
     for (const Axis axis : kAxes) {
         AxisOfBox& mine = of(axis);
         mine.begins = true;
         mine.watch.release();
-        mine.ordered =
-            m_capabilities.has(axis) ? std::optional(inSteps(*mine.filter.place(), m_each.step)) : std::nullopt;
+        if (m_capabilities.has(axis)) {
+            mine.ordered = inSteps(*mine.filter.place(), m_each.step);
+        }
     }
 }
 
 std::optional<Angle> BoxMount::takeFollowing(Axis axis)
 {
-    return std::exchange(of(axis).begins, false) ? report(axis).place : std::nullopt;
+    const auto place =
+        m_capabilities.startsSeldom(axis) ? std::optional(m_motors.axis(axis).place()) : report(axis).place;
+    return std::exchange(of(axis).begins, false) ? place : std::nullopt;
 }
 
 void BoxMount::stop()
 {
     talk().stop();
+    m_motors.stopped(m_now);
     for (const Axis axis : kAxes) {
         if (m_capabilities.has(axis)) {
             of(axis).watch.stopped(m_now);
@@ -319,9 +289,16 @@ void BoxMount::letGo()
     }
 }
 
+// Motors that are known to stand need no time for that, so a jog key has its effect at once.
 void BoxMount::retake()
 {
+    const bool isStanding = m_each.rareStarts && m_motors.stand() && !moves();
     stop();
+    for (AxisOfBox& axis : m_axes) {
+        if (isStanding) {
+            axis.watch.release();
+        }
+    }
     m_state.follows = false;
 }
 
@@ -363,40 +340,47 @@ void BoxMount::leave(profile::OnExit /*how*/)
     }
 }
 
-// The target is not farther ahead than the axis needs to stop: only the way up to that point is known to be permitted.
-Angle BoxMount::aimOf(Axis axis) const
+std::optional<MotorStarts> BoxMount::starts(Axis axis) const
 {
-    const tracking::Setpoint& setpoint = of(axis).setpoint;
-    const double rate = setpoint.rate.degrees();
-    const double stopping = rate * rate / (2.0 * m_profile->axis(axis).limits.acceleration.degrees());
-    const double ahead = std::min(std::abs(rate) * kAhead.count(), stopping);
-    const Angle aim = setpoint.position + Angle::fromDegrees(std::copysign(ahead, rate));
-    const auto& place = of(axis).filter.place();
-    return onStep(m_profile->axis(axis).geometry.travel,
-                  place ? std::clamp(aim, *place - kFarthest, *place + kFarthest) : aim, m_each.step);
+    return m_capabilities.startsSeldom(axis) ? std::optional(m_motors.axis(axis).starts(m_now)) : std::nullopt;
+}
+
+std::optional<Angle> BoxMount::targetOf(Axis axis) const
+{
+    return m_each.rareStarts ? m_motors.axis(axis).target() : of(axis).ordered;
 }
 
 void BoxMount::order()
 {
+    if (m_state.hard) {
+        return;
+    }
+    if (m_each.rareStarts) {
+        sendTo(m_motors.next(m_now));
+    } else {
+        orderEachStep();
+    }
+}
+
+void BoxMount::orderEachStep()
+{
     bool changed = false;
     for (const Axis axis : kAxes) {
         AxisOfBox& mine = of(axis);
-        if (const Angle aim = aimOf(axis); m_capabilities.has(axis) && aim != mine.ordered) {
+        const Angle aim = eachStep(mine.setpoint, m_profile->axis(axis), mine.filter.place(), m_each.step);
+        if (m_capabilities.has(axis) && aim != mine.ordered) {
             mine.ordered = aim;
             changed = true;
         }
     }
-    if (changed && !m_state.hard) {
+    if (changed) {
         sendOrdered();
     }
 }
 
 void BoxMount::sendOrdered()
 {
-    const auto target = [this](Axis axis) {
-        const AxisOfBox& mine = of(axis);
-        return mine.ordered ? mine.ordered : mine.filter.place();
-    };
+    const auto target = [this](Axis axis) { return of(axis).ordered ? of(axis).ordered : of(axis).filter.place(); };
     if (!goTo({.azimuth = target(Axis::Azimuth), .elevation = target(Axis::Elevation)})) {
         return;
     }
@@ -404,6 +388,46 @@ void BoxMount::sendOrdered()
         if (of(axis).ordered) {
             of(axis).watch.sent(*of(axis).ordered, m_now);
         }
+    }
+}
+
+void BoxMount::sendAgain(Axis axis)
+{
+    if (m_each.rareStarts) {
+        sendTo(m_motors.again(axis));
+    } else {
+        sendOrdered();
+    }
+}
+
+void BoxMount::sendTo(const SwitchedMotors::Targets& targets)
+{
+    const bool isAny = targets[0] || targets[1];
+    if (!isAny || !goTo(m_motors.command(targets))) {
+        return;
+    }
+    m_motors.sent(targets, m_now);
+    for (const Axis axis : kAxes) {
+        if (targets[index(axis)]) {
+            of(axis).watch.sent(m_motors.axis(axis).aim(), m_now);
+        }
+    }
+}
+
+// The alarm stays until the limit was no hindrance for a minute.
+void BoxMount::showSpared(Axis axis)
+{
+    constexpr std::chrono::minutes kOver{1};
+    AxisOfBox& mine = of(axis);
+    const AlarmKey spared = alarmEntry("rotator.spared").of(axis);
+    const Angle away = abs(mine.setpoint.position - mine.filter.place().value_or(mine.setpoint.position));
+    const tracking::Leeway& leeway = m_motors.leeway(axis);
+    if (m_motors.axis(axis).spared() && leeway.follows && away > leeway.halfBeam) {
+        mine.late = m_now;
+        m_alarms.raise(spared, {label(axis), degreesText(away, 0), QString::number(m_profile->rotator.mostStarts)});
+    } else if (mine.late && (!m_state.follows || m_now - *mine.late > kOver)) {
+        mine.late.reset();
+        m_alarms.clear(spared);
     }
 }
 

@@ -7,16 +7,17 @@
 #include "core/rotator_box/obedience_watch.h"
 #include "core/rotator_box/place_filter.h"
 #include "core/rotator_box/rotator_talk.h"
+#include "core/rotator_box/switched_motors.h"
 
 #include <array>
 #include <optional>
 #include <string>
 #include <string_view>
 
-// The driver of a rotator that moves to its target by itself: steps, no rates, no watchdog. The target is only as far
-// ahead of the set-point as the axis needs to stop, because the range beyond may be forbidden. A target is sent only
-// when its step changes, so taking the rotator over moves nothing. RotatorTalk has the protocol of each kind. No I/O:
-// bytes and time are passed in. Station thread only. Mechanical angles are those that the rotator counts.
+// The driver of a rotator that moves to its target by itself: steps, no rates, no watchdog. It is sent only where the
+// leeway of the control permits, because the range beyond may be forbidden. A target is sent only when it changes
+// (SwitchedMotors), so taking the rotator over moves nothing. RotatorTalk has the protocol of each kind. No I/O: bytes
+// and time are passed in. Station thread only. Mechanical angles are those that the rotator counts.
 namespace boresight {
 
 class BoxMount : public MountDriver
@@ -45,6 +46,8 @@ public:
     [[nodiscard]] std::optional<QString> identity(Axis axis) const override;
     [[nodiscard]] QString lastIdentity(Axis /*axis*/) const override { return {}; }
     [[nodiscard]] AxisReport report(Axis axis) const override;
+    // Empty: the rotator does not turn this axis.
+    [[nodiscard]] std::optional<MotorStarts> starts(Axis axis) const;
     [[nodiscard]] Result<> available() const override { return {}; }
     [[nodiscard]] MountService* service() override { return nullptr; }
     [[nodiscard]] const MountService* service() const override { return nullptr; }
@@ -53,6 +56,7 @@ public:
     void engage() override { m_state.wanted = !m_state.lost; }
     [[nodiscard]] std::optional<Angle> takeFollowing(Axis axis) override;
     void command(Axis axis, const tracking::Setpoint& setpoint) override { of(axis).setpoint = setpoint; }
+    void setLeeway(Axis axis, const tracking::Leeway& leeway) override { m_motors.setLeeway(axis, leeway); }
     void retake() override;
     void brakeHard(bool hard) override;
     void seize() override;
@@ -63,15 +67,15 @@ public:
 
 protected:
     // The references outlive this. `axes`: the axes that the rotator turns. `each`: the capabilities of each axis.
-    BoxMount(const profile::InForce& profile, AlarmBoard& alarms, const AxisSet& axes, const AxisCapabilities& each);
+    // `count`: the resolution of its positions. Smaller changes are noise of its sensor.
+    BoxMount(const profile::InForce& profile, AlarmBoard& alarms, const AxisSet& axes, const AxisCapabilities& each,
+             Angle count);
 
     // Sets the target of both axes, in steps. An axis that this mount does not turn is sent to where it is. False if
     // the rotator cannot be sent there.
     virtual bool goTo(const RotatorTalk::Places& target) = 0;
     // The advice while nothing answers.
     [[nodiscard]] virtual QString remedyOfNoAnswer() const = 0;
-    // The resolution for deciding whether an axis moves. Smaller changes are noise of its sensor.
-    [[nodiscard]] virtual Angle grain() const { return Angle{}; }
 
     [[nodiscard]] const profile::InForce& profile() const { return m_profile; }
     // The believed position, also of an axis that this mount does not turn.
@@ -82,12 +86,14 @@ protected:
 private:
     struct AxisOfBox
     {
-        PlaceFilter filter;
         ObedienceWatch watch;
-        std::optional<PlaceFilter::Jump> jump;  // not yet reported
+        PlaceFilter filter{};
+        std::optional<PlaceFilter::Jump> jump{};  // not yet reported
         tracking::Setpoint setpoint{};
-        std::optional<Angle> ordered;  // in steps: the last target, or the position at which it was taken over
-        bool begins = false;           // starts to follow, but takeFollowing() was not called yet
+        // Without rare starts, in steps: the last target, or the position at which it was taken over.
+        std::optional<Angle> ordered{};
+        std::optional<SteadyTime> late{};  // when the limit of starts last kept it far from its target
+        bool begins = false;               // starts to follow, but takeFollowing() was not called yet
     };
     struct State
     {
@@ -103,7 +109,6 @@ private:
     [[nodiscard]] bool answers() const;
     [[nodiscard]] bool placed() const;
     [[nodiscard]] bool moves() const;
-    [[nodiscard]] Angle aimOf(Axis axis) const;
     void takePlaces(const RotatorTalk::Places& places);
     void beginSilence(MountFindings& found);
     void showNoAnswer();
@@ -112,15 +117,22 @@ private:
     void begin();
     void stop();
     void letGo();
+    [[nodiscard]] std::optional<Angle> targetOf(Axis axis) const;
     void order();
+    void orderEachStep();
     void sendOrdered();
+    void sendAgain(Axis axis);
+    void sendTo(const SwitchedMotors::Targets& targets);
+    void showSpared(Axis axis);
 
     const profile::InForce& m_profile;
     AlarmBoard& m_alarms;
     Capabilities m_capabilities;
     AxisCapabilities m_each;
+    Angle m_count;
     std::array<QString, 2> m_names;
     std::array<AxisOfBox, 2> m_axes;
+    SwitchedMotors m_motors;  // with rare starts
     State m_state;
     std::optional<SteadyTime> m_heard;   // when the last answer came
     std::optional<SteadyTime> m_opened;  // when the line was opened or a position was last known
@@ -128,13 +140,5 @@ private:
     bool m_broke = false;  // since the last tick the line was lost, perhaps only for a moment, or nobody read it
     SteadyTime m_now{};    // of the current or last tick
 };
-
-// The multiples of `step` inside the travel; min > max if there is none.
-[[nodiscard]] TravelRange stepsIn(const TravelRange& travel, Angle step);
-// "azimuth", "elevation": the table of an axis in the profile.
-[[nodiscard]] QString tableOf(Axis axis);
-// The rotator counts its angles itself, and its count is the angle of the axis. So a sign or an offset in the profile
-// would have no effect, and is refused.
-[[nodiscard]] Result<> countsAsTheRotator(const profile::Profile& profile, Axis axis);
 
 }  // namespace boresight

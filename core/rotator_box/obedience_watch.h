@@ -3,6 +3,7 @@
 
 #include "core/base/clock.h"
 #include "core/units/quantity.h"
+#include "core/units/sky.h"
 
 #include <optional>
 
@@ -18,7 +19,7 @@ public:
     static constexpr std::chrono::seconds kSendAgain{2};
     static constexpr std::chrono::seconds kStuck{5};
     static constexpr std::chrono::seconds kCoast{3};  // after a stop; then it is stopped again
-    static constexpr std::chrono::seconds kRunsOn{6};
+    static constexpr int kMostRepeats = 3;            // one a second; then it runs on
     static constexpr std::chrono::seconds kStands{
         2};  // time without another position until the axis counts as standing
 
@@ -30,6 +31,10 @@ public:
         StopAgain,
         RunsOn
     };
+
+    // Positions within `noise` may be the same one, because the potentiometer is worn. With 0 only a flicker between
+    // two counts is no motion.
+    explicit ObedienceWatch(Angle noise) : m_noise(noise) {}
 
     void sent(Angle target, SteadyTime now);
     void stopped(SteadyTime now);
@@ -46,15 +51,25 @@ public:
 private:
     [[nodiscard]] Verdict judgeTarget(SteadyTime now);
     [[nodiscard]] Verdict judgeStop(SteadyTime now);
+    [[nodiscard]] bool leavesNoise(Angle place);
+    [[nodiscard]] bool isNoFlicker(Angle place);
+    void watchStop(Angle place, SteadyTime now);
 
+    Angle m_noise;
     std::optional<Angle> m_place;
     std::optional<Angle> m_before;        // the position before m_place
+    TravelRange m_same{};                 // the last positions that may be one
     std::optional<SteadyTime> m_changed;  // when the position last changed from a known one
     std::optional<Angle> m_target;
-    SteadyTime m_progress{};  // when the axis was last near its target, moved, or got another target
+    double m_way = 1.0;              // the direction of the target: -1, 1
+    std::optional<Angle> m_reached;  // the farthest position in this direction
+    SteadyTime m_progress{};         // when the axis was last near its target, moved, or got another target
     bool m_sentAgain = false;
     std::optional<SteadyTime> m_stopped;  // set until the axis was seen standing still
     SteadyTime m_lastStop{};
+    int m_repeats = 0;       // of the stop
+    TravelRange m_passed{};  // all positions since the stop
+    SteadyTime m_widened{};  // when m_passed last became wider
 };
 
 }  // namespace boresight

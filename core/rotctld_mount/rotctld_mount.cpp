@@ -4,13 +4,15 @@
 #include "core/alarms/catalogue.h"
 #include "core/base/bus_name.h"
 #include "core/base/text.h"
+#include "core/rotator_box/box_interlock.h"
 #include "core/rotctl/rotctl_error.h"
 #include "core/units/degrees_text.h"
 
 namespace boresight::rotctl {
 namespace {
 
-// Finer steps would move a rotator with gears to and fro without use. Its accuracy is not known.
+// Finer steps would move a rotator with gears to and fro without use. Its accuracy is not known, nor whether its motors
+// have a speed control.
 constexpr AxisCapabilities kAxis{.step = Angle::fromDegrees(0.1),
                                  .miss = ObedienceWatch::kMet + 0.5 * RotctldMount::kGrain,
                                  .fastest = {},
@@ -47,7 +49,7 @@ Result<> axisFits(const profile::Profile& profile, const RotatorState& state, Ax
 }  // namespace
 
 RotctldMount::RotctldMount(const profile::InForce& profile, AlarmBoard& alarms, const AxisSet& axes)
-    : BoxMount(profile, alarms, axes, kAxis), m_interlock(fits())
+    : BoxMount(profile, alarms, axes, withStarts(kAxis, *profile), kGrain), m_interlock(fits())
 {}
 
 QString RotctldMount::kindInWords() const

@@ -29,7 +29,6 @@ public:
 private:
     bool goTo(const RotatorTalk::Places& target) override;
     [[nodiscard]] QString remedyOfNoAnswer() const override;
-    [[nodiscard]] Angle grain() const override { return kGrain; }
     [[nodiscard]] Result<> fits() const;
     [[nodiscard]] std::optional<AxisPosition> standing() const;
     [[nodiscard]] AxisPosition permitted(const AxisPosition& place) const;

@@ -5,6 +5,7 @@
 #include "ui/kit/format.h"
 #include "ui/kit/value_label.h"
 #include "ui/kit/widest.h"
+#include "ui/window/motor_words.h"
 
 namespace boresight::ui {
 
@@ -181,9 +182,9 @@ void LinkLabels::showStatus(const StationStatus& status)
     setShown(*m_line, lineShown(status));
     m_line->setToolTip(status.line.kind.isEmpty() ? QString() : lineHelp(status));
     setShown(*m_azimuth, driveShown(tr("AZ"), status.azimuth, drivesOf(status).released));
-    m_azimuth->setToolTip(status.azimuth.stateText);
+    m_azimuth->setToolTip(axisHelp(status.azimuth));
     setShown(*m_elevation, driveShown(tr("EL"), status.elevation, drivesOf(status).released));
-    m_elevation->setToolTip(status.elevation.stateText);
+    m_elevation->setToolTip(axisHelp(status.elevation));
     setShown(*m_sensor, sensorShown(status.sensor));
     m_sensor->setToolTip(status.sensor.configured() ? sensorHelp(status.sensor) : QString());
     setShown(*m_transmit, transmitShown(status.transmit));

@@ -107,6 +107,7 @@ TEST(DiagnosticsBundle, HasWhatABugReportNeeds)
     rig.put("events.log", "the log\n");
     rig.put("events.log.1", "the older log\n");
     rig.put("Roof.memory.json", "{\"journal\": 1}");
+    rig.snapshot.status.azimuth.starts = MotorStarts{.lastMinute = 7, .total = 132, .coast = 1_deg};
     ASSERT_TRUE(writeBundle(rig.archive(), collect(rig.snapshot), kWhen));
     const QDir dir = rig.unpacked();
     EXPECT_EQ(Rig::read(dir, "events.log"), "the log\n");
@@ -122,7 +123,13 @@ TEST(DiagnosticsBundle, HasWhatABugReportNeeds)
     const QByteArray drives = Rig::read(dir, "drives.txt");
     EXPECT_TRUE(drives.contains("UNSAFE  servo.timeout_mode  found 12  wanted 10")) << drives.toStdString();
     EXPECT_TRUE(drives.contains("stopped from 2.00°/s after 0.42° and 310 ms")) << drives.toStdString();
-    EXPECT_TRUE(Rig::read(dir, "station.txt").contains(": No reply from elevation. Check its cable.\n"));
+    const QByteArray station = Rig::read(dir, "station.txt");
+    EXPECT_TRUE(station.contains(": No reply from elevation. Check its cable.\n"));
+    EXPECT_TRUE(
+        station.contains("azimuth motor: 7 starts in the last minute, 132 since the mount was connected, coasts "
+                         "1.000°\n"))
+        << station.toStdString();
+    EXPECT_FALSE(station.contains("elevation motor"));
 }
 
 // This holds for every file in the archive.

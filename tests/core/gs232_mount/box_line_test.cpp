@@ -140,6 +140,8 @@ public:
 
 struct Rig
 {
+    explicit Rig(const profile::Profile& settings = {}) : profile(settings) {}
+
     void run(Seconds time)
     {
         for (Seconds left = time; left > Seconds(0.0); left -= Seconds(0.02)) {
@@ -158,7 +160,7 @@ struct Rig
     fakes::ManualClock clock;
     EventLog log{clock};
     AlarmBoard alarms{log, clock};
-    profile::InForce profile{profile::Profile{}};
+    profile::InForce profile;
     Wire* wire = new Wire;
     std::unique_ptr<MountConnection> connection =
         rotatorBehind<Gs232Mount>(std::unique_ptr<BoxLine>(wire), {})(profile, clock, log, alarms);
@@ -201,6 +203,19 @@ TEST(Gs232Connection, AByteOfNoiseClosesNoLine)
     StationStatus status;
     rig.connection->describe(status);
     EXPECT_EQ(status.line.kind, QStringLiteral("GS-232A"));
+}
+
+// REQ-GS232-61: The status, the diagnostics and the window show how often each motor was started, and the coast.
+TEST(Gs232Connection, ReportsTheMotorStartsOfItsAxes)
+{
+    profile::Profile profile;
+    StationStatus status;
+    Rig{profile}.connection->describe(status);
+    EXPECT_FALSE(status.azimuth.starts) << "nobody says that its motors are only switched";
+    profile.rotator.rareStarts = profile::RareStarts::On;
+    Rig{profile}.connection->describe(status);
+    EXPECT_EQ(status.azimuth.starts, MotorStarts{});
+    EXPECT_EQ(status.elevation.starts, MotorStarts{});
 }
 
 TEST(Gs232Connection, ALineThatIsGoneIsAnAlarmAndNotACommand)

@@ -24,6 +24,14 @@ inline profile::Profile gs232Profile(profile::AxisDriver azimuth = profile::Axis
     return profile;
 }
 
+// With motors that start seldom.
+inline profile::Profile switchedProfile(profile::AxisDriver azimuth = profile::AxisDriver::Gs232)
+{
+    profile::Profile profile = gs232Profile(azimuth);
+    profile.rotator.rareStarts = profile::RareStarts::On;
+    return profile;
+}
+
 class Gs232Bench final : public Bench
 {
 public:

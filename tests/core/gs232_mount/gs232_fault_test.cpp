@@ -174,10 +174,30 @@ TEST(Gs232Stop, ASleepOfTheComputerEndsTheMotion)
     }
 }
 
+// Story: after a hold the rotator was not taken over yet, so its broken line was no fault, and it moved on.
+TEST(Gs232Stop, ALineThatWasAwayWhileItIsTakenOverIsAFault)
+{
+    for (const double seconds : {0.04, 0.5, 1.0}) {
+        Gs232Bench bench(switchedProfile());
+        bench.run(Seconds(2.0));
+        ASSERT_TRUE(bench.goTo(200.0, 20.0));
+        bench.run(Seconds(4.0));
+        ASSERT_TRUE(bench.ask(request::Hold{}));
+        bench.run(Seconds(seconds));
+        bench.mount().lineClosed();
+        bench.mount().lineOpened();
+        bench.run(Seconds(3.0));
+        EXPECT_TRUE(bench.control().faultLatched()) << seconds;
+        EXPECT_TRUE(bench.standsOnBoard("rotator.silent")) << seconds;
+        bench.run(Seconds(8.0));
+        EXPECT_TRUE(bench.stands(Seconds(5.0)));
+    }
+}
+
 // REQ-GS232-24: A converter that alternates between two counts does not count as a motion.
 TEST(Gs232Stop, AFlickerOfOneCountIsNoMotion)
 {
-    ObedienceWatch watch;
+    ObedienceWatch watch(Angle{});
     SteadyTime now = SteadyTime{} + std::chrono::hours(1);
     watch.place(89_deg, now);
     watch.place(90_deg, now);
@@ -188,6 +208,49 @@ TEST(Gs232Stop, AFlickerOfOneCountIsNoMotion)
         EXPECT_NE(watch.judge(now), ObedienceWatch::Verdict::RunsOn);
     }
     EXPECT_FALSE(watch.stopping());
+}
+
+// REQ-GS232-24
+TEST(Gs232Stop, ASlowMotorIsNotStuckAndABlockedOneIsInSpiteOfNoise)
+{
+    SteadyTime now = SteadyTime{} + std::chrono::hours(1);
+    ObedienceWatch slow(2_deg);
+    slow.place(90_deg, now);
+    slow.sent(100_deg, now);
+    ObedienceWatch blocked = slow;
+    bool isStuck = false;
+    for (int count = 0; count < 80; ++count) {
+        now += std::chrono::milliseconds(250);
+        slow.place(Angle::fromDegrees(90 + count / 12), now);  // 0.33 °/s
+        blocked.place(Angle::fromDegrees(90 + count % 3 - 1), now);
+        blocked.sent(Angle::fromDegrees(100 + count), now);
+        EXPECT_NE(slow.judge(now), ObedienceWatch::Verdict::Stuck);
+        isStuck = isStuck || blocked.judge(now) == ObedienceWatch::Verdict::Stuck;
+    }
+    EXPECT_TRUE(isStuck);
+}
+
+// REQ-GS232-67: A lost stop of a slow motor is noticed and repeated, also right behind its start.
+TEST(Gs232Stop, ALostStopOfASlowMotorIsRepeated)
+{
+    for (const bool obeys : {true, false}) {
+        Gs232Bench bench(switchedProfile());
+        bench.setPace({0.12, 0.12});
+        bench.run(Seconds(2.0));
+        for (int i = 0; i < 8; ++i) {
+            ASSERT_TRUE(bench.ask(request::Jog{.rates = {.azimuth = 6_deg_s}}));
+            bench.run(Seconds(0.1));
+        }
+        ASSERT_EQ(bench.box().starts(), 1);
+        bench.box().faults().stuckRelay = true;
+        ASSERT_TRUE(bench.ask(request::Hold{}));
+        bench.run(Seconds(1.0));
+        bench.box().faults().stuckRelay = !obeys;
+        bench.run(Seconds(7.0));
+        EXPECT_GE(bench.heardOf("S"), 2);
+        EXPECT_EQ(bench.standsOnBoard("rotator.runs-on"), !obeys);
+        EXPECT_TRUE(!obeys || bench.stands(Seconds(3.0)));
+    }
 }
 
 // A stop that works is sent only once.

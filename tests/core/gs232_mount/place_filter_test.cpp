@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace boresight::gs232 {
 namespace {
 
@@ -44,7 +46,7 @@ using Verdict = ObedienceWatch::Verdict;
 
 TEST(ObedienceWatch, AnAxisThatStandsIsSentAgainAndThenStuck)
 {
-    ObedienceWatch watch;
+    ObedienceWatch watch(2_deg);
     watch.place(10_deg, at(0.0));
     watch.sent(60_deg, at(0.0));
     EXPECT_EQ(watch.judge(at(1.9)), Verdict::Obeys);
@@ -57,7 +59,7 @@ TEST(ObedienceWatch, AnAxisThatStandsIsSentAgainAndThenStuck)
 
 TEST(ObedienceWatch, AStopIsRepeatedUntilTheAxisStands)
 {
-    ObedienceWatch watch;
+    ObedienceWatch watch(2_deg);
     double degrees = 10.0;
     watch.place(10_deg, at(0.0));
     watch.stopped(at(0.0));
@@ -74,7 +76,7 @@ TEST(ObedienceWatch, AStopIsRepeatedUntilTheAxisStands)
 
 TEST(ObedienceWatch, AnAxisThatCoastsHasObeyed)
 {
-    ObedienceWatch watch;
+    ObedienceWatch watch(2_deg);
     watch.place(10_deg, at(0.0));
     watch.stopped(at(0.0));
     watch.place(11_deg, at(0.3));
@@ -83,6 +85,44 @@ TEST(ObedienceWatch, AnAxisThatCoastsHasObeyed)
         EXPECT_EQ(watch.judge(at(time)), Verdict::Obeys);
     }
     EXPECT_FALSE(watch.stopping()) << "it was seen to stand";
+}
+
+// REQ-GS232-67
+TEST(ObedienceWatch, ALostStopOfASlowMotorIsRepeated)
+{
+    for (const double speed : {0.7, 1.0, 1.4}) {
+        for (const bool obeys : {true, false}) {
+            ObedienceWatch watch(2_deg);
+            watch.place(10_deg, at(0.0));
+            watch.stopped(at(0.0));
+            int again = 0;
+            bool runsOn = false;
+            double place = 10.0;
+            for (double time = 0.25; time < 12.0; time += 0.25) {
+                place += obeys && again > 0 ? 0.0 : 0.25 * speed;
+                watch.place(Angle::fromDegrees(std::floor(place)), at(time));
+                const Verdict verdict = watch.judge(at(time));
+                again += verdict == Verdict::StopAgain ? 1 : 0;
+                runsOn = runsOn || verdict == Verdict::RunsOn;
+            }
+            EXPECT_GE(again, 1) << speed;
+            EXPECT_EQ(runsOn, !obeys) << speed;
+            EXPECT_EQ(watch.stopping(), !obeys) << speed;
+        }
+    }
+}
+
+TEST(ObedienceWatch, TheNoiseOfAWornPotentiometerIsNoLostStop)
+{
+    ObedienceWatch watch(2_deg);
+    watch.place(10_deg, at(0.0));
+    watch.stopped(at(0.0));
+    for (int count = 1; count < 60; ++count) {
+        const double noise = count > 18 ? count % 3 - 1.0 : count % 2;  // one count appears late
+        watch.place(Angle::fromDegrees(10.0 + noise), at(0.25 * count));
+        EXPECT_EQ(watch.judge(at(0.25 * count)), Verdict::Obeys) << count;
+    }
+    EXPECT_FALSE(watch.stopping());
 }
 
 }  // namespace

@@ -36,6 +36,7 @@ protected:
     {
         m_profile = GetParam().profile();
         m_profile.limits.keepOuts = keepOuts;
+        m_profile.mount.beamWidth = beamWidth;
         bench = GetParam().make(m_profile);
         bench->run(Seconds(2.0));
     }
@@ -58,6 +59,7 @@ protected:
         runOutside(Seconds(1.0));
     }
 
+    Angle beamWidth = 10_deg;
     profile::Profile m_profile;
     std::unique_ptr<Bench> bench;
 };
@@ -80,6 +82,29 @@ TEST_P(LaggingAxis, FollowsAPathOverAKeepOut)
     }
     bench->expectAt({125_deg, 10_deg}, {}, 1_deg);
     EXPECT_FALSE(bench->control().faultLatched());
+}
+
+// REQ-MOUNT-18: A wide dead-band leads into no keep-out either, nor does its lead.
+TEST_P(LaggingAxis, IsNotLedIntoAKeepOut)
+{
+    struct Approach
+    {
+        AxisPosition from;
+        double azimuth;  // ° each second
+        double elevation;
+    };
+    beamWidth = 40_deg;
+    for (const Approach& way : {Approach{{140_deg, 12_deg}, -0.5, 0.0}, Approach{{80_deg, 12_deg}, 0.5, 0.0},
+                                Approach{{110_deg, 50_deg}, 0.0, -0.5}, Approach{{90_deg, 36_deg}, 0.5, -0.1},
+                                Approach{{132_deg, 40_deg}, -0.3, -0.4}}) {
+        begin({kMast});
+        for (int second = -30; second < 50 && !HasFatalFailure(); ++second) {
+            const double time = std::max(second, 0);
+            follow(way.from.azimuth.degrees() + way.azimuth * time,
+                   way.from.elevation.degrees() + way.elevation * time);
+        }
+        EXPECT_FALSE(bench->control().faultLatched());
+    }
 }
 
 TEST_P(LaggingAxis, GoesAroundAKeepOut)
@@ -170,15 +195,29 @@ TEST_P(LaggingAxis, LeavesAKeepOut)
     EXPECT_FALSE(bench->control().faultLatched());
 }
 
+profile::Profile rareRotctldProfile()
+{
+    profile::Profile profile = rotctl::rotctldProfile();
+    profile.rotator.rareStarts = profile::RareStarts::On;
+    return profile;
+}
+
+std::unique_ptr<Bench> makeGs232(const profile::Profile& profile)
+{
+    return std::make_unique<gs232::Gs232Bench>(profile);
+}
+
+std::unique_ptr<Bench> makeRotctld(const profile::Profile& profile)
+{
+    return std::make_unique<rotctl::RotctldBench>(profile);
+}
+
 INSTANTIATE_TEST_SUITE_P(Boxes, LaggingAxis,
-                         testing::Values(LaggingKind{"Gs232", [] { return gs232::gs232Profile(); },
-                                                     [](const profile::Profile& profile) -> std::unique_ptr<Bench> {
-                                                         return std::make_unique<gs232::Gs232Bench>(profile);
-                                                     }},
-                                         LaggingKind{"Rotctld", [] { return rotctl::rotctldProfile(); },
-                                                     [](const profile::Profile& profile) -> std::unique_ptr<Bench> {
-                                                         return std::make_unique<rotctl::RotctldBench>(profile);
-                                                     }}),
+                         testing::Values(LaggingKind{"Gs232", [] { return gs232::gs232Profile(); }, makeGs232},
+                                         LaggingKind{"Gs232RareStarts", [] { return gs232::switchedProfile(); },
+                                                     makeGs232},
+                                         LaggingKind{"Rotctld", [] { return rotctl::rotctldProfile(); }, makeRotctld},
+                                         LaggingKind{"RotctldRareStarts", rareRotctldProfile, makeRotctld}),
                          [](const auto& one) { return std::string(one.param.name); });
 
 }  // namespace

@@ -274,6 +274,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Kind{"SimpleAzimuthOnly", [] { return simpleBench(true, false); }},
                     Kind{"SimpleElevationOnly", [] { return simpleBench(false, true); }},
                     Kind{"Gs232A", [] { return gs232Bench(gs232::Dialect::A); }},
+                    Kind{"Gs232RareStarts",
+                         [] { return std::make_unique<gs232::Gs232Bench>(gs232::switchedProfile()); }},
                     Kind{"Gs232B", [] { return gs232Bench(gs232::Dialect::B); }},
                     Kind{"Gs232AzimuthOnly", [] { return gs232Bench(gs232::Dialect::B, true, false); }},
                     Kind{"Gs232ElevationOnly", [] { return gs232Bench(gs232::Dialect::A, false, true); }},

@@ -135,6 +135,24 @@ TEST(HeaderBar, ShowsTheTransmitOutputIfThereIsOne)
     EXPECT_EQ(shown(header, "Transmit output"), QStringLiteral("TX output failed"));
 }
 
+// REQ-GS232-61
+TEST(HeaderBar, ShowsTheMotorStartsUnderThePointer)
+{
+    RequestDesk desk;
+    ValueLabel notice({}, {}, {});
+    auto* const authority = new AuthorityButton(desk, notice);
+    HeaderBar header(*authority);
+    StationStatus status;
+    status.azimuth.stateText = QStringLiteral("at travel limit 450.0°");
+    header.showStatus(status);
+    EXPECT_EQ(findNamed<ValueLabel>(header, "Azimuth drive")->toolTip(), status.azimuth.stateText);
+    status.azimuth.starts = MotorStarts{.lastMinute = 7, .total = 132, .coast = 1_deg};
+    header.showStatus(status);
+    EXPECT_EQ(findNamed<ValueLabel>(header, "Azimuth drive")->toolTip(),
+              QStringLiteral("at travel limit 450.0°\n7 motor starts in the last minute, 132 in total\nThe axis "
+                             "coasts 1.00° beyond its target"));
+}
+
 QImage pictureOf(const MarkerData& data)
 {
     SkyMarkers markers;
