@@ -616,6 +616,17 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
     </message>
 </context>
 <context>
+    <name>MotorWords</name>
+    <message>
+        <source>%1 motor starts in the last minute, %2 in total</source>
+        <translation>%1 arranques do motor no último minuto, %2 no total</translation>
+    </message>
+    <message>
+        <source>The axis coasts %1 beyond its target</source>
+        <translation>O eixo desliza %1 para além do alvo</translation>
+    </message>
+</context>
+<context>
     <name>ParkWords</name>
     <message>
         <source>Move park to %1</source>
@@ -1016,6 +1027,10 @@ até %1</translation>
     <message>
         <source>not set</source>
         <translation>não definido</translation>
+    </message>
+    <message>
+        <source>Switched motors</source>
+        <translation>Motores ligados e desligados</translation>
     </message>
 </context>
 <context>
@@ -8974,10 +8989,6 @@ até %1</translation>
         <translation>o GS-232 não tem número para a elevação %1</translation>
     </message>
     <message>
-        <source>&quot;tcp:%1&quot; names no IP address and port. An example: tcp:127.0.0.1:4534</source>
-        <translation>&quot;tcp:%1&quot; não indica um endereço IP e uma porta. Um exemplo: tcp:127.0.0.1:4534</translation>
-    </message>
-    <message>
         <source>protocol, rights and place are expected, like &quot;gs232b drive tcp:127.0.0.1:4534&quot;</source>
         <translation>espera-se protocolo, direitos e lugar, como &quot;gs232b drive tcp:127.0.0.1:4534&quot;</translation>
     </message>
@@ -8988,10 +8999,6 @@ até %1</translation>
     <message>
         <source>the rights &quot;%1&quot; are neither &quot;drive&quot; nor &quot;read&quot;</source>
         <translation>os direitos &quot;%1&quot; não são &quot;drive&quot; nem &quot;read&quot;</translation>
-    </message>
-    <message>
-        <source>Two listeners have the place %1. Each needs its own.</source>
-        <translation>Duas escutas têm o lugar %1. Cada uma precisa do seu.</translation>
     </message>
     <message>
         <source>Further listeners</source>
@@ -9052,14 +9059,6 @@ até %1</translation>
     <message>
         <source>%1 turns this mount. Name the rotctld of another rotator.</source>
         <translation>%1 move esta montagem. Indique o rotctld de outro rotor.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is outside -3600°…3600°</source>
-        <translation>&quot;%1&quot; está fora de -3600°…3600°</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is outside -90°…180°</source>
-        <translation>&quot;%1&quot; está fora de -90°…180°</translation>
     </message>
     <message>
         <source>registers and inputs are not supported</source>
@@ -9124,10 +9123,6 @@ até %1</translation>
     <message>
         <source>At %1 Boresight itself listens for programs (rotctld.listen). Start the rotctld of the rotator on another port, for example rotctld -t 4534.</source>
         <translation>Em %1 é o próprio Boresight que escuta programas (rotctld.listen). Inicie o rotctld do rotor noutra porta, por exemplo rotctld -t 4534.</translation>
-    </message>
-    <message>
-        <source>Listeners for programs that do not speak rotctld. Each has a protocol (&quot;gs232a&quot;, &quot;gs232b&quot;, &quot;easycomm1&quot;, &quot;easycomm2&quot;, &quot;easycomm3&quot; or &quot;pairs&quot;), the right to &quot;drive&quot; or only to &quot;read&quot;, and a place: &quot;gs232b drive tcp:127.0.0.1:4534&quot;, &quot;gs232a read pty:/tmp/rotator&quot; or &quot;pairs drive unix:/tmp/pairs&quot;. Addresses and networks that may connect by TCP can follow. Empty: none.</source>
-        <translation>Escutas para programas que não falam rotctld. Cada uma tem um protocolo (&quot;gs232a&quot;, &quot;gs232b&quot;, &quot;easycomm1&quot;, &quot;easycomm2&quot;, &quot;easycomm3&quot; ou &quot;pairs&quot;), o direito de mover (&quot;drive&quot;) ou só de ler (&quot;read&quot;), e um lugar: &quot;gs232b drive tcp:127.0.0.1:4534&quot;, &quot;gs232a read pty:/tmp/rotator&quot; ou &quot;pairs drive unix:/tmp/pairs&quot;. Podem seguir-se endereços e redes que se podem ligar por TCP. Vazio: nenhuma.</translation>
     </message>
     <message>
         <source>cannot serve the socket %1: %2</source>
@@ -9842,10 +9837,6 @@ até %1</translation>
         <translation>O eixo pode ter-se movido desde então. O acionamento não distingue lugares a %1 um do outro, por isso o diário não mostra que lugar está certo</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is not a place to listen. tcp:ADDRESS:PORT, pty:/PATH or unix:/PATH is expected</source>
-        <translation>&quot;%1&quot; não é um lugar de escuta. Espera-se tcp:ENDEREÇO:PORTA, pty:/CAMINHO ou unix:/CAMINHO</translation>
-    </message>
-    <message>
         <source>&quot;%1&quot; is neither an IP address nor a network</source>
         <translation>&quot;%1&quot; não é um endereço IP nem uma rede</translation>
     </message>
@@ -10164,6 +10155,150 @@ até %1</translation>
     <message>
         <source>Steel disturbs the compass at this heading (result of the swing). Measure at another heading.</source>
         <translation>O aço perturba a bússola neste rumo (resultado do giro). Meça noutro rumo.</translation>
+    </message>
+    <message>
+        <source>The %1 is %2 away from its target, more than half the beam width</source>
+        <translation>O %1 está a %2 do seu alvo, mais de metade da largura do feixe</translation>
+    </message>
+    <message>
+        <source>Boresight waits, because the motor may start %3 times a minute</source>
+        <translation>O Boresight espera, porque o motor pode arrancar %3 vezes por minuto</translation>
+    </message>
+    <message>
+        <source>Permit more starts on the page Profile (rotator.max_starts_per_min), or point less exactly.</source>
+        <translation>Permita mais arranques na página Perfil (rotator.max_starts_per_min), ou aponte com menos exatidão.</translation>
+    </message>
+    <message>
+        <source>A datagram with a forged sender can move the mount through %1</source>
+        <translation>Um datagrama com remetente falsificado pode mover a montagem através de %1</translation>
+    </message>
+    <message>
+        <source>Boresight obeys every datagram that gives a permitted address</source>
+        <translation>O Boresight obedece a todo o datagrama que indique um endereço permitido</translation>
+    </message>
+    <message>
+        <source>Use this listener only in a network that you trust, or let it listen on 127.0.0.1 (listeners.list on the page Profile)</source>
+        <translation>Use este ouvinte só numa rede em que confia, ou ponha-o à escuta em 127.0.0.1 (listeners.list na página Perfil)</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; names no IP address and port. An example: tcp:127.0.0.1:4534</source>
+        <translation>&quot;%1&quot; não indica um endereço IP e uma porta. Um exemplo: tcp:127.0.0.1:4534</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a place to listen. tcp:ADDRESS:PORT, udp:ADDRESS:PORT, pty:/PATH or unix:/PATH is expected</source>
+        <translation>&quot;%1&quot; não é um lugar onde escutar. Espera-se tcp:ENDEREÇO:PORTA, udp:ENDEREÇO:PORTA, pty:/CAMINHO ou unix:/CAMINHO</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not served at &quot;%2&quot;. &quot;pst&quot; and &quot;n1mm&quot; have a place like udp:127.0.0.1:12000, and no other protocol has one</source>
+        <translation>&quot;%1&quot; não é servido em &quot;%2&quot;. &quot;pst&quot; e &quot;n1mm&quot; têm um lugar como udp:127.0.0.1:12000, e nenhum outro protocolo o tem</translation>
+    </message>
+    <message>
+        <source>&quot;pst&quot; answers to the port after its own. Choose a port below %1</source>
+        <translation>&quot;pst&quot; responde para a porta a seguir à sua. Escolha uma porta abaixo de %1</translation>
+    </message>
+    <message>
+        <source>other computers could move the mount by UDP. Add the addresses that may, or listen on 127.0.0.1, or use the right &quot;read&quot;</source>
+        <translation>outros computadores poderiam mover a montagem por UDP. Acrescente os endereços que podem, ou escute em 127.0.0.1, ou use o direito &quot;read&quot;</translation>
+    </message>
+    <message>
+        <source>&quot;rotor=&quot; is followed by the name of a rotor in N1MM, at the end of a line of n1mm</source>
+        <translation>a &quot;rotor=&quot; segue-se o nome de um rotor do N1MM, no fim de uma linha de n1mm</translation>
+    </message>
+    <message>
+        <source>The place %1 is already used. Each listener needs its own.</source>
+        <translation>O lugar %1 já está em uso. Cada ouvinte precisa do seu.</translation>
+    </message>
+    <message>
+        <source>Rare motor starts</source>
+        <translation>Poucos arranques dos motores</translation>
+    </message>
+    <message>
+        <source>&quot;on&quot; starts the motors of a rotator seldom. Choose it if the control box only switches them on and off. &quot;off&quot; sends each step of the target.</source>
+        <translation>&quot;on&quot; arranca raramente os motores do rotor. Escolha-o se a caixa de controlo apenas os liga e desliga. &quot;off&quot; envia cada passo do alvo.</translation>
+    </message>
+    <message>
+        <source>Dead-band</source>
+        <translation>Banda morta</translation>
+    </message>
+    <message>
+        <source>With rare motor starts, a motor starts when a tracked target is this far away. Beside a keep-out, the horizon and the Sun there is no dead-band. 0: 0.15 of the beam width, at most 5°.</source>
+        <translation>Com poucos arranques dos motores, um motor arranca quando um alvo seguido está a esta distância. Junto de uma zona proibida, do horizonte e do Sol não há banda morta. 0: 0,15 da largura do feixe, no máximo 5°.</translation>
+    </message>
+    <message>
+        <source>Most motor starts per minute</source>
+        <translation>Máximo de arranques do motor por minuto</translation>
+    </message>
+    <message>
+        <source>With rare motor starts, a motor starts at most this often in a minute while a target is tracked. The limit does not apply to a slew, to a jog, and beside a keep-out, the horizon or the Sun. 0: no limit.</source>
+        <translation>Com poucos arranques dos motores, um motor arranca no máximo este número de vezes por minuto enquanto um alvo é seguido. O limite não se aplica a uma deslocação, ao movimento manual, nem junto de uma zona proibida, do horizonte ou do Sol. 0: sem limite.</translation>
+    </message>
+    <message>
+        <source>Coast</source>
+        <translation>Deslize</translation>
+    </message>
+    <message>
+        <source>With rare motor starts, how far an axis goes on when its motor is switched off. An axis that is nearer to its target stays there. 0: as Boresight measures it.</source>
+        <translation>Com poucos arranques dos motores, quanto um eixo ainda avança depois de o motor ser desligado. Um eixo que está mais perto do alvo fica onde está. 0: como o Boresight o mede.</translation>
+    </message>
+    <message>
+        <source>Listeners for programs that do not speak rotctld. Each has a protocol (&quot;gs232a&quot;, &quot;gs232b&quot;, &quot;easycomm1&quot;, &quot;easycomm2&quot;, &quot;easycomm3&quot;, &quot;pairs&quot;, &quot;pst&quot; or &quot;n1mm&quot;), the right to &quot;drive&quot; or only to &quot;read&quot;, and a place: &quot;gs232b drive tcp:127.0.0.1:4534&quot;, &quot;gs232a read pty:/tmp/rotator&quot;, &quot;pairs drive unix:/tmp/pairs&quot; or &quot;pst drive udp:127.0.0.1:12000&quot;. Addresses and networks that may connect by TCP or UDP can follow, and for N1MM &quot;rotor=NAME&quot;. Empty: none.</source>
+        <translation>Ouvintes para programas que não falam rotctld. Cada um tem um protocolo (&quot;gs232a&quot;, &quot;gs232b&quot;, &quot;easycomm1&quot;, &quot;easycomm2&quot;, &quot;easycomm3&quot;, &quot;pairs&quot;, &quot;pst&quot; ou &quot;n1mm&quot;), o direito de mover (&quot;drive&quot;) ou só de ler (&quot;read&quot;), e um lugar: &quot;gs232b drive tcp:127.0.0.1:4534&quot;, &quot;gs232a read pty:/tmp/rotator&quot;, &quot;pairs drive unix:/tmp/pairs&quot; ou &quot;pst drive udp:127.0.0.1:12000&quot;. Podem seguir-se endereços e redes que se podem ligar por TCP ou UDP e, para o N1MM, &quot;rotor=NOME&quot;. Vazio: nenhum.</translation>
+    </message>
+    <message>
+        <source>cannot listen on UDP %1:%2: %3</source>
+        <translation>não é possível escutar em UDP %1:%2: %3</translation>
+    </message>
+    <message>
+        <source>was silent for %1 s</source>
+        <translation>esteve em silêncio durante %1 s</translation>
+    </message>
+    <message>
+        <source>is not disconnected, because it is read-only. Its next datagram would make it a client that may move the mount.</source>
+        <translation>não é desligado, porque só pode ler. O seu próximo datagrama torná-lo-ia um cliente que pode mover a montagem.</translation>
+    </message>
+    <message>
+        <source>Boresight knows no such command of N1MM.</source>
+        <translation>O Boresight não conhece este comando do N1MM.</translation>
+    </message>
+    <message>
+        <source>Boresight does not support the offset of an antenna. Set it to 0 in N1MM, and enter it as the direction of the beam here.</source>
+        <translation>O Boresight não suporta o desvio de uma antena. Ponha-o a 0 no N1MM e introduza-o aqui como direção do feixe.</translation>
+    </message>
+    <message>
+        <source>names no rotor</source>
+        <translation>não indica nenhum rotor</translation>
+    </message>
+    <message>
+        <source>for the rotor &quot;%1&quot;</source>
+        <translation>para o rotor &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>This is no datagram for PstRotator.</source>
+        <translation>Isto não é um datagrama para o PstRotator.</translation>
+    </message>
+    <message>
+        <source>The datagram has the field &quot;%1&quot; twice.</source>
+        <translation>O datagrama tem o campo &quot;%1&quot; duas vezes.</translation>
+    </message>
+    <message>
+        <source>Boresight does not obey the field &quot;%1&quot; with the value &quot;%2&quot;.</source>
+        <translation>O Boresight não obedece ao campo &quot;%1&quot; com o valor &quot;%2&quot;.</translation>
+    </message>
+    <message>
+        <source>The datagram asks for two motions.</source>
+        <translation>O datagrama pede dois movimentos.</translation>
+    </message>
+    <message>
+        <source>nothing to do</source>
+        <translation>nada a fazer</translation>
+    </message>
+    <message>
+        <source>A datagram has at most %1 bytes.</source>
+        <translation>Um datagrama tem no máximo %1 bytes.</translation>
+    </message>
+    <message>
+        <source>This computer slept or was blocked less than %1 s ago. The command may be old. Send it again.</source>
+        <translation>Este computador dormiu ou esteve bloqueado há menos de %1 s. O comando pode ser antigo. Envie-o de novo.</translation>
     </message>
 </context>
 <context>
