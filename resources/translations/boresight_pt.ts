@@ -10178,7 +10178,7 @@ até %1</translation>
     </message>
     <message>
         <source>Use this listener only in a network that you trust, or let it listen on 127.0.0.1 (listeners.list on the page Profile)</source>
-        <translation>Use este ouvinte só numa rede em que confia, ou ponha-o à escuta em 127.0.0.1 (listeners.list na página Perfil)</translation>
+        <translation>Use esta escuta só numa rede em que confia, ou ponha-a em 127.0.0.1 (listeners.list na página Perfil)</translation>
     </message>
     <message>
         <source>&quot;%1&quot; names no IP address and port. An example: tcp:127.0.0.1:4534</source>
@@ -10206,7 +10206,7 @@ até %1</translation>
     </message>
     <message>
         <source>The place %1 is already used. Each listener needs its own.</source>
-        <translation>O lugar %1 já está em uso. Cada ouvinte precisa do seu.</translation>
+        <translation>O lugar %1 já está em uso. Cada escuta precisa do seu.</translation>
     </message>
     <message>
         <source>Rare motor starts</source>
@@ -10242,7 +10242,7 @@ até %1</translation>
     </message>
     <message>
         <source>Listeners for programs that do not speak rotctld. Each has a protocol (&quot;gs232a&quot;, &quot;gs232b&quot;, &quot;easycomm1&quot;, &quot;easycomm2&quot;, &quot;easycomm3&quot;, &quot;pairs&quot;, &quot;pst&quot; or &quot;n1mm&quot;), the right to &quot;drive&quot; or only to &quot;read&quot;, and a place: &quot;gs232b drive tcp:127.0.0.1:4534&quot;, &quot;gs232a read pty:/tmp/rotator&quot;, &quot;pairs drive unix:/tmp/pairs&quot; or &quot;pst drive udp:127.0.0.1:12000&quot;. Addresses and networks that may connect by TCP or UDP can follow, and for N1MM &quot;rotor=NAME&quot;. Empty: none.</source>
-        <translation>Ouvintes para programas que não falam rotctld. Cada um tem um protocolo (&quot;gs232a&quot;, &quot;gs232b&quot;, &quot;easycomm1&quot;, &quot;easycomm2&quot;, &quot;easycomm3&quot;, &quot;pairs&quot;, &quot;pst&quot; ou &quot;n1mm&quot;), o direito de mover (&quot;drive&quot;) ou só de ler (&quot;read&quot;), e um lugar: &quot;gs232b drive tcp:127.0.0.1:4534&quot;, &quot;gs232a read pty:/tmp/rotator&quot;, &quot;pairs drive unix:/tmp/pairs&quot; ou &quot;pst drive udp:127.0.0.1:12000&quot;. Podem seguir-se endereços e redes que se podem ligar por TCP ou UDP e, para o N1MM, &quot;rotor=NOME&quot;. Vazio: nenhum.</translation>
+        <translation>Escutas para programas que não falam rotctld. Cada uma tem um protocolo (&quot;gs232a&quot;, &quot;gs232b&quot;, &quot;easycomm1&quot;, &quot;easycomm2&quot;, &quot;easycomm3&quot;, &quot;pairs&quot;, &quot;pst&quot; ou &quot;n1mm&quot;), o direito de mover (&quot;drive&quot;) ou só de ler (&quot;read&quot;), e um lugar: &quot;gs232b drive tcp:127.0.0.1:4534&quot;, &quot;gs232a read pty:/tmp/rotator&quot;, &quot;pairs drive unix:/tmp/pairs&quot; ou &quot;pst drive udp:127.0.0.1:12000&quot;. Podem seguir-se endereços e redes que se podem ligar por TCP ou UDP e, para o N1MM, &quot;rotor=NOME&quot;. Vazio: nenhuma.</translation>
     </message>
     <message>
         <source>cannot listen on UDP %1:%2: %3</source>
