@@ -171,7 +171,7 @@ inline constexpr std::array kDriveAlarms{
                .kin = AlarmKin::Silence,
                .examples = {"8 s",
                             "Azimuth moved 0.4° and elevation 0.1° while no reply came. The position is "
-                            "continuous"},
+                            "still known"},
                .identifying = 0,
                .placeOf = "drives.silent"},
     AlarmEntry{

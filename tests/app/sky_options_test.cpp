@@ -67,7 +67,7 @@ TEST(SkyOptions, AreRefusedWithWhatIsExpected)
                 HasSubstr("--elements: \"http://example.org/a\" does not begin with https://"));
     EXPECT_EQ(refusalOfPasses({"--elements", "a", "--site", "1,2,3"}), "--from UTC is missing");
     EXPECT_EQ(refusalOfPasses({"--elements", "a", "--site", "1,2,3", "--from", "now"}), "--days D is missing");
-    EXPECT_EQ(refusalOfPasses({"--times", "a"}), "there is not an option --times");
+    EXPECT_EQ(refusalOfPasses({"--times", "a"}), "there is no option --times");
     EXPECT_EQ(refusalOfPasses({"--elements", "--site"}), "--elements needs a value");
     EXPECT_THAT(refusalOfPasses({"a.tle"}), HasSubstr("\"a.tle\" is not an option"));
     for (const char* const site : {"38.757,-9.117", "91,0,0", "0,361,0", "0,0,1e6", "0,0,0,0", "0,0,x", "nan,0,0"}) {
@@ -96,7 +96,7 @@ TEST(SkyOptions, ABodyIsNoSatellite)
               "--doppler is for a satellite: give --elements and --norad with it");
     EXPECT_EQ(refusalOfEphemeris(with(kEphemeris, {"--refraction", "optical"})),
               "--refraction \"optical\": expected none, light or radio");
-    EXPECT_EQ(refusalOfPasses(with(kPasses, {"--refraction", "light"})), "there is not an option --refraction");
+    EXPECT_EQ(refusalOfPasses(with(kPasses, {"--refraction", "light"})), "there is no option --refraction");
     EXPECT_THAT(refusalOfEphemeris({"--body", "pluto"}),
                 HasSubstr("--body \"pluto\": expected one of sun, moon, mercury,"));
     EXPECT_EQ(refusalOfEphemeris({"--body", "mars", "--site", "1,2,3", "--times", "-"}), "accepted");

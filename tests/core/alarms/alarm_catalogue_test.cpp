@@ -231,7 +231,7 @@ TEST(AlarmCatalogue, StandsInTheManual)
     const fs::path page = fs::path(BORESIGHT_SOURCES) / "resources/manual/alarms.md";
     EXPECT_NE(introduction(page), "");
     EXPECT_EQ(fileText(page), introduction(page) + table)
-        << "BORESIGHT_ALARM_TABLE=resources/manual/alarms.md station_test --gtest_filter=AlarmCatalogue.* writes it";
+        << "BORESIGHT_ALARM_TABLE=resources/manual/alarms.md alarms_test --gtest_filter=AlarmCatalogue.* writes it";
 }
 
 }  // namespace

@@ -372,7 +372,7 @@ TEST_F(GuideTest, DrivesThatAreNotFitAreMendedFirst)
     give(samples::update(status));
     open<GuideDirections>(GuideStep::Directions);
     EXPECT_FALSE(hold(Axis::Azimuth, true).isEnabled());
-    EXPECT_TRUE(inGuide<ValueLabel>("What is in the way").text().contains(QStringLiteral("step 2, Protect")));
+    EXPECT_TRUE(inGuide<ValueLabel>("What is in the way").text().contains(QStringLiteral("step 2 (Protect)")));
     EXPECT_EQ(stepButton(GuideStep::Protection).state(), StepState::NeedsYou);
     open<ProtectionPanel>(GuideStep::Protection);
     click("Fix …");

@@ -157,7 +157,7 @@ TEST_F(ProfilePageTest, APasswordIsNotSeenOverTheShoulder)
     EXPECT_FALSE(editor->displayText().contains(QStringLiteral("s3cret")));
     QTest::keyClick(editor, Qt::Key_Return);
     ASSERT_TRUE(comesTrue([&editor] { return !editor; })) << "the editor stays open";
-    EXPECT_EQ(firstCell(SettingTree::Value), QStringLiteral("(hidden) (was not given)"));
+    EXPECT_EQ(firstCell(SettingTree::Value), QStringLiteral("(hidden) (was not set)"));
     edit("mqtt.user", "mount");
     press("Apply");
     ASSERT_EQ(asked<request::ApplyProfile>().size(), 1u);
