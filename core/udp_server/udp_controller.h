@@ -3,6 +3,7 @@
 
 #include "core/base/clock.h"
 #include "core/rotctld/command_budget.h"
+#include "core/rotctld/line_protocol.h"
 #include "core/rotctld/rotator.h"
 #include "core/rotctld/settling.h"
 #include "core/udp_server/rotor_command.h"
