@@ -23,18 +23,17 @@ void ProgramWorker::start(const Job& job)
         return;
     }
     RunningProgram* const program = m_running.emplace_back(std::make_unique<RunningProgram>(job, m_limits)).get();
-    connect(program, &RunningProgram::ended, this, [this, program](const Ending& ending) {
-        Q_EMIT ended(ending);
-        // The program object still runs its own signal, so it is deleted later.
-        QMetaObject::invokeMethod(
-            this, [this, program] { forget(program); }, Qt::QueuedConnection);
-    });
+    connect(program, &RunningProgram::ended, this, [this, program](const Ending& ending) { finish(program, ending); });
     program->start();
 }
 
-void ProgramWorker::forget(const RunningProgram* program)
+// The program leaves the list before its end is told, because the receiver may start the next one at once.
+void ProgramWorker::finish(const RunningProgram* program, const Ending& ending)
 {
-    std::erase_if(m_running, [program](const auto& one) { return one.get() == program; });
+    const auto found = std::ranges::find(m_running, program, &std::unique_ptr<RunningProgram>::get);
+    found->release()->deleteLater();  // it still runs its own signal
+    m_running.erase(found);
+    Q_EMIT ended(ending);
 }
 
 }  // namespace boresight::programs

@@ -25,7 +25,7 @@ Q_SIGNALS:
     void ended(const boresight::programs::Ending& ending);
 
 private:
-    void forget(const RunningProgram* program);
+    void finish(const RunningProgram* program, const Ending& ending);
 
     Limits m_limits;
     std::vector<std::unique_ptr<RunningProgram>> m_running;

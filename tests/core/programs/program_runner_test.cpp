@@ -2,6 +2,7 @@
 // Real programs are started.
 #include "core/programs/program_runner.h"
 
+#include "core/programs/program_worker.h"
 #include "tests/fakes/wait_until.h"
 
 #include <QElapsedTimer>
@@ -124,6 +125,23 @@ TEST_F(ProgramRunnerTest, NoMoreThanSoManyRunAtOnce)
     runner->run(waits);
     EXPECT_EQ(run(waits), "/bin/sleep was not started: 2 programs run already");
     EXPECT_THAT(endings, SizeIs(1));
+}
+
+// A program that has ended does not count, also while its end is being reported.
+// REQ-HOOKS-04
+TEST(ProgramWorkerTest, TheNextOneStartsAtTheEndOfTheOneBefore)
+{
+    ProgramWorker worker({.longest = 1min, .patience = 10ms, .most = 1});
+    const Job job{.path = QStringLiteral("/bin/true")};
+    int ended = 0;
+    QObject::connect(&worker, &ProgramWorker::ended, &worker, [&](const Ending& ending) {
+        EXPECT_TRUE(ending.good) << ending.text.toStdString();
+        if (++ended < 3) {
+            worker.start(job);
+        }
+    });
+    worker.start(job);
+    EXPECT_TRUE(fakes::waitUntil([&] { return ended == 3; }));
 }
 
 // REQ-HOOKS-05: When Boresight ends, the running programs have a short time in common to end. Then they are killed.
