@@ -283,7 +283,7 @@ TEST(PowerLine, AFloodByTcpIsReadInSmallHelpingsAndHeldUp)
 // REQ-POWER-05
 TEST(PowerLine, TcpConnectsAgain)
 {
-    const std::uint16_t port = fakes::unusedUdpPort();
+    const std::uint16_t port = fakes::unusedPort();
     Ear ear(tcpSettings(port));
     ASSERT_TRUE(waitUntil([&] { return !ear.problem().empty(); }));
     EXPECT_NE(std::string::npos, ear.problem().find("No connection to the program of the receiver")) << ear.problem();
