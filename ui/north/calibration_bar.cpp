@@ -24,14 +24,14 @@ bool isUnreliable(const std::shared_ptr<const CalibrationStatus>& calibration)
 Question questionAbout(const CalibrationProposal& proposal)
 {
     const QStringList doubts(proposal.doubts.begin(), proposal.doubts.end());
-    return {
-        .title = CalibrationBar::tr("Apply an unreliable result?"),
-        .text = CalibrationBar::tr("%1\n\nApply anyway changes: %2.\n\nThe mount then points by this result. The log "
-                                   "records that you applied it anyway. Undo returns to the calibration before.")
-                    .arg(doubts.join(QLatin1Char('\n')), changeText(proposal)),
-        .act = CalibrationBar::tr("Apply anyway"),
-        .request = request::ApplyCalibration{.proposal = proposal.number, .overridesDoubts = true},
-        .action = Action::ApplyCalibration};
+    return {.title = CalibrationBar::tr("Apply an unreliable result?"),
+            .text = CalibrationBar::tr("This result is unreliable. %1\n\nApply anyway changes: %2.\n\nThe mount then "
+                                       "points by this result. The log records that you applied it anyway. Undo "
+                                       "returns to the calibration before.")
+                        .arg(doubts.join(QLatin1Char(' ')), changeText(proposal)),
+            .act = CalibrationBar::tr("Apply anyway"),
+            .request = request::ApplyCalibration{.proposal = proposal.number, .overridesDoubts = true},
+            .action = Action::ApplyCalibration};
 }
 
 }  // namespace

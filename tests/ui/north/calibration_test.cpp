@@ -144,7 +144,8 @@ TEST_F(NorthTest, AnUnreliableResultIsAppliedOnlyByApplyAnyway)
     click("Apply north …");
     ASSERT_TRUE(panel->isAsking());
     const QString question = named<QPlainTextEdit>("What will happen")->toPlainText();
-    EXPECT_TRUE(question.startsWith(QStringLiteral("Steel disturbs the compass at this heading.\n")));
+    EXPECT_TRUE(question.startsWith(
+        QStringLiteral("This result is unreliable. Steel disturbs the compass at this heading.\n")));
     EXPECT_TRUE(question.contains(QStringLiteral("azimuth offset 0.00° → 3"))) << question.toStdString();
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);
     EXPECT_FALSE(panel->isAsking());
