@@ -5,6 +5,7 @@
 #include "app/options.h"
 #include "app/profile_saver.h"
 #include "app/station_thread.h"
+#include "app/table_file_reader.h"
 #include "app/unix_signals.h"
 #include "core/base/version.h"
 #include "core/local_socket/local_command.h"
@@ -156,7 +157,7 @@ void connectWindow(ui::MainWindow& window, app::StationThread& station, QSetting
                      [&layout](const QStringList& recent) { layout.setValue(kRecentKey, recent); });
 }
 
-void connectHost(ui::HostDesk& desk, app::HostSearch& search)
+void connectHost(ui::HostDesk& desk, app::HostSearch& search, app::TableFileReader& tables)
 {
     QObject::connect(&desk, &ui::HostDesk::adaptersWanted, &search, &app::HostSearch::findAdapters);
     QObject::connect(&desk, &ui::HostDesk::rotatorModelsWanted, &search, &app::HostSearch::findRotatorModels);
@@ -166,6 +167,8 @@ void connectHost(ui::HostDesk& desk, app::HostSearch& search)
     QObject::connect(&search, &app::HostSearch::adaptersFound, &desk, &ui::HostDesk::adaptersFound);
     QObject::connect(&search, &app::HostSearch::scanned, &desk, &ui::HostDesk::scanned);
     QObject::connect(&search, &app::HostSearch::gpredictFound, &desk, &ui::HostDesk::gpredictFound);
+    QObject::connect(&desk, &ui::HostDesk::tableWanted, &tables, &app::TableFileReader::read);
+    QObject::connect(&tables, &app::TableFileReader::wasRead, &desk, &ui::HostDesk::tableRead);
 }
 
 int run(QApplication& application, const app::Options& options, const QElapsedTimer& sinceStart)
@@ -188,13 +191,14 @@ int run(QApplication& application, const app::Options& options, const QElapsedTi
     app::StationThread station(make(saver.first(), options.standingAt), build);
     ui::MainWindow window(clock, windowSettings(options, layout));
     app::HostSearch search(makeLink);
+    app::TableFileReader tables;
     const bool known = window.restoreGeometry(layout.value(kGeometryKey).toByteArray());
     connectWindow(window, station, layout);
     const std::unique_ptr<ui::Gamepad> gamepad = ui::Gamepad::create();
     if (gamepad) {
         window.useGamepad(*gamepad);
     }
-    connectHost(window.host(), search);
+    connectHost(window.host(), search, tables);
     QObject::connect(&station, &app::StationThread::profileApplied, &saver, &app::ProfileSaver::save);
     QObject::connect(&station, &app::StationThread::nextWanted, &saver, &app::ProfileSaver::findNext);
     QObject::connect(&saver, &app::ProfileSaver::nextFound, &station, &app::StationThread::begin);

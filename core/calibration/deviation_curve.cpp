@@ -37,6 +37,11 @@ Angle UnreliableSector::width() const
     return width < kSlack ? Angle::fromTurns(1.0) : width;
 }
 
+bool UnreliableSector::overlaps(Angle first, Angle last) const
+{
+    return contains(first) || (from - first).wrapped360() <= last - first;
+}
+
 Angle DeviationCurve::deviation(Angle heading) const
 {
     const double psi = heading.radians();
@@ -71,8 +76,13 @@ Angle DeviationCurve::corrected(orientation::SensorHeading reading) const
 
 bool DeviationCurve::isReliable(Angle heading) const
 {
+    return isReliable(heading, heading);
+}
+
+bool DeviationCurve::isReliable(Angle first, Angle last) const
+{
     return std::none_of(unreliable.begin(), unreliable.end(),
-                        [&](const UnreliableSector& sector) { return sector.contains(heading); });
+                        [&](const UnreliableSector& sector) { return sector.overlaps(first, last); });
 }
 
 Angle DeviationCurve::firstAmplitude() const

@@ -33,6 +33,8 @@ struct UnreliableSector
 
     [[nodiscard]] Angle width() const;
     [[nodiscard]] bool contains(Angle heading) const { return (heading - from).wrapped360() <= width(); }
+    // Whether a part of the arc lies between these headings, clockwise from the first to the second.
+    [[nodiscard]] bool overlaps(Angle first, Angle last) const;
     bool operator==(const UnreliableSector&) const = default;
 };
 
@@ -57,6 +59,8 @@ struct DeviationCurve
     [[nodiscard]] Angle corrected(orientation::SensorHeading reading) const;
 
     [[nodiscard]] bool isReliable(Angle heading) const;
+    // The same for all headings between these, clockwise from the first to the second.
+    [[nodiscard]] bool isReliable(Angle first, Angle last) const;
     // The additional uncertainty at another elevation of the boom. 0 if the elevation of the curve is unknown.
     [[nodiscard]] Angle sigmaAt(Angle otherElevation) const;
     [[nodiscard]] Angle firstAmplitude() const;

@@ -114,10 +114,10 @@ std::vector<Angle> offsetsOf(std::span<const SensorReading> readings, const Devi
 
 // With a curve, the error is the curve's scatter, the sigma of its constant, and more at other elevations. The constant
 // already includes alignment and declination. In an unreliable sector the curve is of no use.
-Angle systematic(const SensorOffsetLimits& limits, const std::optional<DeviationCurve>& curve, Angle heading,
+Angle systematic(const SensorOffsetLimits& limits, const std::optional<DeviationCurve>& curve, bool isReliable,
                  const std::optional<Angle>& elevation)
 {
-    if (!curve || !curve->isReliable(heading)) {
+    if (!curve || !isReliable) {
         return hypot(limits.unknownDeviation, limits.alignment);
     }
     const Angle away = elevation ? curve->sigmaAt(*elevation) : Angle{};
@@ -160,13 +160,16 @@ Result<SensorOffset> sensorOffset(std::span<const SensorReading> readings, const
     const Angle statistical = Angle::fromRadians(std::sqrt(fit->variance(0)));
     const SensorReading& first = readings.front();
     const Angle heading = offset + first.axisAzimuth;
-    return SensorOffset{.offset = {offset, hypot(statistical, systematic(limits, curve, heading, first.axisElevation))},
+    const bool isReliable =
+        !curve || (curve->isReliable(heading) && curve->isReliable(first.azimuth.value_or(heading)));
+    const Angle common = systematic(limits, curve, isReliable, first.axisElevation);
+    return SensorOffset{.offset = {offset, hypot(statistical, common)},
                         .statistical = statistical,
                         .scatter = scatter,
                         .used = fit->usedRows(),
                         .rejected = rejected,
                         .calibrationKnown = first.magnetometerCalibration.has_value(),
-                        .isReliableHere = !curve || curve->isReliable(heading)};
+                        .isReliableHere = isReliable};
 }
 
 }  // namespace boresight::calibration

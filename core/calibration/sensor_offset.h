@@ -25,6 +25,7 @@ struct SensorReading
     std::optional<int> systemCalibration;  // 0…3; MQTT does not report it
     std::optional<int> magnetometerCalibration;
     std::optional<Angle> axisElevation;  // a curve is most accurate at the elevation of its swing
+    std::optional<Angle> azimuth;        // of the beam, by the north in force
 };
 
 struct SensorOffsetLimits
@@ -48,7 +49,9 @@ struct SensorOffset
     std::size_t used = 0;
     std::size_t rejected = 0;
     bool calibrationKnown = true;
-    bool isReliableHere = true;  // false: by the curve, iron disturbs the needle at this heading
+    // False: by the curve, iron disturbs the needle at the azimuth in force or at the azimuth by these readings. Iron
+    // may have turned the latter out of its own sector.
+    bool isReliableHere = true;
 };
 
 // Whether the levels that a sensor reports reach `needed`. A level that is not reported is ignored.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <numeric>
 
 namespace boresight::calibration {
@@ -56,6 +57,42 @@ double spread(std::span<const SwingSample> usable, AzimuthSense sense)
     }
     const double length = std::clamp(circularMean(offsets).length, 1e-9, 1.0 - 1e-9);
     return std::sqrt(-2.0 * std::log(length));
+}
+
+bool isHeard(const SwingResidual& sample)
+{
+    return sample.fate == SampleFate::Used || sample.fate == SampleFate::Outlier;
+}
+
+// How far iron may reach beyond an edge: to the next reading that it does not deflect. `beyond`: the distance of a
+// heading from the edge, away from the sector.
+Angle reachOfIron(std::span<const SwingResidual> samples, Angle limit, const std::function<Angle(Angle)>& beyond)
+{
+    const Angle step = Angle::fromDegrees(kFullTurn / kPaintedSectors);
+    Angle last;  // of the deflected readings
+    for (const SwingResidual& sample : samples) {
+        const Angle apart = beyond(sample.heading);
+        last = isHeard(sample) && abs(sample.residual) > limit && apart <= step ? std::max(last, apart) : last;
+    }
+    Angle next = step;
+    for (const SwingResidual& sample : samples) {
+        const Angle apart = beyond(sample.heading);
+        next = isHeard(sample) && abs(sample.residual) <= limit && apart > last ? std::min(next, apart) : next;
+    }
+    return next;
+}
+
+// Iron ends anywhere, and not where a step ends.
+UnreliableSector widened(const UnreliableSector& sector, std::span<const SwingResidual> samples, Angle limit)
+{
+    const Angle before =
+        reachOfIron(samples, limit, [&](Angle heading) { return (sector.from - heading).wrapped360(); });
+    const Angle after = reachOfIron(samples, limit, [&](Angle heading) { return (heading - sector.to).wrapped360(); });
+    const bool isCircle = sector.width() + before + after >= Angle::fromDegrees(kFullTurn);
+    return isCircle ? sector
+                    : UnreliableSector{.from = (sector.from - before).wrapped360(),
+                                       .to = (sector.to + after).wrapped360(),
+                                       .residual = sector.residual};
 }
 
 Angle medianOf(std::vector<Angle> values)
@@ -128,7 +165,7 @@ std::vector<UnreliableSector> unreliableSectors(std::span<const SwingResidual> s
 {
     std::array<std::vector<Angle>, kPaintedSectors> residuals;
     for (const SwingResidual& sample : samples) {
-        if (sample.fate == SampleFate::Used || sample.fate == SampleFate::Outlier) {
+        if (isHeard(sample)) {
             residuals[static_cast<std::size_t>(sectorOf(sample.heading, kPaintedSectors))].push_back(sample.residual);
         }
     }
@@ -156,6 +193,8 @@ std::vector<UnreliableSector> unreliableSectors(std::span<const SwingResidual> s
             std::max(last.residual, sectors.front().residual, [](Angle a, Angle b) { return abs(a) < abs(b); });
         sectors.erase(sectors.begin());
     }
+    std::ranges::transform(sectors, sectors.begin(),
+                           [&](const UnreliableSector& sector) { return widened(sector, samples, limit); });
     return sectors;
 }
 

@@ -24,7 +24,8 @@ namespace boresight::calibration {
 // The reading, converted to a clockwise sensor, minus the azimuth of the axis.
 [[nodiscard]] Angle headingOffset(const SwingSample& sample, AzimuthSense sense);
 
-// Arcs in which the median residual exceeds the limit, in steps of 10°. Outliers count, too.
+// Arcs in which the median residual exceeds the limit, in steps of 10°. Outliers count, too. Each arc is widened to
+// the next readings that are within the limit.
 [[nodiscard]] std::vector<UnreliableSector> unreliableSectors(std::span<const SwingResidual> samples, Angle limit);
 
 }  // namespace boresight::calibration

@@ -37,7 +37,7 @@ void SensorCheck::note(SteadyTime now, const std::optional<SkyPointing>& axes)
 
 void SensorCheck::take(const SensorDirection& reading)
 {
-    const auto azimuths = passed(&Place::azimuth, earlier(reading.arrival, m_settings.latency), m_settings.averaging);
+    const auto azimuths = azimuthsOf(reading.arrival);
     const auto elevations = passed(&Place::elevation, reading.arrival, Seconds(0.0));
     Case& azimuth = m_cases[index(Axis::Azimuth)];
     Case& elevation = m_cases[index(Axis::Elevation)];
@@ -49,13 +49,13 @@ void SensorCheck::take(const SensorDirection& reading)
         const Angle difference = (reading.direction.azimuth - azimuths->mean).wrapped180();
         // The difference as an angle on the sky, which is smaller than that in azimuth near the zenith.
         const double shrink = std::cos(height.radians());
-        judge(azimuth, difference, (abs(difference) - azimuths->spread) * shrink, reading.arrival);
+        judge(azimuth, difference, (abs(difference) - azimuths->spread()) * shrink, reading.arrival);
     } else {
         azimuth = {};
     }
     if (elevations && reading.elevationCounts && m_missing != Axis::Elevation) {
         const Angle difference = reading.direction.elevation - elevations->mean;
-        judge(elevation, difference, abs(difference) - elevations->spread, reading.arrival);
+        judge(elevation, difference, abs(difference) - elevations->spread(), reading.arrival);
     } else {
         elevation = {};
     }
@@ -92,6 +92,11 @@ void SensorCheck::forget()
     m_cases = {};
 }
 
+std::optional<SensorCheck::Passed> SensorCheck::azimuthsOf(SteadyTime arrival) const
+{
+    return passed(&Place::azimuth, earlier(arrival, m_settings.latency), m_settings.averaging);
+}
+
 std::optional<SensorCheck::Passed> SensorCheck::passed(Angle Place::*angle, SteadyTime middle, Seconds width) const
 {
     const SteadyTime from = earlier(middle, width / 2.0 + kJitter);
@@ -111,7 +116,7 @@ std::optional<SensorCheck::Passed> SensorCheck::passed(Angle Place::*angle, Stea
         sum += (*place).*angle - (*least).*angle;
     }
     const Angle mean = (*least).*angle + sum / static_cast<double>(last - first);
-    return Passed{.mean = mean, .spread = std::max((*most).*angle - mean, mean - (*least).*angle)};
+    return Passed{.least = (*least).*angle, .mean = mean, .most = (*most).*angle};
 }
 
 bool SensorCheck::moves(SteadyTime since) const

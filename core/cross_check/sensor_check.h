@@ -4,6 +4,7 @@
 #include "core/base/clock.h"
 #include "core/units/sky.h"
 
+#include <algorithm>
 #include <array>
 #include <deque>
 #include <optional>
@@ -47,6 +48,16 @@ public:
         bool beganMoving = false;  // began while the axes moved
     };
 
+    // The range of an axis during a span of time.
+    struct Passed
+    {
+        Angle least;
+        Angle mean;
+        Angle most;
+
+        [[nodiscard]] Angle spread() const { return std::max(most - mean, mean - least); }
+    };
+
     explicit SensorCheck(const SensorCheckSettings& settings) : m_settings(settings) {}
     // Applies from the next value on. The class knows no profile, so it can also check a proposed mounting.
     void setSettings(const SensorCheckSettings& settings) { m_settings = settings; }
@@ -62,6 +73,8 @@ public:
     // The sensor is gone or was replaced.
     void forget();
 
+    // The azimuths of the axes, of any turn, while a value was measured that arrived at this time. Empty: unknown.
+    [[nodiscard]] std::optional<Passed> azimuthsOf(SteadyTime arrival) const;
     [[nodiscard]] const Difference& difference(Axis axis) const { return m_cases[index(axis)].difference; }
     [[nodiscard]] bool disagrees() const { return m_cases[0].difference.lasts || m_cases[1].difference.lasts; }
 
@@ -71,12 +84,6 @@ private:
         SteadyTime time;
         Angle azimuth;  // unwrapped
         Angle elevation;
-    };
-    // The range of an axis during a span of time.
-    struct Passed
-    {
-        Angle mean;
-        Angle spread;  // half of the range
     };
     struct Case
     {

@@ -44,12 +44,24 @@ void SensorComparison::convertBy(const SensorToSky& toSky)
 
 void SensorComparison::take(const orientation::Orientation& value)
 {
-    const SkyPointing direction = m_toSky.directionOf(value);
     const bool tied = !value.calibration || isTiedToNorth(*value.calibration);
-    m_check.take({.direction = direction,
+    m_check.take({.direction = directionOf(value),
                   .arrival = value.arrival,
-                  .azimuthCounts = tied && m_toSky.isReliable(direction),
+                  .azimuthCounts = tied && isReliable(value),
                   .elevationCounts = isLevel(value)});
+}
+
+bool SensorComparison::isReliable(const orientation::Orientation& value) const
+{
+    const SensorCheck::Passed azimuths = measuredAt(value);
+    return !m_toSky.deviation || m_toSky.deviation->isReliable(azimuths.least, azimuths.most);
+}
+
+SensorCheck::Passed SensorComparison::measuredAt(const orientation::Orientation& value) const
+{
+    const Angle azimuth = directionOf(value).azimuth;
+    return m_check.azimuthsOf(value.arrival)
+        .value_or(SensorCheck::Passed{.least = azimuth, .mean = azimuth, .most = azimuth});
 }
 
 }  // namespace boresight

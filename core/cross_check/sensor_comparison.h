@@ -30,6 +30,11 @@ public:
     void note(SteadyTime now, const std::optional<SkyPointing>& axes) { m_check.note(now, axes); }
     void tick(SteadyTime now) { m_check.tick(now); }
 
+    // The azimuth at which the value was measured: that of the axes, because iron deflects that of the sensor. If the
+    // position of the axes is unknown, it is that of the sensor.
+    [[nodiscard]] Angle azimuthOf(const orientation::Orientation& value) const { return measuredAt(value).mean; }
+    // False if the swing found iron that disturbs the compass where the value was measured.
+    [[nodiscard]] bool isReliable(const orientation::Orientation& value) const;
     [[nodiscard]] const SensorToSky& toSky() const { return m_toSky; }
     [[nodiscard]] SkyPointing directionOf(const orientation::Orientation& value) const
     {
@@ -38,6 +43,8 @@ public:
     [[nodiscard]] const SensorCheck::Difference& difference(Axis axis) const { return m_check.difference(axis); }
 
 private:
+    [[nodiscard]] SensorCheck::Passed measuredAt(const orientation::Orientation& value) const;
+
     SensorToSky m_toSky;
     SensorCheck m_check;
 };

@@ -99,11 +99,6 @@ SkyPointing SensorToSky::directionOf(const orientation::Orientation& value) cons
     return direction;
 }
 
-bool SensorToSky::isReliable(const SkyPointing& direction) const
-{
-    return !deviation || deviation->isReliable(direction.azimuth);
-}
-
 std::optional<Angle> azimuthSigma(const DeviationCurve& curve, const SkyPointing& direction)
 {
     if (!curve.constantSigma) {

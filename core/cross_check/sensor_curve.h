@@ -35,8 +35,6 @@ struct SensorToSky
     std::optional<calibration::DeviationCurve> deviation;  // only after a swing; includes mounting and declination
 
     [[nodiscard]] SkyPointing directionOf(const orientation::Orientation& value) const;
-    // False if the swing found iron that disturbs the compass in this direction.
-    [[nodiscard]] bool isReliable(const SkyPointing& direction) const;
 };
 
 // The sigma of an azimuth that the curve gave: the error that all readings have in common. Empty: unknown.

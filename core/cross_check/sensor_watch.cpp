@@ -150,11 +150,9 @@ void SensorWatch::compare(const orientation::Orientation& value)
 
 QString SensorWatch::doubtOf(const orientation::Orientation& value) const
 {
-    const SkyPointing direction = m_inForce.directionOf(value);
-    return m_inForce.toSky().isReliable(direction)
-               ? doubtOfCalibration(value)
-               : Text::tr("steel disturbs its compass near %1 (result of the swing)")
-                     .arg(azimuthText(direction.azimuth));
+    return m_inForce.isReliable(value) ? doubtOfCalibration(value)
+                                       : Text::tr("steel disturbs its compass near %1 (result of the swing)")
+                                             .arg(azimuthText(m_inForce.azimuthOf(value)));
 }
 
 void SensorWatch::note(const orientation::Orientation& value)
@@ -348,7 +346,7 @@ SensorStatus SensorWatch::status() const
         status.age = std::chrono::duration_cast<std::chrono::milliseconds>(now - status.last->arrival);
         status.doubt = doubtOf(*status.last);
         status.direction = isYoung() ? std::optional(m_inForce.directionOf(*status.last)) : std::nullopt;
-        if (status.direction && m_inForce.toSky().deviation && m_inForce.toSky().isReliable(*status.direction)) {
+        if (status.direction && m_inForce.toSky().deviation && m_inForce.isReliable(*status.last)) {
             status.azimuthSigma = azimuthSigma(*m_inForce.toSky().deviation, *status.direction);
         }
     }

@@ -138,6 +138,7 @@ struct CalibrationProposal
     std::vector<TermStatus> terms;
     std::optional<ProposalResiduals> residuals;  // empty: there are no points to compare with
     bool changesSensor = false;                  // it also changes the mounting or the curve of the sensor
+    std::vector<QString> doubts = {};            // why it is unreliable: Apply needs ApplyCalibration::overridesDoubts
     std::vector<QString> warnings;               // "the place is magnetically hopeless: …"
     QString obstacle;                            // why it cannot be applied now; empty: it can
 };

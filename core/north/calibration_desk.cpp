@@ -254,9 +254,9 @@ Result<> CalibrationDesk::handle(const request::EndCalibration&)
 Result<> CalibrationDesk::handle(const request::ApplyCalibration& wanted)
 {
     m_proposals.dropStale();
-    return m_proposals.isCurrent(wanted.proposal)
-        .and_then([&] { return m_changes.apply(*m_proposals.current()); })
-        .map([&] { m_proposals.clear(Proposals::Next::Nothing); });
+    return m_proposals.mayApply(wanted).and_then([&] { return m_changes.apply(*m_proposals.current()); }).map([&] {
+        m_proposals.clear(Proposals::Next::Nothing);
+    });
 }
 
 Result<> CalibrationDesk::handle(const request::DiscardCalibration& wanted)

@@ -210,7 +210,7 @@ Proposal proposalOf(const calibration::SensorOffset& offset, const profile::Prof
         }
     }
     if (!offset.isReliableHere) {
-        proposal.warnings.push_back(
+        proposal.doubts.push_back(
             Text::tr("Steel disturbs the compass at this heading (result of the swing). Measure at another heading."));
     }
     return proposal;

@@ -23,7 +23,8 @@ struct Proposal
     QString title;
     QString reason;  // where it comes from, in one or two words
     QString text;
-    QString remark;  // one sentence about the level; usually empty
+    QString remark;               // one sentence about the level; usually empty
+    std::vector<QString> doubts;  // why the result is unreliable. Only an operator who overrides them can apply it
     std::vector<QString> warnings;
     QString stays;  // which terms in force stay because they are known better than this run found them; usually empty
     pointing::PointingTerms terms;

@@ -113,6 +113,7 @@ std::optional<CalibrationProposal> CalibrationReport::proposalStatus() const
                              .terms = termsBeside(m_of.profile->pointing, proposal->terms),
                              .residuals = m_of.points.book().residuals(proposal->terms),
                              .changesSensor = proposal->sensor.has_value(),
+                             .doubts = proposal->doubts,
                              .warnings = proposal->warnings,
                              .obstacle = reasonOf(m_of.changes.mayChange())};
     const calibration::TermSheet present = m_of.model.sheet();

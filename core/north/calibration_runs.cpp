@@ -146,7 +146,7 @@ void CalibrationRuns::take(const orientation::Orientation& value)
     if (m_swing.run()) {
         m_swing.take({.value = value, .about = *about, .level = *level});
     } else if (m_offset) {
-        m_offset->take(value, *about, settings, m_sensor.declination());
+        m_offset->take(value, *about, *m_profile, m_sensor.declination());
     }
 }
 

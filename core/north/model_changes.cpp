@@ -86,6 +86,9 @@ Result<> ModelChanges::apply(const Proposal& proposal)
         bringIntoForce(change, Text::tr("applies \"%1\": %2")
                                    .arg(proposal.title,
                                         changeText(m_profile->pointing, proposal.terms, proposal.sensor.has_value())));
+        for (const QString& doubt : proposal.doubts) {
+            m_log.add(Severity::Warning, kOperator, Text::tr("overrode this warning by Apply anyway: %1").arg(doubt));
+        }
         for (const QString& warning : proposal.warnings) {
             m_log.add(Severity::Warning, kOperator, Text::tr("applied despite this warning: %1").arg(warning));
         }

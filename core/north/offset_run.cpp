@@ -8,9 +8,10 @@
 
 namespace boresight {
 
-void OffsetRun::take(const orientation::Orientation& value, const AxesThen& about,
-                     const profile::SensorSettings& settings, Angle declination)
+void OffsetRun::take(const orientation::Orientation& value, const AxesThen& about, const profile::Profile& profile,
+                     Angle declination)
 {
+    const profile::SensorSettings& settings = profile.sensor;
     calibration::SensorReading reading{
         .axisAzimuth = about.place.azimuth, .axisRate = about.rates.azimuth, .motorCurrent = about.current};
     // Without a swing there is no curve to remove before the fit. Only the mounting of the sensor is corrected.
@@ -18,6 +19,7 @@ void OffsetRun::take(const orientation::Orientation& value, const AxesThen& abou
                           ? value.heading
                           : orientation::SensorHeading::folded(curveOf(settings, declination).corrected(value.heading));
     reading.axisElevation = about.place.elevation;
+    reading.azimuth = about.place.azimuth + profile.pointing.azimuthOffset;
     if (value.calibration) {
         reading.systemCalibration = value.calibration->system;
         reading.magnetometerCalibration = value.calibration->magnetometer;

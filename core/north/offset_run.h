@@ -6,7 +6,7 @@
 #include "core/calibration/sensor_offset.h"
 #include "core/north/axis_trace.h"
 #include "core/orientation/orientation.h"
-#include "core/profile/sensor_settings.h"
+#include "core/profile/profile.h"
 
 #include <QString>
 
@@ -25,7 +25,7 @@ public:
     explicit OffsetRun(SteadyTime now) : m_started(now) {}
 
     // `about`: the axes at the time of the heading. `declination`: from magnetic to true north.
-    void take(const orientation::Orientation& value, const AxesThen& about, const profile::SensorSettings& settings,
+    void take(const orientation::Orientation& value, const AxesThen& about, const profile::Profile& profile,
               Angle declination);
 
     [[nodiscard]] bool done(SteadyTime now) const { return passed(now) >= kDuration; }

@@ -117,6 +117,17 @@ Result<> Proposals::isCurrent(std::uint64_t number) const
                : failure(ErrorCode::Refused, Text::tr("The proposal has changed. Read it again first."));
 }
 
+Result<> Proposals::mayApply(const request::ApplyCalibration& wanted) const
+{
+    return isCurrent(wanted.proposal).and_then([&]() -> Result<> {
+        return m_proposal->doubts.empty() || wanted.overridesDoubts
+                   ? Result<>{}
+                   : failure(ErrorCode::Refused, Text::tr("This result is unreliable. %1 To use it all the same, press "
+                                                          "Apply anyway.")
+                                                     .arg(m_proposal->doubts.front()));
+    });
+}
+
 bool Proposals::isFound(calibration::Term term) const
 {
     switch (m_from) {
@@ -159,7 +170,7 @@ Proposal Proposals::madeOfSwing() const
 {
     Proposal proposal = proposalOf(*m_swung.outcome, *m_profile, m_model.toldByPoints());
     if (!m_swung.doubt.isEmpty()) {
-        proposal.warnings.push_back(m_swung.doubt);
+        proposal.doubts.push_back(m_swung.doubt);
     }
     return proposal;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/messages/request.h"
 #include "core/north/calibration_change.h"
 #include "core/north/calibration_proposal.h"
 #include "core/north/kept_points.h"
@@ -48,6 +49,8 @@ public:
     [[nodiscard]] const std::optional<Proposal>& current() const { return m_proposal; }
     // Refused if the proposal was replaced meanwhile: only the proposal that the operator has seen is applied.
     [[nodiscard]] Result<> isCurrent(std::uint64_t number) const;
+    // Also refused if the proposal is unreliable and the operator has not overridden this.
+    [[nodiscard]] Result<> mayApply(const request::ApplyCalibration& wanted) const;
     // The terms in force that stay, in words. Usually empty.
     [[nodiscard]] QString stays() const { return m_proposal ? m_proposal->stays : QString(); }
     // The term was found or entered. A term that points move only within its known error does not count. Only while

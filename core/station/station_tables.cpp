@@ -56,10 +56,10 @@ void StationTables::tick(std::uint64_t motionId, SteadyTime now)
     m_asked = m_asked.value_or(Asked{.motionId = motionId, .when = now});
     if (m_asked->motionId != motionId) {
         forget();
-    } else if (now - m_asked->when >= kLongestReading) {
+    } else if (now - m_asked->when >= kLongestTableReading) {
         answer(
             failure(ErrorCode::NoAnswer, Text::tr("The file was not read within %1 s. Nothing moves. Track it again.")
-                                             .arg(kLongestReading.count())));
+                                             .arg(kLongestTableReading.count())));
     }
 }
 

@@ -4,6 +4,7 @@
 #include "core/base/clock.h"
 #include "core/base/result.h"
 #include "core/messages/request.h"
+#include "core/messages/table_content.h"
 #include "core/targets/target.h"
 
 #include <QObject>
@@ -25,9 +26,6 @@ class StationTables : public QObject
 
 public:
     using Then = std::function<void(const Result<targets::Target>& table)>;
-
-    // After this time nobody expects a motion any more. A blocked folder of another computer may take longer.
-    static constexpr std::chrono::seconds kLongestReading{30};
 
     explicit StationTables(QObject* parent);
 

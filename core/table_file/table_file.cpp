@@ -27,7 +27,8 @@ Result<SharedTable> readTableFile(const QString& path)
     const QFileInfo there(path);
     if (!there.isFile()) {
         return cannotRead(ErrorCode::NoDevice, path,
-                          there.exists() ? Text::tr("This is not a file.") : Text::tr("There is no such file."));
+                          there.exists() ? Text::tr("This is not a file. Choose a file.")
+                                         : Text::tr("There is no such file. Check its path."));
     }
     QFile file(path);
     const bool isOpen = file.open(QIODevice::ReadOnly);

@@ -206,9 +206,9 @@ Result<TableStay> TablePath::nextStay(UtcTime from, UtcTime until)
     const AtomicTime last = atomicTime(until);
     auto span = spanFrom(first);
     if (span == m_table->spans.end() || span->from > last) {
-        Error error = nothingAt(first);
-        error.code = ErrorCode::Refused;
-        return tl::unexpected(std::move(error));
+        const QString remedy =
+            span == m_table->spans.end() ? QLatin1Char(' ') + Text::tr("Use a table with later times.") : QString();
+        return failure(ErrorCode::Refused, nothingAt(first).text + remedy);
     }
     for (; span != m_table->spans.end() && span->from <= last; ++span) {
         const TableSpan searched{.from = std::max(span->from, first), .to = std::min(span->to, last)};

@@ -85,7 +85,8 @@ void TuningRunState::enter(std::size_t leg, SteadyTime now)
 QString TuningRunState::obstacle(SteadyTime now) const
 {
     if (abs(m_error) > kLargestError) {
-        return Text::tr("The axis was %1 away from its set-point. Put the gains back, or check what blocks the axis")
+        return Text::tr(
+                   "The axis was %1 away from its set-point. Put the gains back. Check that nothing blocks the axis")
             .arg(degreesText(abs(m_error), 1));
     }
     if (now - m_began > m_way.plan.duration + kPatience) {

@@ -6,6 +6,7 @@
 #include "core/messages/rotator_models.h"
 #include "core/messages/rotator_offer.h"
 #include "core/messages/scan_result.h"
+#include "core/messages/table_content.h"
 
 #include <QObject>
 
@@ -34,11 +35,14 @@ Q_SIGNALS:
     void rotatorModelsWanted();
     void scanWanted(const QString& bus);
     void gpredictWanted(const QString& folder);
+    // `known`: an earlier answer, or null. It is the answer again if the file has not changed since.
+    void tableWanted(const QString& path, const boresight::SharedTableContent& known);
     // Called by the owner of the window.
     void adaptersFound(const std::vector<boresight::Adapter>& adapters);
     void rotatorModelsFound(const boresight::RotatorModels& models);
     void scanned(const boresight::ScanResult& result);
     void gpredictFound(const boresight::profile::GpredictFiles& files);
+    void tableRead(const boresight::SharedTableContent& content);
 
 private:
     std::vector<RotatorOffer> m_rotators;

@@ -16,7 +16,7 @@
 namespace boresight::ui {
 
 CalibrationPanel::CalibrationPanel(const Clock& clock, RequestDesk& desk, ProfileDraft& draft, QWidget* parent)
-    : QWidget(parent),
+    : AskingPanel(desk, parent),
       m_steps(new QTabWidget(this)),
       m_sensor(new SensorPage(desk, draft, this)),
       m_swing(new SwingPage(desk, this)),
@@ -35,7 +35,9 @@ CalibrationPanel::CalibrationPanel(const Clock& clock, RequestDesk& desk, Profil
     addStep(*m_model, tr("4 Model"), tr("The pointing model of these points, with their residuals"));
     addStep(*m_history, tr("5 History"), tr("What was applied before"));
     keepHeightOfShownPage(*m_steps);
-    auto* const column = new QVBoxLayout(this);
+    connect(m_bar, &CalibrationBar::confirmationWanted, this,
+            [this](const Question& question) { askFirst(question, m_status); });
+    auto* const column = new QVBoxLayout(&controls());
     column->setContentsMargins(0, 0, 0, 2);
     column->setSpacing(4);
     column->addWidget(m_steps, 1);
@@ -49,12 +51,14 @@ void CalibrationPanel::addStep(QWidget& page, const QString& name, const QString
 
 void CalibrationPanel::showStatus(const StationStatus& status)
 {
+    m_status = status;
     m_sensor->showStatus(status);
     m_swing->showStatus(status);
     m_body->showStatus(status);
     m_model->showStatus(status);
     m_history->showStatus(status);
     m_bar->showStatus(status);
+    showWhetherPossible(status);
 }
 
 void CalibrationPanel::go(CalibrationStep step)

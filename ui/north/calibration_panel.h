@@ -3,14 +3,13 @@
 
 #include "core/base/clock.h"
 #include "core/messages/station_status.h"
-
-#include <QWidget>
+#include "ui/kit/asking_panel.h"
 
 class QTabWidget;
 
 // Finding north and checking it, in five numbered steps: the average of the sensor, the compass swing, points of known
 // direction, the pointing model from the points, and the history. None of the steps changes anything. The proposal is
-// shown below all of them, with Apply, Undo and Redo.
+// shown below all of them, with Apply, Undo and Redo. Before an unreliable result is applied the panel asks.
 namespace boresight::ui {
 
 class BodyPage;
@@ -18,7 +17,6 @@ class CalibrationBar;
 class HistoryPage;
 class ModelPage;
 class ProfileDraft;
-class RequestDesk;
 class SensorPage;
 class SwingPage;
 
@@ -31,7 +29,7 @@ enum class CalibrationStep
     History
 };
 
-class CalibrationPanel : public QWidget
+class CalibrationPanel : public AskingPanel
 {
     Q_OBJECT
 
@@ -48,6 +46,7 @@ Q_SIGNALS:
 private:
     void addStep(QWidget& page, const QString& name, const QString& help);
 
+    StationStatus m_status;
     QTabWidget* m_steps;
     SensorPage* m_sensor;
     SwingPage* m_swing;

@@ -6,7 +6,6 @@
 #include "ui/kit/format.h"
 
 #include <QCoreApplication>
-#include <QStringList>
 
 #include <algorithm>
 #include <cmath>
@@ -184,6 +183,12 @@ QString changeText(const CalibrationProposal& proposal)
     return changes.isEmpty() ? CalibrationWords::tr("no term changes by 0.01°") : changes.join(QStringLiteral(", "));
 }
 
+QStringList warningsOf(const CalibrationProposal& proposal)
+{
+    return QStringList(proposal.doubts.begin(), proposal.doubts.end()) +
+           QStringList(proposal.warnings.begin(), proposal.warnings.end());
+}
+
 Sentence proposalSentence(const CalibrationStatus& calibration)
 {
     if (!calibration.proposal) {
@@ -194,8 +199,8 @@ Sentence proposalSentence(const CalibrationStatus& calibration)
         proposal.title += CalibrationWords::tr(", points: rms %1 → %2")
                               .arg(angleText(proposal.residuals->before, 3), angleText(proposal.residuals->after, 3));
     }
-    return proposal.warnings.empty() ? Sentence{proposal.title, Tone::Normal}
-                                     : Sentence{proposal.title, Tone::Warning, Symbol::Warning};
+    return warningsOf(proposal).isEmpty() ? Sentence{proposal.title, Tone::Normal}
+                                          : Sentence{proposal.title, Tone::Warning, Symbol::Warning};
 }
 
 QString swingText(const SwingOutcome& swing)

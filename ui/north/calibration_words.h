@@ -6,6 +6,7 @@
 #include "ui/link/drive_check_words.h"
 
 #include <QString>
+#include <QStringList>
 
 #include <string>
 #include <vector>
@@ -26,6 +27,8 @@ namespace boresight::ui {
 [[nodiscard]] bool keepsNorth(const CalibrationProposal& proposal);
 // Every term that changes, before and after: "azimuth offset 0.00° → 37.41°, …".
 [[nodiscard]] QString changeText(const CalibrationProposal& proposal);
+// Doubts first, then warnings.
+[[nodiscard]] QStringList warningsOf(const CalibrationProposal& proposal);
 [[nodiscard]] Sentence proposalSentence(const CalibrationStatus& calibration);
 [[nodiscard]] QString swingText(const SwingOutcome& swing);  // several lines: north, curve, tilt, verdict
 // "143.2° ± 1.6°", without the sigma before a swing, and without a value while it is unknown.

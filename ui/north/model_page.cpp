@@ -32,9 +32,7 @@ QString remarksOf(const StationStatus& status)
                      .arg(angleText(*status.sensor.azimuthSigma, 1));
     }
     if (calibration.proposal) {
-        for (const QString& warning : calibration.proposal->warnings) {
-            lines << warning;
-        }
+        lines << warningsOf(*calibration.proposal);
     }
     if (calibration.fit) {
         for (const QString& remark : calibration.fit->remarks) {

@@ -43,8 +43,8 @@ SelectedPass::SelectedPass(ProfileDraft& draft, RequestDesk& desk, QWidget* pare
       m_buttons(new QBoxLayout(QBoxLayout::TopToBottom)),
       m_track(new CommandButton(
           tr("Track"),
-          tr("Go to the place where the satellite rises, and track it until it sets. Then the mount holds"), desk,
-          *m_refused, this)),
+          tr("Go to the place where the satellite rises. Track the satellite until it sets. Then the mount holds"),
+          desk, *m_refused, this)),
       m_watch(new WatchButton(draft, desk, *m_refused, this)),
       m_favourite(new FavouriteButton(draft, desk, *m_refused, this)),
       m_note(new NoteLine(draft, *m_refused, this)),

@@ -3,6 +3,7 @@
 
 #include "ui/kit/command_button.h"
 #include "ui/kit/file_dialog.h"
+#include "ui/kit/push_button.h"
 #include "ui/kit/read_table.h"
 #include "ui/kit/value_label.h"
 #include "ui/look/paint.h"
@@ -18,33 +19,35 @@
 #include <QVBoxLayout>
 
 #include <chrono>
+#include <utility>
 
 namespace boresight::ui {
 
-TargetsPage::TargetsPage(RequestDesk& desk, QWidget* parent)
+TargetsPage::TargetsPage(RequestDesk& desk, HostDesk& host, QWidget* parent)
     : QWidget(parent),
       m_targets(new TargetTable(this)),
       m_table(makeReadTable(tr("Targets in the sky"), *m_targets, this)),
       m_typed(new QLineEdit(this)),
-      m_typedTarget(new TypedTarget(desk, this)),
+      m_typedTarget(new TypedTarget(desk, host, this)),
       m_refused(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
       m_trackChosen(new CommandButton(tr("Track selected"), tr("Track the selected target until it sets"), desk,
                                       *m_refused, this)),
       m_trackTyped(new CommandButton(tr("Track"), tr("Track the typed target, or go there if it does not move"), desk,
                                      *m_refused, this)),
-      m_trackFile(new CommandButton(tr("Track file…"),
-                                    tr("Track the rows of a file: a table with a time, an azimuth and an elevation in "
-                                       "each line, or a CCSDS OEM"),
-                                    desk, *m_refused, this)),
+      m_chooseTable(makePushButton(
+          {.text = tr("Choose file …"),
+           .help = tr("Choose the path in a file: a table with a time, an azimuth and an elevation in each line, or a "
+                      "CCSDS OEM. Track then tracks it")},
+          this)),
       m_azel(new AzelBox(desk, this)),
       m_position(new PositionBox(desk, this))
 {
     build();
     connect(m_trackChosen, &QPushButton::clicked, this, &TargetsPage::trackChosen);
     connect(m_trackTyped, &QPushButton::clicked, this, &TargetsPage::trackTyped);
-    connect(m_trackFile, &QPushButton::clicked, this, &TargetsPage::askForTable);
+    connect(m_chooseTable, &QPushButton::clicked, this, &TargetsPage::chooseTable);
     connect(m_typed, &QLineEdit::returnPressed, this, &TargetsPage::trackTyped);
-    connect(m_typed, &QLineEdit::textEdited, this, [this] { m_refused->setValue({}); });
+    connect(m_typed, &QLineEdit::textEdited, this, &TargetsPage::clearNotice);
     connect(m_typed, &QLineEdit::textChanged, m_typedTarget, &TypedTarget::setText);
     connect(m_typedTarget, &TypedTarget::judged, this, &TargetsPage::showTyped);
 }
@@ -73,8 +76,8 @@ void TargetsPage::build()
     auto* const actions = new QHBoxLayout;
     actions->setSpacing(kGrid);
     actions->addWidget(m_typed, 1);
+    actions->addWidget(m_chooseTable);
     actions->addWidget(m_trackTyped);
-    actions->addWidget(m_trackFile);
     actions->addWidget(m_trackChosen);
     column->addWidget(m_table, 1);
     column->addLayout(actions);
@@ -104,18 +107,32 @@ void TargetsPage::trackTyped()
     }
 }
 
+// The tooltip of Track has the reason for each target. A table has it beside the field, too, because a mistake in a
+// file is not visible in the text that was typed.
 void TargetsPage::showTyped()
 {
     m_trackTyped->setBlocked(m_typedTarget->whyNot());
+    const Sentence table = m_typedTarget->aboutTable();
+    if (std::exchange(m_aboutTable, table.text) != table.text) {
+        m_refused->setValue(table.text, table.tone, table.symbol);
+    }
 }
 
-void TargetsPage::askForTable()
+void TargetsPage::clearNotice()
+{
+    m_refused->setValue({});
+    m_aboutTable.clear();
+}
+
+void TargetsPage::chooseTable()
 {
     const QFileDialog* const dialog =
-        askForFile(*this, tr("Track the path in a file"), QFileDialog::AcceptOpen,
+        askForFile(*this, tr("Choose the path in a file"), QFileDialog::AcceptOpen,
                    {tr("Tables and OEM (*.txt *.csv *.tsv *.dat *.oem *.kvn)"), tr("All files (*)")});
-    connect(dialog, &QFileDialog::fileSelected, this,
-            [this](const QString& path) { m_trackFile->ask(request::TrackFile{path}); });
+    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
+        clearNotice();
+        m_typed->setText(QStringLiteral("table ") + path);
+    });
 }
 
 void TargetsPage::showStatus(const StationStatus& status)
@@ -135,7 +152,6 @@ void TargetsPage::showStatus(const StationStatus& status)
         m_typedTarget->showStatus(status);
         showTyped();
     }
-    m_trackFile->setBlocked(status.permissions.reason(Action::Track));
     m_azel->showStatus(status);
     m_position->showStatus(status);
 }

@@ -6,6 +6,7 @@
 #include <QWidget>
 
 class QLineEdit;
+class QPushButton;
 class QTableView;
 
 // Targets other than satellites: Sun, Moon, planets and radio sources in a table, a typed target, a path from a file,
@@ -14,6 +15,7 @@ namespace boresight::ui {
 
 class AzelBox;
 class CommandButton;
+class HostDesk;
 class PositionBox;
 class RequestDesk;
 class TargetTable;
@@ -25,7 +27,7 @@ class TargetsPage : public QWidget
     Q_OBJECT
 
 public:
-    TargetsPage(RequestDesk& desk, QWidget* parent = nullptr);
+    TargetsPage(RequestDesk& desk, HostDesk& host, QWidget* parent = nullptr);
 
     void showStatus(const StationStatus& status);
 
@@ -35,7 +37,8 @@ private:
     void trackChosen();
     void trackTyped();
     void showTyped();
-    void askForTable();
+    void clearNotice();
+    void chooseTable();
 
     TargetTable* m_targets;
     QTableView* m_table;
@@ -44,9 +47,10 @@ private:
     ValueLabel* m_refused;
     CommandButton* m_trackChosen;
     CommandButton* m_trackTyped;
-    CommandButton* m_trackFile;
+    QPushButton* m_chooseTable;
     AzelBox* m_azel;
     PositionBox* m_position;
+    QString m_aboutTable;  // as the notice line last showed it
     UtcTime m_now{};
 };
 

@@ -10,9 +10,11 @@
 
 namespace boresight::ui {
 
-TypedTarget::TypedTarget(RequestDesk& desk, QObject* parent) : QObject(parent), m_question(desk)
+TypedTarget::TypedTarget(RequestDesk& desk, HostDesk& host, QObject* parent)
+    : QObject(parent), m_question(desk), m_table(host)
 {
     connect(&m_question, &DirectionQuestion::answered, this, &TypedTarget::judged);
+    connect(&m_table, &TableQuestion::answered, this, &TypedTarget::takeTable);
 }
 
 void TypedTarget::setText(const QString& text)
@@ -39,6 +41,7 @@ void TypedTarget::showStatus(const StationStatus& status)
         look();
     }
     m_question.showStatus(status);
+    m_table.showStatus(status);
 }
 
 void TypedTarget::read()
@@ -47,10 +50,17 @@ void TypedTarget::read()
     m_request.reset();
     m_target.reset();
     const std::string text = m_text.toStdString();
+    const auto file = targets::tableFile(text);
+    if (!file) {
+        m_table.drop();
+    }
     if (m_text.isEmpty() || !m_satellites) {
         m_problem = tr("Type a target first.");
-    } else if (const auto file = targets::tableFile(text)) {
-        m_request = request::TrackFile{QFileInfo(*file).absoluteFilePath()};
+    } else if (file) {
+        const QString path = QFileInfo(*file).absoluteFilePath();
+        m_request = request::TrackFile{path};
+        m_table.ask(path);
+        m_target = m_table.table();
     } else if (const auto other = targets::otherRotator(text)) {
         m_request = request::FollowRotator{*other};
     } else if (const auto target = targets::parseTarget(text, *m_satellites)) {
@@ -60,6 +70,13 @@ void TypedTarget::read()
         m_problem = target.error().text;
     }
     place();
+}
+
+void TypedTarget::takeTable()
+{
+    m_target = m_table.table();
+    place();
+    Q_EMIT judged();
 }
 
 void TypedTarget::place()
@@ -90,8 +107,19 @@ QString TypedTarget::whyNot() const
         return m_problem;
     }
     const Action action = m_target && targets::isSun(*m_target) ? Action::TrackSun : Action::Track;
-    if (!m_permissions.allows(action) || !m_target) {
-        return m_permissions.reason(action);
+    return m_permissions.allows(action) ? whyNotTarget() : m_permissions.reason(action);
+}
+
+Sentence TypedTarget::aboutTable() const
+{
+    const QString why = m_table.isOpen() ? whyNotTarget() : QString();
+    return m_table.isReading() ? Sentence{why} : Sentence{why, Tone::Warning, Symbol::Warning};
+}
+
+QString TypedTarget::whyNotTarget() const
+{
+    if (const QString why = m_table.whyNot(); !why.isEmpty() || !m_target) {
+        return why;
     }
     const Result<> may = targets::hasSite(*m_target, m_profile->site.known)
                              .and_then([&] { return targets::isFresh(*m_target, m_now, m_profile->orbit.oldestDays); })

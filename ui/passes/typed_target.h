@@ -5,6 +5,8 @@
 #include "core/messages/station_status.h"
 #include "core/targets/target_place.h"
 #include "ui/link/direction_question.h"
+#include "ui/link/drive_check_words.h"
+#include "ui/link/table_question.h"
 #include "ui/passes/pass_book.h"
 
 #include <QObject>
@@ -13,7 +15,7 @@
 
 // A target that is typed: the request for it, and why the station would refuse it. The rules are those of the station
 // (core/targets/track_rules). A direction and a position are judged by the station itself, because its mount must reach
-// them. A file and another rotator are not read before they are asked for. Gui thread.
+// them. A file is read beside the gui thread. Another rotator is not asked before it is to be followed. Gui thread.
 namespace boresight::ui {
 
 class RequestDesk;
@@ -23,13 +25,15 @@ class TypedTarget : public QObject
     Q_OBJECT
 
 public:
-    explicit TypedTarget(RequestDesk& desk, QObject* parent = nullptr);
+    TypedTarget(RequestDesk& desk, HostDesk& host, QObject* parent = nullptr);
 
     void setText(const QString& text);
     void showStatus(const StationStatus& status);
 
     // Why the station would refuse it; empty: as far as the window knows it would not.
     [[nodiscard]] QString whyNot() const;
+    // Why the table of a typed file would not be tracked. Empty: it would, or no file was typed.
+    [[nodiscard]] Sentence aboutTable() const;
     [[nodiscard]] const std::optional<Request>& request() const { return m_request; }  // empty: whyNot() says why
 
 Q_SIGNALS:
@@ -37,8 +41,10 @@ Q_SIGNALS:
 
 private:
     void read();
+    void takeTable();
     void place();
     void look();
+    [[nodiscard]] QString whyNotTarget() const;  // by the target itself
 
     std::shared_ptr<const profile::Profile> m_profile;
     Satellites m_satellites;
@@ -50,6 +56,7 @@ private:
     std::optional<targets::Target> m_target;
     std::optional<targets::TargetPlace> m_place;  // of m_target, where the site is known
     DirectionQuestion m_question;
+    TableQuestion m_table;
 };
 
 }  // namespace boresight::ui

@@ -85,7 +85,7 @@ MainWindow::MainWindow(const Clock& clock, const WindowSettings& settings, QWidg
       m_plotCell(new QGridLayout),
       m_strip(new QWidget(this)),
       m_head(new ColumnHead(*m_alarms, m_desk, this)),
-      m_panels(new PanelTabs(clock, m_desk, m_draft, settings, this)),
+      m_panels(new PanelTabs(clock, m_desk, m_host, m_draft, settings, this)),
       m_places(new PlacesBar(m_draft, m_desk, settings.recentGoTos, this)),
       m_side(new GuideRoom(*m_panels, m_last, m_draft, m_desk, m_host, settings.guide, this)),
       m_lastCommand(new ValueLabel(tr("Last line of the log"), fonts::label(), {}, this)),

@@ -35,13 +35,13 @@ namespace {
 constexpr int kLeastTabSpace = 4;  // px beside the words of a tab, on both sides together
 }  // namespace
 
-PanelTabs::PanelTabs(const Clock& clock, RequestDesk& desk, ProfileDraft& draft, const WindowSettings& settings,
-                     QWidget* parent)
+PanelTabs::PanelTabs(const Clock& clock, RequestDesk& desk, HostDesk& host, ProfileDraft& draft,
+                     const WindowSettings& settings, QWidget* parent)
     : QTabWidget(parent),
       m_jog(new JogPanel(clock, draft, desk, this)),
       m_passes(new PassesPanel(draft, desk, this)),
       m_schedule(new SchedulePage(draft, desk, this)),
-      m_targets(new TargetsPage(desk, this)),
+      m_targets(new TargetsPage(desk, host, this)),
       m_charts(new ChartsPanel(clock, this)),
       m_limits(new LimitsPanel(draft, desk, this)),
       m_clients(new ClientsPanel(draft, desk, this)),

@@ -21,6 +21,7 @@ class CalibrationPanel;
 class ChartsPanel;
 class ClientsPanel;
 class DrivesPanel;
+class HostDesk;
 class JogPanel;
 class LimitsPanel;
 class LogPanel;
@@ -40,8 +41,8 @@ class PanelTabs : public QTabWidget
     Q_OBJECT
 
 public:
-    PanelTabs(const Clock& clock, RequestDesk& desk, ProfileDraft& draft, const WindowSettings& settings,
-              QWidget* parent = nullptr);
+    PanelTabs(const Clock& clock, RequestDesk& desk, HostDesk& host, ProfileDraft& draft,
+              const WindowSettings& settings, QWidget* parent = nullptr);
 
     void showStatus(const StationStatus& status);
     [[nodiscard]] WindowLayout arrangement() const;

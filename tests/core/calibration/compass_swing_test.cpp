@@ -204,6 +204,23 @@ TEST(CompassSwing, PaintsASectorWhereSteelIs)
     EXPECT_TRUE(swing.curve.isReliable(100_deg));
 }
 
+// Story: steel ended within a step of 10°, and the rest of it was not marked.
+// REQ-CALIBRATION-06
+TEST(CompassSwing, TheWholeOfTheSteelIsInItsSector)
+{
+    for (double from = 200.0; from < 210.0; from += 1.0) {
+        SwungMount mount = hidden();
+        mount.steelFrom = from;
+        mount.steelStep = 15.0;
+        const CompassSwing swing = fitted(mount);
+        const Angle begins = Angle::fromDegrees(from) + 37.4_deg;
+        EXPECT_FALSE(swing.curve.isReliable(begins + 1_deg)) << from;
+        EXPECT_FALSE(swing.curve.isReliable(begins + 29_deg)) << from;
+        EXPECT_TRUE(swing.curve.isReliable(begins - 12_deg)) << from;
+        EXPECT_TRUE(swing.curve.isReliable(begins + 42_deg)) << from;
+    }
+}
+
 // REQ-CALIBRATION-06
 TEST(CompassSwing, ASectorMayLieAcrossNorth)
 {

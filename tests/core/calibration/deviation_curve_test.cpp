@@ -110,6 +110,11 @@ TEST(DeviationCurve, KnowsWhereItIsNotToBeBelieved)
     EXPECT_TRUE(curve.isReliable(199_deg));
     EXPECT_FALSE(curve.isReliable(215_deg));
     EXPECT_TRUE(curve.isReliable(231_deg));
+    EXPECT_TRUE(curve.isReliable(190_deg, 199_deg));
+    EXPECT_FALSE(curve.isReliable(190_deg, 201_deg));
+    EXPECT_FALSE(curve.isReliable(190_deg, 240_deg));
+    EXPECT_FALSE(curve.isReliable(589_deg, 600_deg)) << "a turn further";
+    EXPECT_TRUE(curve.isReliable(231_deg, 550_deg));
     const UnreliableSector throughNorth{.from = 350_deg, .to = 10_deg, .residual = {}};
     EXPECT_TRUE(throughNorth.contains(0_deg));
     EXPECT_TRUE(throughNorth.contains(355_deg));

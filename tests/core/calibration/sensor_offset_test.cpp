@@ -95,6 +95,15 @@ TEST(SensorOffset, UsesTheCurveOfASwing)
     EXPECT_GT(inSteel->offset.sigma, 5_deg);
     EXPECT_FALSE(inSteel->isReliableHere);
     EXPECT_TRUE(offset->isReliableHere);
+    // Story: the steel had turned the heading out of its own sector, so the result counted as good.
+    curve.unreliable = {{.from = 110_deg, .to = 130_deg, .residual = 15_deg}};
+    for (SensorReading& reading : still) {
+        reading.azimuth = 482.4_deg;
+    }
+    const auto turnedOut = sensorOffset(still, {}, curve);
+    ASSERT_TRUE(turnedOut.has_value());
+    EXPECT_FALSE(turnedOut->isReliableHere) << "by the north in force the mount is at 122.4°";
+    EXPECT_GT(turnedOut->offset.sigma, 5_deg);
 }
 
 // A box face up counts against the compass. The readings of a mount that stands still do not show this: it must be

@@ -8,7 +8,7 @@
 
 #include <string>
 
-// A sensor that is compared with axes that stand still, with a hand-turned clock.
+// A sensor that is compared with axes, which stand still unless a test moves them, with a hand-turned clock.
 namespace boresight {
 
 inline constexpr SkyPointing kStandingAt{.azimuth = Angle::fromDegrees(100.0), .elevation = Angle::fromDegrees(20.0)};
@@ -33,7 +33,7 @@ struct SensorWatchRig
     {
         for (int i = 0; i < static_cast<int>(seconds * 50.0); ++i) {
             clock.advance(Seconds(0.02));
-            watch.tick(kStandingAt, 0.0, proposedAxes);
+            watch.tick(axes, 0.0, proposedAxes);
             if (speaking && ++ticks % 50 == 0) {
                 watch.take(value());
             }
@@ -84,6 +84,7 @@ struct SensorWatchRig
     std::optional<orientation::Calibration> calibration{
         {.system = 3, .gyro = 3, .accelerometer = 3, .magnetometer = 3}};
     std::string unknown;
+    std::optional<SkyPointing> axes{kStandingAt};
     std::optional<SkyPointing> proposedAxes;
 };
 

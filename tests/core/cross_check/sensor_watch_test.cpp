@@ -228,9 +228,60 @@ TEST(SensorWatch, WhatASwingFoundSaysHowFarItIsToBeBelieved)
     rig.heading = curveOf(profile.sensor, profile.sensor.declinationInSensor).reading(120_deg).angle();
     rig.run(10.0);
     EXPECT_EQ(rig.alarmText(), "") << "20° off, but nothing is to be made of it there";
-    rig.heading = curveOf(profile.sensor, profile.sensor.declinationInSensor).reading(140_deg).angle();
-    rig.run(5.0);
-    EXPECT_THAT(rig.alarmText(), HasSubstr("in azimuth"));
+    rig.axes->azimuth = 140_deg;
+    rig.run(8.0);
+    EXPECT_THAT(rig.alarmText(), HasSubstr("differ by 20.0° in azimuth"));
+}
+
+// Story: beside steel the warning stayed after the swing. The steel had turned the heading out of its own sector.
+// REQ-WITNESS-41a: The azimuth of the mount decides whether steel disturbs a value of the sensor. The heading of the
+// sensor decides only while the position of the mount is unknown.
+TEST(SensorWatch, TheMountAndNotTheDeflectedHeadingIsInASectorWithSteel)
+{
+    profile::Profile profile;
+    profile.sensor.deviation = {
+        .a1 = 8_deg, .sigma = 1.5_deg, .elevation = 20_deg, .unreliable = {{.from = 200_deg, .to = 230_deg}}};
+    SensorWatchRig rig(profile);
+    const auto read = [&](Angle azimuth, Angle heading) {
+        rig.axes = SkyPointing{.azimuth = azimuth, .elevation = 20_deg};
+        rig.heading = curveOf(profile.sensor, profile.sensor.declinationInSensor).reading(heading).angle();
+        rig.run(10.0);
+    };
+    read(218_deg, 233_deg);
+    EXPECT_EQ(rig.alarmText(), "");
+    EXPECT_FALSE(rig.watch.status().azimuthDifference);
+    EXPECT_FALSE(rig.watch.status().azimuthSigma);
+    EXPECT_FALSE(rig.watch.evidence().azimuth);
+    EXPECT_THAT(rig.watch.status().doubt.toStdString(), HasSubstr("near 218.0°"));
+    read(190_deg, 205_deg);
+    EXPECT_THAT(rig.alarmText(), HasSubstr("differ by 15.0° in azimuth"));
+    EXPECT_TRUE(rig.watch.evidence().azimuth);
+
+    rig.axes.reset();
+    rig.run(2.0);
+    EXPECT_FALSE(rig.watch.evidence().azimuth) << "only the heading is known, and it is in the sector";
+}
+
+// The sensor averages. While the mount enters a sector, a part of the average comes from there.
+// REQ-WITNESS-41a
+TEST(SensorWatch, AValueThatIsPartlyFromASectorDoesNotCount)
+{
+    profile::Profile profile;
+    profile.sensor.deviation = {.a1 = 8_deg, .unreliable = {{.from = 200_deg, .to = 230_deg}}};
+    SensorWatchRig rig(profile);
+    const auto counts = [&](Angle azimuth) {
+        rig.axes->azimuth = azimuth;
+        rig.heading = curveOf(profile.sensor, profile.sensor.declinationInSensor).reading(azimuth).angle();
+        rig.run(1.0);
+        return rig.watch.status().azimuthDifference.has_value();
+    };
+    rig.axes->azimuth = 196_deg;
+    rig.run(3.0);
+    EXPECT_TRUE(counts(196_deg));
+    EXPECT_TRUE(counts(199_deg));
+    EXPECT_FALSE(counts(202_deg));
+    EXPECT_FALSE(counts(231_deg)) << "it was measured on the way";
+    EXPECT_TRUE(counts(231_deg));
 }
 
 TEST(SensorWatch, TheDeclinationOfTheSiteCountsOnceItIsKnown)

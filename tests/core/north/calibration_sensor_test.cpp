@@ -19,6 +19,40 @@ TEST(CalibrationSensor, TheStillMountTellsNorthAsWellAsOneHeadingCan)
     EXPECT_GT(rig.status().sensorOffset->offset.sigma.degrees(), 3.0);
 }
 
+bool hasLogged(const CalibrationRig& rig, const QString& line)
+{
+    return std::ranges::any_of(rig.log.since(0, EventLog::kCapacity), [&](const LogEntry& entry) {
+        return entry.source == QStringLiteral("operator") && entry.text == line;
+    });
+}
+
+// REQ-NORTH-963: An unreliable result, such as a north from beside steel, is applied only if the operator overrides
+// each doubt explicitly. The log names the override and the doubts.
+TEST(CalibrationSensor, AnUnreliableNorthNeedsTheOperatorsOverride)
+{
+    profile::Profile profile = calibratedProfile();
+    profile.sensor.deviation.unreliable = {{.from = 0_deg, .to = 360_deg}};
+    CalibrationRig rig({}, profile);
+    ASSERT_TRUE(rig.ask(request::MeasureSensorOffset{}));
+    rig.runOut(Seconds(60.0));
+    ASSERT_TRUE(rig.status().proposal) << rig.status().progress.outcome.toStdString();
+    const CalibrationProposal proposal = *rig.status().proposal;
+    ASSERT_EQ(proposal.doubts.size(), 1U);
+    const pointing::PointingTerms before = rig.terms();
+    const auto refused = rig.apply();
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(textOf(refused.error()), "This result is unreliable. " + proposal.doubts[0].toStdString() +
+                                           " To use it all the same, press Apply anyway.");
+    EXPECT_EQ(rig.terms(), before);
+    ASSERT_TRUE(rig.status().proposal) << "it still waits";
+
+    EXPECT_FALSE(rig.ask(request::ApplyCalibration{.proposal = proposal.number + 1, .overridesDoubts = true}))
+        << "of another proposal";
+    ASSERT_TRUE(rig.ask(request::ApplyCalibration{.proposal = proposal.number, .overridesDoubts = true}));
+    EXPECT_NE(rig.terms(), before);
+    EXPECT_TRUE(hasLogged(rig, QStringLiteral("overrode this warning by Apply anyway: ") + proposal.doubts[0]));
+}
+
 // REQ-NORTH-962: Applying a proposal that has warnings is logged with each of them.
 TEST(CalibrationSensor, ApplyingInSpiteOfAWarningIsLogged)
 {
@@ -30,11 +64,8 @@ TEST(CalibrationSensor, ApplyingInSpiteOfAWarningIsLogged)
     ASSERT_FALSE(warnings.empty()) << "one heading gives a poor north";
     ASSERT_TRUE(rig.apply());
     for (const QString& warning : warnings) {
-        const QString line = QStringLiteral("applied despite this warning: ") + warning;
-        const auto lines = rig.log.since(0, EventLog::kCapacity);
-        EXPECT_TRUE(std::ranges::any_of(lines, [&](const LogEntry& entry) {
-            return entry.source == QStringLiteral("operator") && entry.text == line;
-        })) << line.toStdString();
+        EXPECT_TRUE(hasLogged(rig, QStringLiteral("applied despite this warning: ") + warning))
+            << warning.toStdString();
     }
 }
 

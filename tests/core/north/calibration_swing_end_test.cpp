@@ -139,10 +139,9 @@ TEST(CalibrationSwing, ASilenceOfASensorThatTellsNoCalibrationIsADoubt)
         rig.speaks = true;
         rig.runOut();
         ASSERT_TRUE(rig.status().proposal) << rig.status().progress.outcome.toStdString();
-        const auto warnings = rig.status().proposal->warnings;
-        EXPECT_EQ(!tells, std::ranges::any_of(warnings, [](const QString& warning) {
-            return warning.contains(QStringLiteral("silent"));
-        }));
+        const auto doubts = rig.status().proposal->doubts;
+        EXPECT_EQ(!tells, std::ranges::any_of(
+                              doubts, [](const QString& doubt) { return doubt.contains(QStringLiteral("silent")); }));
     }
 }
 

@@ -255,6 +255,45 @@ TEST(StationCalibration, ASwingOfTheSimulatedMountFindsItsHiddenNorth)
     EXPECT_EQ(withSensor(), *rig.saved);
 }
 
+// Scenario: a mast of steel beside the antenna. Its edges lie between the steps in which a swing marks a sector.
+// REQ-WITNESS-41a
+// REQ-NORTH-963
+TEST(StationCalibration, BesideSteelTheSensorIsSilentAfterASwingAndGivesNoNorth)
+{
+    profile::Profile profile = withSensor();
+    profile.sensor.stillCurrent = 5.0;  // a motor holds the boom
+    CalibratedStation rig(profile);
+    rig.truth().mount.azimuthOffset = 37.4_deg;
+    rig.truth().a1 = 8_deg;
+    rig.truth().noise = 0.5_deg;
+    rig.truth().steelFrom = 203_deg;
+    rig.truth().steelTo = 232_deg;
+    rig.truth().steel = 15_deg;
+    ASSERT_TRUE(rig.ask(request::TakeAuthority{}));
+    ASSERT_TRUE(rig.ask(request::PointAxes{{.azimuth = 60_deg, .elevation = 30_deg}}));
+    rig.run(Seconds(30.0));
+    ASSERT_TRUE(rig.ask(request::StartSwing{.rate = 5_deg_s, .headings = 0}));
+    rig.run(Seconds(210.0));
+    ASSERT_TRUE(rig.calibration()->proposal) << rig.calibration()->progress.outcome.toStdString();
+    ASSERT_TRUE(rig.ask(request::ApplyCalibration{rig.calibration()->proposal->number}));
+    const Angle north = rig.saved->pointing.azimuthOffset;
+    for (double beam = 196.0; beam <= 240.0; beam += 2.0) {
+        ASSERT_TRUE(rig.ask(request::PointAxes{{.azimuth = Angle::fromDegrees(beam) - 37.4_deg, .elevation = 30_deg}}));
+        rig.run(Seconds(8.0));
+        EXPECT_FALSE(rig.isWarned(QStringLiteral("The orientation sensor and the axes differ"))) << beam;
+    }
+    ASSERT_TRUE(rig.ask(request::PointAxes{{.azimuth = 224_deg - 37.4_deg, .elevation = 30_deg}}));
+    rig.run(Seconds(20.0));
+    ASSERT_TRUE(rig.ask(request::MeasureSensorOffset{}));
+    rig.run(Seconds(30.0));
+    ASSERT_TRUE(rig.calibration()->proposal) << rig.calibration()->progress.outcome.toStdString();
+    const std::uint64_t number = rig.calibration()->proposal->number;
+    EXPECT_FALSE(rig.ask(request::ApplyCalibration{number}));
+    EXPECT_EQ(rig.saved->pointing.azimuthOffset, north);
+    ASSERT_TRUE(rig.ask(request::ApplyCalibration{.proposal = number, .overridesDoubts = true}));
+    EXPECT_NEAR((rig.saved->pointing.azimuthOffset - north).degrees(), 15.0, 2.0);
+}
+
 const QString kNotWritten = QStringLiteral("The history of the calibration is not stored");
 
 Result<> applyNorth(CalibratedStation& rig, Angle north)

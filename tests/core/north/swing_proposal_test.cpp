@@ -230,16 +230,17 @@ TEST(SensorProposal, ANorthThatPointsHaveToldBetterStays)
     EXPECT_FALSE(before.sensor);
 }
 
-// REQ-NORTH-961: A north that was measured where steel disturbs the compass is proposed with a warning.
-TEST(SensorProposal, ANorthFromBesideSteelWarns)
+// REQ-NORTH-961: A north that was measured where steel disturbs the compass is proposed as an unreliable result.
+TEST(SensorProposal, ANorthFromBesideSteelIsUnreliable)
 {
     calibration::SensorOffset offset;
     offset.offset = {43_deg, 2_deg};
-    EXPECT_TRUE(proposalOf(offset, {}).warnings.empty());
+    EXPECT_TRUE(proposalOf(offset, {}).doubts.empty());
     offset.isReliableHere = false;
     const Proposal proposal = proposalOf(offset, {});
-    ASSERT_EQ(proposal.warnings.size(), 1u);
-    EXPECT_EQ(proposal.warnings[0],
+    EXPECT_TRUE(proposal.warnings.empty());
+    ASSERT_EQ(proposal.doubts.size(), 1u);
+    EXPECT_EQ(proposal.doubts[0],
               QStringLiteral("Steel disturbs the compass at this heading (result of the swing). Measure at another "
                              "heading."));
 }

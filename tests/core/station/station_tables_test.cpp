@@ -119,7 +119,7 @@ TEST_F(TableFolder, AnotherErrandAndTimeEndTheWaiting)
     tables.tick(8, start);
     tables.tick(8, start + std::chrono::milliseconds(29'999));
     EXPECT_FALSE(late.table);
-    tables.tick(8, start + StationTables::kLongestReading);
+    tables.tick(8, start + kLongestTableReading);
     EXPECT_EQ(late.problem(), "The file was not read within 30 s. Nothing moves. Track it again.");
     tables.tick(9, start + std::chrono::seconds(31));
 }

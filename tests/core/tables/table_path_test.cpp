@@ -212,7 +212,8 @@ TEST_F(OrbitOfOurOwn, HasNothingInAGapAndBeyondItsEnds)
               "The table of TEST ONE has a gap from 2026-12-24 00:09Z to 2026-12-24 00:20Z.");
     EXPECT_EQ(textOf(path.at(kStart + 29min + 1ms).error()), "The table of TEST ONE ended at 2026-12-24 00:29Z.");
     EXPECT_EQ(path.at(kStart - 1ms).error().code, ErrorCode::NotAvailable);
-    EXPECT_THAT(textOf(path.nextStay(kStart + 1h, kStart + 2h).error()), HasSubstr("ended at 2026-12-24 00:29Z."));
+    EXPECT_THAT(textOf(path.nextStay(kStart + 1h, kStart + 2h).error()),
+                HasSubstr("ended at 2026-12-24 00:29Z. Use a table with later times."));
     EXPECT_THAT(textOf(path.nextStay(kStart - 48h, kStart - 24h).error()), HasSubstr("begins at 2026-12-24 00:00Z."));
 }
 

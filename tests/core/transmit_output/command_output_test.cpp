@@ -46,6 +46,15 @@ protected:
         QObject::connect(output.get(), &TransmitOutput::failed, output.get(),
                          [this](const QString& reason) { told.push_back(reason.toStdString()); });
     }
+    // "off" runs while "on" still does.
+    void switchOffDuringOn(const QString& script)
+    {
+        begin(script);
+        output->set(true);
+        ASSERT_TRUE(fakes::waitUntil([this] { return journal() == "on\n"; }));
+        output->set(false);
+        ASSERT_TRUE(fakes::waitUntil([this] { return journal() == "on\noff\n"; }));
+    }
     [[nodiscard]] bool tells(std::size_t count) const
     {
         return fakes::waitUntil([this, count] { return told.size() >= count; });
@@ -107,12 +116,8 @@ TEST_F(CommandOutputTest, ATroubleIsToldAndTriedAgain)
 // REQ-TRANSMIT-17: "off" does not wait for an "on" that hangs, and runs once more when both have ended.
 TEST_F(CommandOutputTest, OffDoesNotWaitForOn)
 {
-    begin(kOnHangs);
-    output->set(true);
-    ASSERT_TRUE(fakes::waitUntil([this] { return journal() == "on\n"; }));
-    output->set(false);
+    ASSERT_NO_FATAL_FAILURE(switchOffDuringOn(kOnHangs));
     ASSERT_TRUE(tells(1));
-    ASSERT_EQ(journal(), "on\noff\n");
     EXPECT_FALSE(output->isIdle()) << "\"on\" still runs";
     letGo("on");
     ASSERT_TRUE(fakes::waitUntil([this] { return journal() == "on\noff\nlate\noff\n"; }));
@@ -125,11 +130,7 @@ TEST_F(CommandOutputTest, OffDoesNotWaitForOn)
 // REQ-TRANSMIT-17
 TEST_F(CommandOutputTest, OffRunsAgainWhenOnEndedWithinIt)
 {
-    begin(kBothHang);
-    output->set(true);
-    ASSERT_TRUE(fakes::waitUntil([this] { return journal() == "on\n"; }));
-    output->set(false);
-    ASSERT_TRUE(fakes::waitUntil([this] { return journal() == "on\noff\n"; }));
+    ASSERT_NO_FATAL_FAILURE(switchOffDuringOn(kBothHang));
     letGo("on");
     ASSERT_TRUE(tells(1)) << "\"on\" failed";
     EXPECT_FALSE(output->isIdle()) << "\"off\" still runs";
@@ -143,11 +144,7 @@ TEST_F(CommandOutputTest, OffRunsAgainWhenOnEndedWithinIt)
 // REQ-TRANSMIT-17
 TEST_F(CommandOutputTest, TheLastWordIsOffAlsoWhereOnEndedWithinIt)
 {
-    begin(kBothHang);
-    output->set(true);
-    ASSERT_TRUE(fakes::waitUntil([this] { return journal() == "on\n"; }));
-    output->set(false);
-    ASSERT_TRUE(fakes::waitUntil([this] { return journal() == "on\noff\n"; }));
+    ASSERT_NO_FATAL_FAILURE(switchOffDuringOn(kBothHang));
     letGo("on");
     ASSERT_TRUE(tells(1));
     letGo("off");
@@ -186,12 +183,8 @@ TEST_F(CommandOutputTest, TheLastWordAtItsEndIsOff)
 // REQ-TRANSMIT-17
 TEST_F(CommandOutputTest, TheLastWordIsOffAlsoWhereOnHangs)
 {
-    begin(kOnHangs);
-    output->set(true);
-    ASSERT_TRUE(fakes::waitUntil([this] { return journal() == "on\n"; }));
-    output->set(false);
+    ASSERT_NO_FATAL_FAILURE(switchOffDuringOn(kOnHangs));
     ASSERT_TRUE(tells(1));
-    ASSERT_EQ(journal(), "on\noff\n");
     letGo("on");
     output.reset();  // it has not yet received the end of "on"
     EXPECT_EQ(journal(), "on\noff\nlate\noff\n");

@@ -120,6 +120,53 @@ TEST_F(NorthTest, EveryWarningStandsBesideApply)
     }
 }
 
+StationStatus besideSteel()
+{
+    StationStatus status = samples::swung();
+    CalibrationStatus calibration = *status.calibration;
+    calibration.proposal->doubts = {QStringLiteral("Steel disturbs the compass at this heading.")};
+    calibration.proposal->warnings = {QStringLiteral("North is known only to 6.1°.")};
+    status.calibration = std::make_shared<const CalibrationStatus>(calibration);
+    return status;
+}
+
+// REQ-UI-1716: An unreliable result is marked beside Apply, and Apply asks before it sends a request. The question
+// names the doubt and the changes. Only Apply anyway sends the override. Cancel has the focus and sends nothing.
+TEST_F(NorthTest, AnUnreliableResultIsAppliedOnlyByApplyAnyway)
+{
+    show(CalibrationStep::Sensor, besideSteel());
+    EXPECT_TRUE(
+        text("What Apply changes")
+            .startsWith(QStringLiteral("Steel disturbs the compass at this heading. North is known only to 6.1°.")))
+        << text("What Apply changes").toStdString();
+    EXPECT_EQ(named<ValueLabel>("Proposed calibration")->tone(), Tone::Warning);
+    auto* const panel = window.findChild<CalibrationPanel*>();
+    click("Apply north …");
+    ASSERT_TRUE(panel->isAsking());
+    const QString question = named<QPlainTextEdit>("What will happen")->toPlainText();
+    EXPECT_TRUE(question.startsWith(
+        QStringLiteral("This result is unreliable. Steel disturbs the compass at this heading.\n")));
+    EXPECT_TRUE(question.contains(QStringLiteral("azimuth offset 0.00° → 3"))) << question.toStdString();
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);
+    EXPECT_FALSE(panel->isAsking());
+    EXPECT_TRUE(requests.empty());
+
+    click("Apply north …");
+    click("Apply anyway");
+    ASSERT_EQ(wanted<request::ApplyCalibration>().size(), 1U);
+    EXPECT_EQ(wanted<request::ApplyCalibration>().front().proposal, 7U);
+    EXPECT_TRUE(wanted<request::ApplyCalibration>().front().overridesDoubts);
+}
+
+// REQ-UI-1716
+TEST_F(NorthTest, AReliableResultIsAppliedWithoutAQuestion)
+{
+    show(CalibrationStep::Sensor, samples::swung());
+    click("Apply north");
+    ASSERT_EQ(wanted<request::ApplyCalibration>().size(), 1U);
+    EXPECT_FALSE(wanted<request::ApplyCalibration>().front().overridesDoubts);
+}
+
 // Story: the result of Sun and Moon about the level was computed and shown nowhere.
 // REQ-UI-1496: The remark of the proposal about the level is beside Apply, before the changes.
 TEST_F(NorthTest, WhatWasFoundOfTheLevelStandsBesideApply)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/passes/targets_page.h"
 
+#include "core/tables/atomic_time.h"
 #include "core/targets/track_rules.h"
 #include "tests/fakes/low_orbit.h"
 #include "tests/ui/window_fixture.h"
@@ -204,7 +205,7 @@ TEST_F(TargetsPageTest, OffersOnlyATypedTargetThatTheStationTracks)
     EXPECT_EQ(whyNot("azel 121,30"), "");
     EXPECT_EQ(whyNot("IM58kr"), "");
     EXPECT_EQ(whyNot("radec 12,80"), "") << "it never sets";
-    EXPECT_EQ(whyNot("table /home/me/pass.csv"), "") << "the station reads the file when it is asked";
+    EXPECT_EQ(whyNot("rotctld:10.0.0.7:4533"), "") << "the station asks the other rotator";
 
     profile::Profile nowhere = *status.profile;
     nowhere.site.known = false;
@@ -234,37 +235,141 @@ TEST_F(TargetsPageTest, TracksWhatIsTyped)
     EXPECT_TRUE(isTold(QStringLiteral("\"nonsense\" is not a known satellite")));
 }
 
-// REQ-TARGETS-952: The table of a file is tracked by a button that asks for the file, or by its path in the field. The
-// field also accepts another rotator to follow.
-TEST_F(TargetsPageTest, TracksTheWayOfAFile)
+// A window whose question about a file is answered as a test says.
+class TableOfAFileTest : public TargetsPageTest
 {
-    const QString path = QStringLiteral("/tmp/way.csv");
-    show(atSite());
-    QTest::mouseClick(named<CommandButton>("Track file…"), Qt::LeftButton);
+protected:
+    TableOfAFileTest()
+    {
+        QObject::connect(
+            &window.host(), &HostDesk::tableWanted, &window,
+            [this](const QString& path, const SharedTableContent&) { wanted.push_back(path.toStdString()); });
+        show(status);
+    }
+
+    // Two rows, at these times after the present status.
+    [[nodiscard]] targets::Target rows(std::chrono::minutes first, std::chrono::minutes last) const
+    {
+        const tables::AtomicTime from = tables::atomicTime(status.utc + first);
+        const tables::AtomicTime to = tables::atomicTime(status.utc + last);
+        const tables::DirectionRows both{{.time = from, .direction = {100_deg, 20_deg}},
+                                         {.time = to, .direction = {110_deg, 20_deg}}};
+        return targets::tableTarget(std::make_shared<const tables::Table>(
+            tables::Table{.name = QStringLiteral("way.csv"), .rows = both, .spans = {{.from = from, .to = to}}}));
+    }
+    void answer(const Result<targets::Target>& table)
+    {
+        Q_EMIT window.host().tableRead(std::make_shared<const TableContent>(
+            TableContent{.path = QStringLiteral("/tmp/way.csv"), .state = {}, .table = table}));
+    }
+    void elapseShown(std::chrono::milliseconds time)
+    {
+        status.utc += time;
+        show(status);
+    }
+    // Types the path. The window has asked for the file.
+    void type()
+    {
+        field().clear();
+        QTest::keyClicks(&field(), QStringLiteral("table /tmp/way.csv"));
+        show(status);
+        elapseShown(std::chrono::seconds(1));
+    }
+    QLineEdit& field() { return *named<QLineEdit>("Another target"); }
+    CommandButton& track() { return *named<CommandButton>("Track"); }
+    [[nodiscard]] std::string whyNot() { return track().obstacle().toStdString(); }
+
+    StationStatus status = atSite();
+    std::vector<std::string> wanted;  // files
+};
+
+// REQ-TARGETS-952: The table of a file is chosen by a button, or typed by its path. Track sends its path to the
+// station. To choose a file moves nothing. The field also accepts another rotator to follow.
+TEST_F(TableOfAFileTest, IsChosenThenTracked)
+{
+    QTest::mouseClick(named<QPushButton>("Choose file …"), Qt::LeftButton);
     auto* const dialog = window.findChild<QFileDialog*>();
     ASSERT_NE(dialog, nullptr);
     EXPECT_FALSE(dialog->isModal()) << "STOP stays in reach";
-    Q_EMIT dialog->fileSelected(path);
+    Q_EMIT dialog->fileSelected(QStringLiteral("/tmp/way.csv"));
+    EXPECT_EQ(field().text(), QStringLiteral("table /tmp/way.csv"));
+    elapseShown(std::chrono::seconds(1));
+    EXPECT_EQ(wanted, std::vector<std::string>{"/tmp/way.csv"});
+    EXPECT_FALSE(track().isEnabled());
+    answer(rows(std::chrono::minutes(0), std::chrono::minutes(5)));
+    show(status);
+    EXPECT_TRUE(requests.empty());
+    QTest::mouseClick(&track(), Qt::LeftButton);
     ASSERT_EQ(asked<request::TrackFile>().size(), 1U);
-    EXPECT_EQ(asked<request::TrackFile>().back().path, path);
+    EXPECT_EQ(asked<request::TrackFile>().back().path, QStringLiteral("/tmp/way.csv"));
+}
 
-    QTest::keyClicks(named<QLineEdit>("Another target"), QStringLiteral("table ") + path);
-    show(atSite());
-    QTest::keyClick(named<QLineEdit>("Another target"), Qt::Key_Return);
-    ASSERT_EQ(asked<request::TrackFile>().size(), 2U);
-    EXPECT_EQ(asked<request::TrackFile>().back().path, path);
+// Story: a table that was over, or had a mistake, was refused only after Track was pressed.
+// REQ-TARGETS-964: Track is offered for the table of a file only while the station would track it. The file is read
+// beside the window. The reason is beside the field: the file and the line of a mistake, a path that is over or far
+// off, a site that is missing.
+TEST_F(TableOfAFileTest, IsOfferedOnlyIfTheStationTracksIt)
+{
+    type();
+    EXPECT_EQ(whyNot(), "Boresight is reading the file. Wait a moment.");
+    EXPECT_TRUE(isTold(QStringLiteral("Boresight is reading the file.")));
+    const QString mistake = QStringLiteral("/tmp/way.csv:2: The elevation is 200°.");
+    answer(failure(ErrorCode::InvalidInput, mistake));
+    EXPECT_EQ(whyNot(), mistake.toStdString());
+    EXPECT_TRUE(isTold(mistake));
+    EXPECT_FALSE(track().isEnabled());
+    QTest::keyClick(&field(), Qt::Key_Return);
+    EXPECT_TRUE(requests.empty());
 
-    named<QLineEdit>("Another target")->clear();
+    answer(rows(std::chrono::minutes(-9), std::chrono::minutes(-1)));
+    EXPECT_THAT(whyNot(), testing::StartsWith("The table of way.csv ended at "));
+    answer(rows(std::chrono::minutes(90), std::chrono::minutes(95)));
+    EXPECT_THAT(whyNot(), testing::StartsWith("way.csv rises at "));
+    answer(rows(std::chrono::minutes(-1), std::chrono::minutes(3)));
+    EXPECT_EQ(whyNot(), "");
+    EXPECT_FALSE(isTold(QStringLiteral("way.csv rises at ")));
+    elapseShown(std::chrono::minutes(4));
+    EXPECT_THAT(whyNot(), testing::StartsWith("The table of way.csv ended at ")) << "while the text stands";
+    EXPECT_TRUE(isTold(QStringLiteral("The table of way.csv ended at ")));
+
+    profile::Profile nowhere = *status.profile;
+    nowhere.site.known = false;
+    status.profile = std::make_shared<const profile::Profile>(nowhere);
+    show(status);
+    answer(targets::tableTarget(std::make_shared<const tables::Table>(
+        tables::Table{.name = QStringLiteral("probe"), .rows = tables::OrbitSegments(1), .spans = {{}}})));
+    EXPECT_THAT(whyNot(), testing::StartsWith("The site of the mount is not set."));
+    answer(rows(std::chrono::minutes(0), std::chrono::minutes(3)));
+    EXPECT_EQ(whyNot(), "") << "a table of directions needs no site";
+    status.permissions.refuse(Action::Track, QStringLiteral("STOP is latched."));
+    show(status);
+    EXPECT_EQ(whyNot(), "STOP is latched.");
+}
+
+// REQ-TARGETS-964
+TEST_F(TableOfAFileTest, AnotherTextEndsItsReason)
+{
+    type();
+    answer(failure(ErrorCode::NoDevice, QStringLiteral("/tmp/way.csv: There is no such file.")));
+    ASSERT_TRUE(isTold(QStringLiteral("/tmp/way.csv: There is no such file.")));
+    field().clear();
+    QTest::keyClicks(&field(), QStringLiteral("moon"));
+    show(status);
+    EXPECT_FALSE(isTold(QStringLiteral("/tmp/way.csv")));
+    answer(rows(std::chrono::minutes(0), std::chrono::minutes(3)));
+    show(status);
+    EXPECT_TRUE(track().obstacle().isEmpty() || track().obstacle().contains(QStringLiteral("Moon")))
+        << track().obstacle().toStdString();
+}
+
+// REQ-TARGETS-952
+TEST_F(TargetsPageTest, FollowsAnotherRotator)
+{
     QTest::keyClicks(named<QLineEdit>("Another target"), QStringLiteral(" rotctld:10.0.0.7:4533"));
     show(atSite());
     QTest::keyClick(named<QLineEdit>("Another target"), Qt::Key_Return);
     ASSERT_EQ(asked<request::FollowRotator>().size(), 1U);
     EXPECT_EQ(asked<request::FollowRotator>().back().name, QStringLiteral("rotctld:10.0.0.7:4533"));
-
-    StationStatus status = atSite();
-    status.permissions.refuse(Action::Track, QStringLiteral("STOP is latched."));
-    show(status);
-    EXPECT_FALSE(named<CommandButton>("Track file…")->isEnabled());
 }
 
 }  // namespace
