@@ -137,9 +137,10 @@ Result<> CommandTalk::admits(const pairs::Command& command) const
                                                     "\"120.5 30\", because a message may arrive twice."));
     }
     if (!m_settling.isOver()) {
-        return failure(ErrorCode::Refused, Text::tr("The connection to the broker began or was interrupted less than "
-                                                    "%1 s ago, so this command may be old. Send it again.")
-                                               .arg(rotctld::Settling::kTime.count()));
+        return failure(ErrorCode::Refused,
+                       Text::tr("Boresight connected to the broker, or continued after a "
+                                "pause, less than %1 s ago. This command may be old. Send it again.")
+                           .arg(rotctld::Settling::kTime.count()));
     }
     return {};
 }

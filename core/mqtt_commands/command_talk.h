@@ -37,7 +37,7 @@ public:
     // Carries out a message of the STOP topic. Any text means STOP.
     [[nodiscard]] std::optional<QByteArray> stop(const QByteArray& message, Retain retain);
 
-    // Call once per tick. The settling begins again when the computer wakes up.
+    // Call once per tick. After a pause the settling begins again, because messages may have waited in the socket.
     void tick() { m_settling.tick(); }
 
     [[nodiscard]] const rotctld::Client& client() const { return m_client; }

@@ -24,6 +24,7 @@ struct CommandRig : StationRig
     {
         run(Seconds(0.2));
         connect(7);
+        onTick = [this] { talk->tick(); };
         run(Seconds(2.5));
     }
     void connect(std::uint64_t id)
