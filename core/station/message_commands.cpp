@@ -133,7 +133,8 @@ void MessageCommands::begin()
         rotctld::Client{.id = ++*m_newestClient,
                         .address = "topic " + m_commandTopic.toStdString(),
                         .protocol = kMqttProtocol,
-                        .readsOnly = m_profile->mqtt.commands == profile::BrokerCommands::Stop},
+                        .readsOnly = m_profile->mqtt.commands == profile::BrokerCommands::Stop,
+                        .keepsControlByReading = false},
         m_rotator, m_clock,
         [this] { return m_profile->site.known ? std::optional(m_profile->site.place()) : std::nullopt; }, m_latchStop);
     m_rotator.clientConnected(m_talk->client());

@@ -93,6 +93,28 @@ TEST_F(MessageCommandsTest, ACommandMovesTheMount)
     EXPECT_THAT(ask("open the door"), HasSubstr("error: \"open the door\" is not a command."));
 }
 
+// REQ-MQTTCOMMANDS-04
+TEST_F(MessageCommandsTest, ACommandAfterAPauseOfTheProgramMovesNothing)
+{
+    begin(commanded(broker->port()));
+    clock.advance(Seconds(3.0));  // without a tick
+    EXPECT_THAT(ask("40 30"), HasSubstr("This command may be old. Send it again."));
+    EXPECT_EQ(station->status().state, StationState::Standby);
+}
+
+// REQ-MQTTCOMMANDS-14
+TEST_F(MessageCommandsTest, AQuestionDoesNotKeepControl)
+{
+    begin(commanded(broker->port()));
+    ASSERT_EQ(ask("40 30"), "OK");
+    EXPECT_TRUE(clients().front().inControl);
+    for (int i = 0; i < 5; ++i) {
+        run(110);
+        EXPECT_THAT(ask("?"), HasSubstr("."));
+    }
+    EXPECT_FALSE(clients().front().inControl) << "11 s after the motion";
+}
+
 // REQ-MQTTCOMMANDS-06
 TEST_F(MessageCommandsTest, AMessageOfTheTopicStopLatchesStop)
 {
