@@ -37,6 +37,8 @@ public:
     void profileChanged(const profile::Profile& before, const profile::Profile& after);
     // Whether the messages of the orientation sensor come by the broker.
     void setSensorWanted(bool wanted);
+    // As mqtt::ThreadedClient.
+    void keepUrgent(mqtt::IsUrgent isUrgent) { m_client.keepUrgent(std::move(isUrgent)); }
     // A reader of a topic begins, and ends.
     void addReader();
     void removeReader();

@@ -221,7 +221,7 @@ TEST_F(CommandTalkTest, LatchesStop)
 }
 
 // REQ-MQTTCOMMANDS-07: If more than 20 commands arrive in a second, the others are ignored. Only the first ignored
-// command is answered. STOP is always obeyed.
+// command is answered. STOP and hold are always obeyed, in the order in which they arrive. Nothing displaces them.
 TEST_F(CommandTalkTest, BearsAFlood)
 {
     int answers = 0;
@@ -242,6 +242,38 @@ TEST_F(CommandTalkTest, BearsAFlood)
     EXPECT_EQ(stops, 100);
     clock.advance(1s);
     EXPECT_EQ(say("30 20"), "OK");
+}
+
+// Story: the hold of an operator was ignored, because a script flooded the same topic.
+// REQ-MQTTCOMMANDS-07
+TEST_F(CommandTalkTest, ObeysAHoldInAFlood)
+{
+    for (int i = 0; i < 20; ++i) {
+        EXPECT_EQ(say("10 20"), "OK");
+    }
+    EXPECT_EQ(say("hold"), "OK") << "one more than the others may be";
+    EXPECT_EQ(rotator.actions, 21);
+    for (int i = 0; i < 50; ++i) {
+        EXPECT_FALSE(talk->obey("10 20", Retain::No));
+        EXPECT_FALSE(talk->obey(" HOLD\n", Retain::No)) << "no answer, but";
+    }
+    EXPECT_EQ(rotator.actions, 71);
+    EXPECT_FALSE(talk->obey("hold", Retain::Yes));
+    EXPECT_EQ(rotator.actions, 71) << "an old one";
+}
+
+// REQ-MQTTCOMMANDS-07
+TEST_F(CommandTalkTest, KnowsWhatIsUrgent)
+{
+    for (const QByteArray& message :
+         {QByteArray("stop"), QByteArray(" HOLD\r\n"), QByteArray("10 20\nstop"), QByteArray(300, 'x') + " stop"}) {
+        EXPECT_TRUE(CommandTalk::isUrgent(message)) << message.toStdString();
+    }
+    for (const QByteArray& message :
+         {QByteArray(), QByteArray("10 20"), QByteArray("hold on"), QByteArray("?"), QByteArray("park"),
+          QByteArray("nonstop"), QByteArray(300, ' ') + QByteArray("?")}) {
+        EXPECT_FALSE(CommandTalk::isUrgent(message)) << message.toStdString();
+    }
 }
 
 // The facts that the list of clients shows.
