@@ -9,6 +9,10 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <map>
+#include <utility>
+
 namespace boresight {
 namespace {
 
@@ -245,6 +249,78 @@ TEST_F(MessageCommandsTest, ATopicThatTheBrokerRefusesIsALineInTheLog)
                                    [](const std::string& line) { return line.find("boresight/stop") != line.npos; });
     }));
     EXPECT_THAT(log, Contains(HasSubstr("does not let Boresight read the topic boresight/command. No command")));
+}
+
+// What a client receives of the messages for Home Assistant. It is connected all the time.
+struct HomeRig : mqtt::Rig
+{
+    explicit HomeRig(std::uint16_t port)
+    {
+        client.subscribe(QStringLiteral("homeassistant/#"));
+        client.open(mqtt::onLoopback(port));
+    }
+    // The number of entities that exist now.
+    [[nodiscard]] std::size_t entities() const
+    {
+        std::map<QString, bool> present;
+        for (const mqtt::Message& message : messages) {
+            present[message.topic] = !message.payload.isEmpty();
+        }
+        return static_cast<std::size_t>(std::ranges::count(present, true, &std::pair<const QString, bool>::second));
+    }
+    [[nodiscard]] std::size_t removed() const
+    {
+        return static_cast<std::size_t>(
+            std::ranges::count_if(messages, [](const mqtt::Message& one) { return one.payload.isEmpty(); }));
+    }
+};
+
+profile::Profile described(std::uint16_t port)
+{
+    profile::Profile profile = publishing(port);
+    profile.mqtt.homeAssistant = profile::HomeAssistant::On;
+    return profile;
+}
+
+// Story: the entities stayed at the old broker for ever, because their topics are the same at the new one.
+// REQ-MQTT-13
+TEST_F(MessageCommandsTest, HomeAssistantForgetsAMountThatGoesToAnotherBroker)
+{
+    HomeRig old(broker->port());
+    fakes::MqttBroker other;
+    ASSERT_TRUE(old.connected());
+    ASSERT_TRUE(other.start());
+    HomeRig next(other.port());
+    ASSERT_TRUE(next.connected());
+    build(described(broker->port()));
+    ASSERT_TRUE(fakes::waitUntil([&] { return old.entities() == 9; }));
+    apply(described(other.port()));
+    EXPECT_TRUE(fakes::waitUntil([&] { return old.entities() == 0; }));
+    EXPECT_TRUE(fakes::waitUntil([&] { return next.entities() == 9; }));
+    profile::Profile off = described(other.port());
+    off.mqtt.homeAssistant = profile::HomeAssistant::Off;
+    off.mqtt.publish = profile::Publish::Off;
+    apply(off);
+    EXPECT_TRUE(fakes::waitUntil([&] { return next.entities() == 0; })) << "before the connection ends";
+}
+
+// REQ-MQTT-13
+TEST_F(MessageCommandsTest, HomeAssistantForgetsWhenTheBrokerIsBack)
+{
+    fakes::MqttBroker away;
+    profile::Profile profile = described(away.port());
+    build(profile);
+    profile.mqtt.prefix = "roof/";
+    apply(profile);
+    ASSERT_TRUE(away.start());
+    HomeRig home(away.port());
+    ASSERT_TRUE(home.connected());
+    ASSERT_TRUE(fakes::waitUntil([this] {
+        run(50);
+        return station->status().broker.connected;
+    }));
+    EXPECT_TRUE(fakes::waitUntil([&] { return home.entities() == 9 && home.removed() == 12; }))
+        << "those of the old prefix are removed, and three that are not offered";
 }
 
 // REQ-MQTT-11
