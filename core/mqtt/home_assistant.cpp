@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mqtt/home_assistant.h"
 
+#include <QCryptographicHash>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -40,12 +41,17 @@ QString topicOf(const Described& mount, const char* name)
     return unslashed(mount.prefix) + ascii("/") + ascii(name);
 }
 
-// An id for the mount, from the characters that a discovery topic may have.
+// An id for the mount, from the characters that a discovery topic may have. A prefix that needs a change gets a hash:
+// otherwise "a/b" and "a_b" would be one mount, and so would "roof" and "boresight_roof".
 QString idOf(const Described& mount)
 {
     static const QRegularExpression kOthers(QStringLiteral("[^a-zA-Z0-9_-]"));
-    const QString id = unslashed(mount.prefix).replace(kOthers, ascii("_"));
-    return id.startsWith(ascii("boresight")) ? id : ascii("boresight_") + id;
+    constexpr qsizetype kDigits = 8;
+    const QString prefix = unslashed(mount.prefix);
+    const QString plain = QString(prefix).replace(kOthers, ascii("_"));
+    const QString id = plain.startsWith(ascii("boresight")) ? plain : ascii("boresight_") + plain;
+    const QByteArray hash = QCryptographicHash::hash(prefix.toUtf8(), QCryptographicHash::Sha256).toHex();
+    return id == prefix ? id : id + ascii("_") + QString::fromLatin1(hash.left(kDigits));
 }
 
 // An entity that shows a value of the state.

@@ -3,6 +3,8 @@
 
 #include "core/mqtt/client_worker.h"
 
+#include <utility>
+
 namespace boresight::mqtt {
 
 ThreadedClient::ThreadedClient(const Clock& clock, QObject* parent) : Connection(parent), m_clock(clock) {}
@@ -64,6 +66,12 @@ void ThreadedClient::unsubscribe(const QString& filter)
 {
     begin();
     m_thread->post([worker = m_worker, filter] { worker->client().unsubscribe(filter); });
+}
+
+void ThreadedClient::keepUrgent(IsUrgent isUrgent)
+{
+    begin();
+    m_thread->post([worker = m_worker, isUrgent = std::move(isUrgent)] { worker->keepUrgent(isUrgent); });
 }
 
 bool ThreadedClient::publish(const Message& message)

@@ -4,6 +4,7 @@
 #include "core/base/clock.h"
 #include "core/base/edge_thread.h"
 #include "core/mqtt/connection.h"
+#include "core/mqtt/newest_messages.h"
 
 #include <QObject>
 #include <QString>
@@ -49,6 +50,9 @@ public:
     void subscribe(const QString& filter) override;
     void unsubscribe(const QString& filter) override;
     bool publish(const Message& message) override;
+
+    // No flood displaces such messages. The function is called on the other thread. An empty one ends this.
+    void keepUrgent(IsUrgent isUrgent);
 
     // The values of the last report.
     [[nodiscard]] const Broker& broker() const override { return m_broker; }

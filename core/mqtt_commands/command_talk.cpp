@@ -31,6 +31,15 @@ bool asksForStop(std::string_view line)
     return pairs::endsInStop(end);
 }
 
+bool asksForHold(std::string_view line)
+{
+    if (line.size() > CommandTalk::kLongest) {
+        return false;
+    }
+    const Result<pairs::Command> command = pairs::parseLine(line);
+    return command && std::holds_alternative<pairs::Stop>(*command);
+}
+
 // A relative step could arrive twice and would then move twice as far. A single number may be the value of a sensor.
 bool namesItsPlace(const pairs::Command& command)
 {
@@ -65,10 +74,18 @@ std::optional<QByteArray> CommandTalk::obey(const QByteArray& message, Retain re
     if (asksForStop(line)) {
         return latch(line, retain);
     }
-    if (isFlood()) {
+    const bool flood = isFlood();
+    if (flood && !asksForHold(line)) {
         return std::nullopt;
     }
-    return answer(line, run(line, retain));
+    const QByteArray text = answer(line, run(line, retain));
+    return flood ? std::nullopt : std::optional(text);
+}
+
+bool CommandTalk::isUrgent(const QByteArray& message)
+{
+    const std::string_view line = trimmed(textOf(message));
+    return asksForStop(line) || asksForHold(line);
 }
 
 std::optional<QByteArray> CommandTalk::stop(const QByteArray& /*message*/, Retain retain)
@@ -101,7 +118,7 @@ LineOutcome CommandTalk::run(std::string_view line, Retain retain)
         return refuse(line, ErrorCode::InvalidInput,
                       Text::tr("A command has at most %1 bytes.").arg(QString::number(kLongest)));
     }
-    if (const Result<> may = m_budget.admits(); !may) {
+    if (const Result<> may = m_budget.admits(); !may && !asksForHold(line)) {
         return refuse(line, may.error().code, may.error().text);
     }
     tick();
@@ -137,9 +154,10 @@ Result<> CommandTalk::admits(const pairs::Command& command) const
                                                     "\"120.5 30\", because a message may arrive twice."));
     }
     if (!m_settling.isOver()) {
-        return failure(ErrorCode::Refused, Text::tr("The connection to the broker began or was interrupted less than "
-                                                    "%1 s ago, so this command may be old. Send it again.")
-                                               .arg(rotctld::Settling::kTime.count()));
+        return failure(ErrorCode::Refused,
+                       Text::tr("Boresight connected to the broker, or continued after a "
+                                "pause, less than %1 s ago. This command may be old. Send it again.")
+                           .arg(rotctld::Settling::kTime.count()));
     }
     return {};
 }

@@ -27,17 +27,20 @@ class CommandTalk
 public:
     static constexpr std::size_t kLongest = 200;  // bytes of a command
 
+    // A STOP or a hold, which no flood may displace. Pure, any thread.
+    [[nodiscard]] static bool isUrgent(const QByteArray& message);
+
     // Create it when the connection begins. The rotator and the clock outlive this.
     CommandTalk(rotctld::Client client, rotctld::Rotator& rotator, const Clock& clock, pairs::SiteNow site,
                 LatchStop latchStop);
 
-    // Carries out a message of the command topic. Returns the answer as one line of JSON. In a flood most messages get
-    // no answer.
+    // Carries out a message of the command topic. Returns the answer as one line of JSON. In a flood only STOP and hold
+    // are obeyed, without an answer.
     [[nodiscard]] std::optional<QByteArray> obey(const QByteArray& message, Retain retain);
     // Carries out a message of the STOP topic. Any text means STOP.
     [[nodiscard]] std::optional<QByteArray> stop(const QByteArray& message, Retain retain);
 
-    // Call once per tick. The settling begins again when the computer wakes up.
+    // Call once per tick. After a pause the settling begins again, because messages may have waited in the socket.
     void tick() { m_settling.tick(); }
 
     [[nodiscard]] const rotctld::Client& client() const { return m_client; }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/profile/advice.h"
 
+#include "core/base/bus_name.h"
 #include "core/base/numbers.h"
 #include "core/base/text.h"
 #include "core/pointing/missing_axis.h"
+#include "core/profile/commissioning.h"
 
 namespace boresight::profile {
 namespace {
@@ -73,6 +75,18 @@ void adviseOnModel(std::vector<Advice>& list, const Profile& profile)
     }
 }
 
+void adviseOnHamlib(std::vector<Advice>& list, const Profile& profile)
+{
+    const auto bus = parseBusName(profile.bus);
+    if (!profile.hamlibSettings.empty() && bus && bus->kind != BusKind::Hamlib && !namesNoBus(profile)) {
+        list.push_back({"bus.hamlib_settings",
+                        Text::tr("the settings of Hamlib have no effect, because Boresight starts no rotctld for %1")
+                            .arg(toQString(profile.bus)),
+                        Text::tr("Remove them, or give them to the rotctld that you start yourself, with its option "
+                                 "-C.")});
+    }
+}
+
 }  // namespace
 
 std::vector<Advice> adviceOn(const Profile& profile)
@@ -81,6 +95,7 @@ std::vector<Advice> adviceOn(const Profile& profile)
     adviseOn(list, "azimuth", Text::tr("the azimuth"), profile.azimuth);
     adviseOn(list, "elevation", Text::tr("the elevation"), profile.elevation);
     adviseOnModel(list, profile);
+    adviseOnHamlib(list, profile);
     return list;
 }
 

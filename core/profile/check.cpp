@@ -8,8 +8,12 @@
 #include "core/profile/commissioning.h"
 #include "core/profile/setting_groups.h"
 #include "core/profile/watched_board.h"
+#include "core/rotctl/hamlib_setting.h"
 #include "core/units/degrees_text.h"
 #include "core/wind/wind_source.h"
+
+#include <set>
+#include <string>
 
 namespace boresight::profile {
 
@@ -74,6 +78,18 @@ void checkWatched(std::vector<Problem>& problems, const Profile& profile)
             problems.push_back({"bus.watched", Text::tr("names the id %1 twice").arg(board->id)});
         }
         ids.push_back(board->id);
+    }
+}
+
+// Hamlib would use the last of two values.
+void checkHamlibSettings(std::vector<Problem>& problems, const Profile& profile)
+{
+    std::set<std::string> names;
+    for (const std::string& text : profile.hamlibSettings) {
+        const auto setting = rotctl::parseHamlibSetting(text);
+        if (setting && !names.insert(setting->name).second) {
+            problems.push_back({"bus.hamlib_settings", Text::tr("names %1 twice").arg(toQString(setting->name))});
+        }
     }
 }
 
@@ -234,6 +250,7 @@ std::vector<Problem> crossCheck(const Profile& profile)
     checkAxis(problems, "elevation", profile.elevation, profile.park.elevation);
     checkIds(problems, profile);
     checkWatched(problems, profile);
+    checkHamlibSettings(problems, profile);
     // Two lost frames in a row must not stop the mount. The small slack is for rounding (0.05 s at 60 Hz).
     if (3.0 * profile.control.tickPeriod() > profile.control.watchdog + Seconds(1e-9)) {
         problems.push_back(

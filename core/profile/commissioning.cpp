@@ -143,6 +143,13 @@ void becomeRotator(Profile& profile, Axis axis, AxisDriver driver)
     setTravel(profile, axis, {.min = 0_deg, .max = azimuth ? 360_deg : 90_deg});
 }
 
+// 0: no model of Hamlib.
+int hamlibModel(const std::string& bus)
+{
+    const auto name = parseBusName(bus);
+    return name ? name->model : 0;
+}
+
 // True if controllers turn the axis and `driver` is a rotator with a control box.
 bool becomesRotator(const Profile& profile, Axis axis, AxisDriver driver)
 {
@@ -182,6 +189,9 @@ void useRotator(Profile& profile, const RotatorLine& line)
         }
         mine.geometry.sign = 1;
         mine.geometry.offset = {};
+    }
+    if (!namesNoBus(profile) && hamlibModel(line.bus) != hamlibModel(profile.bus)) {
+        profile.hamlibSettings.clear();
     }
     profile.baud = line.baud;
     takeBus(profile, line.bus);

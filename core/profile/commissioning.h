@@ -27,7 +27,8 @@ struct RotatorLine
 
 // The mount is a rotator with a control box, which moves to its targets by itself. An axis of a controller gets the
 // travel and the speed of a common rotator, and the values of the previous mount are reset. If the mount is such a
-// rotator already, only the way to reach it changes. A missing axis stays missing.
+// rotator already, only the way to reach it changes. Settings of Hamlib for another model are reset. A missing axis
+// stays missing.
 void useRotator(Profile& profile, const RotatorLine& line);
 
 // True if useRotator() would reset values of a mount with controllers that were measured or entered: its zeros, travel

@@ -429,9 +429,10 @@ struct BrokerSettings
 struct Profile
 {
     MountSettings mount;
-    std::string bus = "simulated";           // "fdcanusb:PATH", "socketcan:IFACE", "serial:PATH", "tcp:HOST:PORT"
-    int baud = 9600;                         // speed of a serial bus
-    std::vector<std::string> watchedBoards;  // boards that turn no axis: "3 polarisation" (WatchedBoard)
+    std::string bus = "simulated";            // "fdcanusb:PATH", "socketcan:IFACE", "serial:PATH", "tcp:HOST:PORT"
+    int baud = 9600;                          // speed of a serial bus
+    std::vector<std::string> hamlibSettings;  // of Hamlib: "min_az=-90" (rotctl::HamlibSetting)
+    std::vector<std::string> watchedBoards;   // boards that turn no axis: "3 polarisation" (WatchedBoard)
     AxisSettings azimuth = referenceAzimuth();
     AxisSettings elevation = referenceElevation();
     RotatorSettings rotator;

@@ -8,6 +8,7 @@
 #include "core/profile/setting_groups.h"
 #include "core/profile/setting_makers.h"
 #include "core/profile/watched_board.h"
+#include "core/rotctl/hamlib_setting.h"
 
 #include <algorithm>
 #include <utility>
@@ -61,6 +62,16 @@ void addMount(std::vector<Setting>& list)
              "Speed of the serial port of a GS-232 rotator or of a model of Hamlib, as its switches are set. "
              "A CAN bus does not use it.")},
         [](auto& p) -> auto& { return p.baud; }));
+    list.push_back(textList(
+        "bus.hamlib_settings", Applies::OnReconnect,
+        {QT_TRANSLATE_NOOP("Text", "Settings of Hamlib"),
+         QT_TRANSLATE_NOOP("Text",
+                           "Further settings for the rotctld that Boresight starts for a model of Hamlib, such as "
+                           "\"stop_bits=2\" or \"min_az=-90\". \"rotctl -m MODEL -L\" lists their names.")},
+        [](auto& p) -> auto& { return p.hamlibSettings; },
+        [](const std::string& text) {
+            return rotctl::parseHamlibSetting(text).map([](const rotctl::HamlibSetting&) {});
+        }));
     list.push_back(textList(
         "bus.watched", Applies::Now,
         {QT_TRANSLATE_NOOP("Text", "Watched boards"),

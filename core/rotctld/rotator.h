@@ -22,7 +22,8 @@ struct Client
     std::uint64_t id = 0;  // not used again while the program runs
     std::string address;   // "127.0.0.1:51234"; for a pseudo-terminal the path of its link
     std::string protocol = "rotctld";
-    bool readsOnly = false;  // its listener is only for reading, so the rotator refuses its motions
+    bool readsOnly = false;             // its listener is only for reading, so the rotator refuses its motions
+    bool keepsControlByReading = true;  // as Gpredict, which sends nothing while the mount tracks well
 };
 
 // As the client wrote it: any azimuth in -3600°…3600°, elevation -90°…180°.

@@ -5,8 +5,8 @@
 
 namespace boresight::rotctl {
 
-HamlibLine::HamlibLine(const BusName& bus, int baud, QObject* parent)
-    : BoxLine(parent), m_bus(bus), m_program(bus, baud, this)
+HamlibLine::HamlibLine(const HamlibRotator& rotator, QObject* parent)
+    : BoxLine(parent), m_bus(rotator.bus), m_program(rotator, this)
 {
     connect(&m_program, &OwnRotctld::listens, this, &HamlibLine::connectTo);
     connect(&m_program, &OwnRotctld::failed, this, &HamlibLine::lose);

@@ -17,8 +17,7 @@ class HamlibLine final : public BoxLine
     Q_OBJECT
 
 public:
-    // `bus` and `baud` as for OwnRotctld.
-    HamlibLine(const BusName& bus, int baud, QObject* parent = nullptr);
+    explicit HamlibLine(const HamlibRotator& rotator, QObject* parent = nullptr);
     ~HamlibLine() override;
 
     [[nodiscard]] QString name() const override;

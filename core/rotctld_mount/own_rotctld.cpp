@@ -66,19 +66,22 @@ bool hasOpen(qint64 process, const QString& socket)
     return false;
 }
 
-QStringList argumentsOf(const BusName& bus, int baud, quint16 port)
+QStringList argumentsOf(const HamlibRotator& rotator, quint16 port)
 {
-    QStringList all{QStringLiteral("-m"), QString::number(bus.model)};
-    if (!bus.target.empty()) {
-        all << QStringLiteral("-r") << QString::fromStdString(bus.target) << QStringLiteral("-s")
-            << QString::number(baud);
+    QStringList all{QStringLiteral("-m"), QString::number(rotator.bus.model)};
+    if (!rotator.bus.target.empty()) {
+        all << QStringLiteral("-r") << QString::fromStdString(rotator.bus.target) << QStringLiteral("-s")
+            << QString::number(rotator.baud);
+    }
+    for (const std::string& setting : rotator.settings) {
+        all << QStringLiteral("-C") << QString::fromStdString(setting);
     }
     return all << QStringLiteral("-T") << QStringLiteral("127.0.0.1") << QStringLiteral("-t") << QString::number(port);
 }
 
 }  // namespace
 
-OwnRotctld::OwnRotctld(BusName bus, int baud, QObject* parent) : QObject(parent), m_bus(std::move(bus)), m_baud(baud)
+OwnRotctld::OwnRotctld(HamlibRotator rotator, QObject* parent) : QObject(parent), m_rotator(std::move(rotator))
 {
     m_process.setStandardInputFile(QProcess::nullDevice());
     m_process.setStandardOutputFile(QProcess::nullDevice());
@@ -134,7 +137,7 @@ void OwnRotctld::start()
     m_port = freePort();
     m_limit.start(kStartTime);
     m_look.start(kBetweenLooks);
-    m_process.start(path, argumentsOf(m_bus, m_baud, m_port), QIODevice::ReadOnly);
+    m_process.start(path, argumentsOf(m_rotator, m_port), QIODevice::ReadOnly);
 }
 
 void OwnRotctld::end()
@@ -169,10 +172,22 @@ void OwnRotctld::finish()
     if (std::exchange(m_ending, false)) {
         return;
     }
-    const QString how = m_process.exitStatus() == QProcess::CrashExit
-                            ? Text::tr("rotctld was killed or crashed")
-                            : Text::tr("rotctld ended with status %1").arg(m_process.exitCode());
-    fail(how + lastWords());
+    fail(howItEnded());
+}
+
+// Hamlib does not print which of its settings it refuses.
+QString OwnRotctld::howItEnded() const
+{
+    if (m_process.exitStatus() == QProcess::CrashExit) {
+        return Text::tr("rotctld was killed or crashed") + lastWords();
+    }
+    if (!m_rotator.settings.empty() && m_errors.contains("Config parameter error")) {
+        return Text::tr(
+                   "Hamlib refuses a setting of bus.hamlib_settings. \"rotctl -m %1 -L\" lists the settings of "
+                   "this model")
+            .arg(m_rotator.bus.model);
+    }
+    return Text::tr("rotctld ended with status %1").arg(m_process.exitCode()) + lastWords();
 }
 
 void OwnRotctld::limitReached()

@@ -9,10 +9,19 @@
 
 #include <chrono>
 #include <cstdint>
+#include <string>
+#include <vector>
 
 // A rotctld that Boresight starts for a model of Hamlib, without a shell. It listens on this computer only, on a free
 // port. It ends with Boresight, also where Boresight is killed. Station thread only.
 namespace boresight::rotctl {
+
+struct HamlibRotator
+{
+    BusName bus;                          // a Hamlib bus of the profile, with its model
+    int baud = 0;                         // of its serial port
+    std::vector<std::string> settings{};  // of Hamlib: "min_az=-90"
+};
 
 class OwnRotctld final : public QObject
 {
@@ -25,8 +34,7 @@ public:
     static constexpr std::chrono::seconds kLastOrder{2};
     static constexpr std::chrono::milliseconds kLastWords{300};  // time in which an ended program reports its error
 
-    // `bus`: a Hamlib bus of the profile, with its model. `baud`: bits per second of its serial port.
-    OwnRotctld(BusName bus, int baud, QObject* parent);
+    OwnRotctld(HamlibRotator rotator, QObject* parent);
     ~OwnRotctld() override;
 
     [[nodiscard]] bool runs() const { return m_process.state() != QProcess::NotRunning; }
@@ -51,11 +59,12 @@ private:
     void finish();
     void limitReached();
     void fail(const QString& reason);
+    // How the program ended by itself, and why.
+    [[nodiscard]] QString howItEnded() const;
     // The end of its error output, after a colon. Empty if it printed nothing.
     [[nodiscard]] QString lastWords() const;
 
-    const BusName m_bus;
-    const int m_baud;
+    const HamlibRotator m_rotator;
     QProcess m_process{this};
     QTimer m_look{this};   // until the program listens
     QTimer m_limit{this};  // for the start of the program, then for its end

@@ -18,7 +18,8 @@ std::unique_ptr<BoxLine> lineOf(const profile::Profile& profile)
 {
     const BusName bus = parseBusName(profile.bus).value_or(BusName{});
     if (bus.kind == BusKind::Hamlib) {
-        return std::make_unique<HamlibLine>(bus, profile.baud);
+        return std::make_unique<HamlibLine>(
+            HamlibRotator{.bus = bus, .baud = profile.baud, .settings = profile.hamlibSettings});
     }
     return std::make_unique<TcpBoxLine>(bus);
 }

@@ -51,6 +51,9 @@ void MessageCommands::open()
     m_commandTopic = toQString(m_profile->mqtt.topic("command"));
     m_stopTopic = toQString(m_profile->mqtt.topic("stop"));
     m_answerTopic = toQString(m_profile->mqtt.topic("answer"));
+    m_broker.keepUrgent([command = m_commandTopic, stop = m_stopTopic](const mqtt::Message& message) {
+        return message.topic == stop || (message.topic == command && mqtt::CommandTalk::isUrgent(message.payload));
+    });
     m_broker.connection().subscribe(m_commandTopic);
     m_broker.connection().subscribe(m_stopTopic);
     m_broker.addReader();
@@ -67,6 +70,7 @@ void MessageCommands::close()
     end(Text::tr("Boresight no longer reads commands by MQTT"));
     m_broker.connection().unsubscribe(m_commandTopic);
     m_broker.connection().unsubscribe(m_stopTopic);
+    m_broker.keepUrgent({});
     m_commandTopic.clear();
     m_stopTopic.clear();
     m_answerTopic.clear();
@@ -133,7 +137,8 @@ void MessageCommands::begin()
         rotctld::Client{.id = ++*m_newestClient,
                         .address = "topic " + m_commandTopic.toStdString(),
                         .protocol = kMqttProtocol,
-                        .readsOnly = m_profile->mqtt.commands == profile::BrokerCommands::Stop},
+                        .readsOnly = m_profile->mqtt.commands == profile::BrokerCommands::Stop,
+                        .keepsControlByReading = false},
         m_rotator, m_clock,
         [this] { return m_profile->site.known ? std::optional(m_profile->site.place()) : std::nullopt; }, m_latchStop);
     m_rotator.clientConnected(m_talk->client());

@@ -11,6 +11,7 @@
 #include <QUuid>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace boresight {
@@ -94,6 +95,11 @@ std::vector<mqtt::Message> descriptionOf(const profile::Profile& profile)
                             .buttons = offeredBy(settings.commands)});
 }
 
+std::pair<std::string, int> addressOf(const profile::BrokerSettings& settings)
+{
+    return {settings.host, settings.port};
+}
+
 }  // namespace
 
 mqtt::Broker brokerOf(const profile::BrokerSettings& settings, const QString& ownId)
@@ -120,6 +126,7 @@ StationBroker::StationBroker(const profile::InForce& profile, EventLog& log, con
     connect(&m_client, &mqtt::Connection::connected, this, [this] {
         m_log.add(Severity::Advisory, kBrokerSource,
                   Text::tr("connected to the broker %1").arg(mqtt::toText(m_client.broker())));
+        withdrawOwed();
         publishAll(m_description);
     });
     connect(&m_client, &mqtt::Connection::problemChanged, this, [this](const QString& problem) {
@@ -141,11 +148,37 @@ void StationBroker::profileChanged(const profile::Profile& before, const profile
 {
     if (before.mqtt != after.mqtt) {
         stopPublishing();
-        const std::vector<mqtt::Message> described = std::exchange(m_description, descriptionOf(after));
-        publishAll(mqtt::withdrawal(described, m_description));
-        publishAll(m_description);
+        describe(before, after);
     }
     connectAnew();
+}
+
+// The connection is still the one to the broker of `before`. Another broker gets the description when it is connected.
+void StationBroker::describe(const profile::Profile& before, const profile::Profile& after)
+{
+    const std::vector<mqtt::Message> described = std::exchange(m_description, descriptionOf(after));
+    const bool isSame = addressOf(before.mqtt) == addressOf(after.mqtt);
+    const auto gone = mqtt::withdrawal(described, isSame ? m_description : std::vector<mqtt::Message>());
+    if (!m_client.isConnected()) {
+        std::ranges::copy(gone, std::back_inserter(m_owed[addressOf(before.mqtt)]));
+        return;
+    }
+    publishAll(gone);
+    if (isSame) {
+        publishAll(m_description);
+    }
+}
+
+// An entity that is described again by now stays.
+void StationBroker::withdrawOwed()
+{
+    if (const auto owed = m_owed.extract(addressOf(m_profile->mqtt))) {
+        for (const mqtt::Message& gone : owed.mapped()) {
+            if (std::ranges::find(m_description, gone.topic, &mqtt::Message::topic) == m_description.end()) {
+                m_client.publish(gone);
+            }
+        }
+    }
 }
 
 void StationBroker::publishAll(const std::vector<mqtt::Message>& messages)

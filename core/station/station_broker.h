@@ -11,8 +11,11 @@
 #include <QByteArray>
 #include <QObject>
 
+#include <map>
 #include <memory>
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 // The connection of the station to the MQTT broker. It publishes the state of the station and receives messages, for
@@ -37,6 +40,8 @@ public:
     void profileChanged(const profile::Profile& before, const profile::Profile& after);
     // Whether the messages of the orientation sensor come by the broker.
     void setSensorWanted(bool wanted);
+    // As mqtt::ThreadedClient.
+    void keepUrgent(mqtt::IsUrgent isUrgent) { m_client.keepUrgent(std::move(isUrgent)); }
     // A reader of a topic begins, and ends.
     void addReader();
     void removeReader();
@@ -51,9 +56,13 @@ public:
     [[nodiscard]] BrokerStatus status() const;
 
 private:
+    using Address = std::pair<std::string, int>;  // host and port
+
     void connectAnew();
     [[nodiscard]] bool isReadFrom() const { return m_sensorWanted || m_readers > 0; }
     void stopPublishing();
+    void describe(const profile::Profile& before, const profile::Profile& after);
+    void withdrawOwed();
     void publishAll(const std::vector<mqtt::Message>& messages);
     [[nodiscard]] std::optional<Seconds> untilNext() const;
 
@@ -65,6 +74,8 @@ private:
     mqtt::ThreadedClient m_client;
     std::unique_ptr<mqtt::StatePublisher> m_publisher;
     std::vector<mqtt::Message> m_description;  // for Home Assistant; empty: not wanted
+    // What removes entities at a broker that was away when they were withdrawn.
+    std::map<Address, std::vector<mqtt::Message>> m_owed;
     bool m_sensorWanted = false;
     int m_readers = 0;  // without the sensor
 };

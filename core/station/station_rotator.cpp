@@ -110,7 +110,9 @@ rotctld::Limits StationRotator::limits() const
 
 Result<SkyPointing> StationRotator::position(const rotctld::Client& client)
 {
-    m_control.positionRead(client.id);
+    if (client.keepsControlByReading) {
+        m_control.positionRead(client.id);
+    }
     return m_control.measured().map([this](AxisPosition axes) {
         // The client gets the position without the operator's trim. Otherwise the client would correct the trim away.
         if (const auto trim = m_control.trimInUse()) {

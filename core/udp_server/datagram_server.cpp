@@ -11,8 +11,6 @@
 
 namespace boresight::udp {
 
-using rotctld::Settling;
-
 DatagramServer::DatagramServer(rotctld::ServerSettings settings, Parse parse, rotctld::Rotator& rotator,
                                const Clock& clock, IsReadOnly isReadOnly, QObject* parent)
     : QObject(parent),
@@ -23,7 +21,6 @@ DatagramServer::DatagramServer(rotctld::ServerSettings settings, Parse parse, ro
       m_isReadOnly(std::move(isReadOnly)),
       m_admission(m_settings.allow),
       m_settling(clock),
-      m_lastTurn(clock.now()),
       m_inlet(kAtOnce, datagrams::DatagramInlet::kWhole, this)
 {
     connect(&m_inlet, &datagrams::DatagramInlet::received, this, &DatagramServer::take);
@@ -66,7 +63,7 @@ std::vector<rotctld::ClientInfo> DatagramServer::clients() const
 
 void DatagramServer::tick()
 {
-    watchTime();
+    m_settling.tick();
     for (auto sender = m_senders.begin(); sender != m_senders.end();) {
         const bool isSilent = m_clock.now() - sender->second.lastDatagram > kSilence;
         sender = isSilent && !isMarked(sender->second)
@@ -75,21 +72,11 @@ void DatagramServer::tick()
     }
 }
 
-// Datagrams wait at the port while the computer sleeps or this thread is blocked.
-void DatagramServer::watchTime()
-{
-    m_settling.tick();
-    if (m_clock.now() - m_lastTurn >= Settling::kTime) {
-        m_settling.begin();
-    }
-    m_lastTurn = m_clock.now();
-}
-
 // Programs send each command from another port, so the host is the client. A STOP is obeyed even if there is no room
 // for another client.
 void DatagramServer::take(const QByteArray& bytes, const QHostAddress& host, std::uint16_t port)
 {
-    watchTime();
+    m_settling.tick();  // datagrams wait at the port while the computer sleeps or this thread is blocked
     const std::string_view datagram(bytes.constData(), static_cast<std::size_t>(bytes.size()));
     if (trimmed(datagram).empty()) {
         return;

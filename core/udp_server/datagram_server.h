@@ -54,7 +54,6 @@ private:
     };
     using Senders = std::map<std::string, Sender>;  // by host
 
-    void watchTime();
     void take(const QByteArray& bytes, const QHostAddress& host, std::uint16_t port);
     [[nodiscard]] Sender& welcome(const rotctld::Client& client, const std::string& host);
     void obey(Sender& sender, std::string_view datagram, const QHostAddress& host);
@@ -68,7 +67,6 @@ private:
     IsReadOnly m_isReadOnly;
     rotctld::Admission m_admission;
     rotctld::Settling m_settling;
-    SteadyTime m_lastTurn;  // when the thread was last here
     datagrams::DatagramInlet m_inlet;
     Senders m_senders;
 };

@@ -7,6 +7,8 @@
 #include "tests/fakes/ideal_drive.h"
 #include "tests/fakes/manual_clock.h"
 
+#include <functional>
+
 // StationControl with two ideal drives, or one if the profile has one, and a hand-turned clock. The drives are on the
 // bus.
 namespace boresight {
@@ -60,6 +62,9 @@ struct StationRig
     void tick()
     {
         clock.advance(step);
+        if (onTick) {
+            onTick();
+        }
         const SteadyTime now = clock.now();
         for (const Axis axis : mount.axes()) {
             if (originIsRead && mount.needsOrigin(axis)) {
@@ -179,6 +184,7 @@ struct StationRig
     fakes::IdealDrive azimuth{1, 0.0};
     fakes::IdealDrive elevation{2, -0.25};
     std::array<drive_check::DriveFacts, 2> facts;
+    std::function<void()> onTick;  // is called in each tick before the control
 };
 
 }  // namespace boresight

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The station tracks a satellite by its orbital elements, from its rise to its set.
 #include "core/alarms/catalogue.h"
-#include "core/orbit/topocentric.h"
 #include "core/passes/pass_finder.h"
 #include "core/sources/steered_utc.h"
 #include "core/sources/target_track.h"
 #include "core/units/angle_between.h"
 #include "tests/core/control/station_rig.h"
-#include "tests/fakes/low_orbit.h"
+#include "tests/fakes/found_orbit.h"
 #include "tests/fakes/text_of.h"
 
 #include <gmock/gmock.h>
@@ -19,6 +18,8 @@
 namespace boresight {
 namespace {
 
+using fakes::FoundOrbit;
+using fakes::orbitWith;
 using testing::HasSubstr;
 
 const Site kTrackSite{.latitude = 38.757_deg, .longitude = -9.117_deg, .heightMetres = 80.0};
@@ -33,31 +34,6 @@ profile::Profile atTrackSite()
     return profile;
 }
 
-struct FoundOrbit
-{
-    orbit::ElementSet elements;
-    passes::Pass pass;
-};
-
-// The first circular orbit at 420 km that has such a pass.
-FoundOrbit orbitWith(UtcTime now, const std::function<bool(const passes::Pass&)>& wanted)
-{
-    for (int node = 0; node < 360; node += 5) {
-        for (int anomaly = 0; anomaly < 360; anomaly += 5) {
-            const orbit::ElementSet elements =
-                fakes::lowOrbit(now, Angle::fromDegrees(node), Angle::fromDegrees(anomaly));
-            const auto list =
-                passes::findPasses(orbit::Sgp4(elements),
-                                   {.site = kTrackSite, .from = now, .to = now + std::chrono::hours(2), .isClear = {}});
-            if (!list.passes.empty() && wanted(list.passes.front())) {
-                return {.elements = elements, .pass = list.passes.front()};
-            }
-        }
-    }
-    ADD_FAILURE() << "no orbit has such a pass";
-    return {};
-}
-
 class StationSatellite : public ::testing::Test
 {
 protected:
@@ -67,7 +43,7 @@ protected:
     // A satellite that rises between these two times from the present.
     FoundOrbit risingIn(Seconds from, Seconds to)
     {
-        return orbitWith(now(), [&](const passes::Pass& pass) {
+        return orbitWith(kTrackSite, now(), [&](const passes::Pass& pass) {
             const Seconds wait = pass.aos.utc - now();
             const Angle highest = pass.tca.direction.elevation;
             return from < wait && wait < to && 40_deg < highest && highest < 60_deg && !pass.isUpAtEnd;
@@ -92,9 +68,7 @@ protected:
     }
     static SkyPointing directionOf(const FoundOrbit& found, UtcTime utc)
     {
-        const orbit::JulianDate date = orbit::julianDate(utc);
-        const auto state = orbit::Sgp4(found.elements).propagate(date);
-        return orbit::Observer(kTrackSite).look(orbit::groundState(*state, date)).direction;
+        return fakes::directionOf(found, kTrackSite, utc);
     }
     // Error of the set-points from the satellite, in degrees on the sky: azimuth × cos elevation, elevation.
     [[nodiscard]] std::pair<double, double> errors(const FoundOrbit& found) const
@@ -207,8 +181,8 @@ TEST_F(StationSatellite, TheSetPointsAreWithinTwoHundredthsOfADegree)
 // the satellite does not rise within a day or within half an hour. A client cannot start it.
 TEST_F(StationSatellite, IsRefusedWithTheReason)
 {
-    FoundOrbit later =
-        orbitWith(now(), [&](const passes::Pass& pass) { return pass.aos.utc - now() > std::chrono::minutes(40); });
+    FoundOrbit later = orbitWith(
+        kTrackSite, now(), [&](const passes::Pass& pass) { return pass.aos.utc - now() > std::chrono::minutes(40); });
     EXPECT_THAT(ask(later), HasSubstr("TEST ONE rises at 0"));
     FoundOrbit old = risingIn(Seconds(60.0), Seconds(120.0));
     old.elements.epoch = orbit::julianDate(now() - std::chrono::days(31));
@@ -371,7 +345,7 @@ protected:
 // REQ-CONTROL-31c
 TEST_F(StationSatelliteNorth, ThePassTellsWhatHoldingAtTheCableEndLoses)
 {
-    const FoundOrbit found = orbitWith(now(), [&](const passes::Pass& pass) {
+    const FoundOrbit found = orbitWith(kTrackSite, now(), [&](const passes::Pass& pass) {
         const Seconds wait = pass.aos.utc - now();
         const Angle rises = pass.aos.direction.azimuth;
         const Angle sets = pass.los.direction.azimuth;

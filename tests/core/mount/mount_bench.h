@@ -165,6 +165,7 @@ public:
     AxisPosition truth() override { return m_box.truth(); }
     bool ordered() override { return m_box.orders() > 0; }
     void setLine(bool connected) override { m_box.setPower(connected, m_clock.now()); }
+    [[nodiscard]] const SimpleBox& box() const { return m_box; }
 
 private:
     const profile::InForce m_profile;

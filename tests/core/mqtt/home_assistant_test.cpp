@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <set>
+#include <vector>
 
 namespace boresight::mqtt {
 namespace {
@@ -130,7 +131,38 @@ TEST(HomeAssistant, IsToldByTheRules)
     }
 }
 
-// REQ-MQTT-13: Entities that were announced under another prefix, or are not wanted any more, are removed. The others
+// Story: the mounts "a/b" and "a_b" had one id, so each of them overwrote the entities of the other one.
+// REQ-MQTT-15: Mounts with different prefixes have different entities, whatever characters the prefixes have. A prefix
+// with and without "/" at its end is the same one.
+TEST(HomeAssistant, TellsMountsApart)
+{
+    const auto topicsOf = [](const char* prefix) {
+        Described mount = roof(Offered::StopAndPark);
+        mount.prefix = QString::fromUtf8(prefix);
+        std::set<QString> topics;
+        for (const Message& one : discovery(mount)) {
+            topics.insert(one.topic);
+            topics.insert(objectOf(one)[QStringLiteral("unique_id")].toString());
+        }
+        return topics;
+    };
+    std::set<QString> all;
+    std::size_t each = 0;
+    const std::vector<const char*> prefixes = {
+        "boresight",       "boresight/a/b", "boresight/a_b",  "boresight_a_b", "boresight_a/b", "boresight/größe",
+        "boresight/grüße", "roof",          "boresight_roof", "ro/of",         "ro of",         "boresight/ro of"};
+    for (const char* const prefix : prefixes) {
+        const std::set<QString> topics = topicsOf(prefix);
+        each = topics.size();
+        all.insert(topics.begin(), topics.end());
+    }
+    EXPECT_EQ(all.size(), prefixes.size() * each);
+    EXPECT_EQ(topicsOf("boresight/a"), topicsOf("boresight/a/"));
+    EXPECT_TRUE(topicsOf("boresight/").contains(QStringLiteral("boresight_azimuth"))) << "the usual one is short";
+}
+
+// REQ-MQTT-13: Entities that were announced under another prefix or at another broker, or are not wanted any more, are
+// removed. If the broker is away then, they are removed at the next connection to it while the program runs. The others
 // stay, with the settings that the user of Home Assistant has made for them.
 TEST(HomeAssistant, ForgetsWhatIsGone)
 {

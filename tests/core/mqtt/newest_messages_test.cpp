@@ -66,6 +66,58 @@ TEST(NewestMessages, AFloodOfOneTopicLeavesTheOthers)
     EXPECT_EQ(kept, (std::vector{stop, stop})) << "the large one goes";
 }
 
+Message command(const QByteArray& payload)
+{
+    return {.topic = QStringLiteral("command"), .payload = payload};
+}
+
+bool isHoldOrStop(const Message& message)
+{
+    return message.payload == "hold" || message.payload == "stop";
+}
+
+// Story: a hold that arrived on the command topic before a flood of targets was displaced by them, and never obeyed.
+// REQ-MQTTCOMMANDS-07
+TEST(NewestMessages, AnUrgentMessageIsNotDisplacedByItsOwnTopic)
+{
+    NewestMessages messages;
+    messages.keepUrgent(isHoldOrStop);
+    messages.add(command("1 1"));
+    messages.add(command("hold"));
+    for (int i = 0; i < 1000; ++i) {
+        messages.add(command("10 " + QByteArray::number(i)));
+    }
+    messages.add(command(QByteArray(kLargestMessage, 'x')));
+    auto kept = messages.take();
+    EXPECT_EQ(kept.front(), command("hold"));
+
+    messages.add(command("hold"));
+    for (int i = 0; i < 1000; ++i) {
+        messages.add(command("10 20"));
+        messages.add(command("hold"));
+    }
+    messages.add(command("stop"));
+    messages.add(command("30 20"));
+    kept = messages.take();
+    EXPECT_EQ(kept.size(), NewestMessages::kMost);
+    EXPECT_EQ(kept.front(), command("hold")) << "the first one";
+    EXPECT_EQ(kept.back(), command("stop")) << "a hold that repeats another one goes first";
+}
+
+// The messages of a sensor pass a flood of holds.
+// REQ-MQTTCOMMANDS-07
+TEST(NewestMessages, UrgentMessagesLeaveOtherTopicsTheirPlace)
+{
+    NewestMessages messages;
+    messages.keepUrgent(isHoldOrStop);
+    const Message wind{.topic = QStringLiteral("wind"), .payload = "3.5"};
+    messages.add(wind);
+    for (int i = 0; i < 1000; ++i) {
+        messages.add(command("hold"));
+    }
+    EXPECT_EQ(messages.take().front(), wind);
+}
+
 TEST(NewestMessages, TheirBytesAreBoundedTogether)
 {
     NewestMessages messages;

@@ -228,6 +228,7 @@ TEST_F(MqttThreaded, OfAFloodTheNewestAreReportedInOneReport)
     ClientWorker worker(clock);
     std::vector<ClientReport> reports;
     QObject::connect(&worker, &ClientWorker::reported, [&](const ClientReport& report) { reports.push_back(report); });
+    worker.keepUrgent([](const Message& message) { return message.payload == "7"; });
     worker.client().subscribe(kThreadedClientTopic);
     worker.open(1, onLoopback(broker->port()), std::nullopt);
     Rig other;
@@ -247,7 +248,8 @@ TEST_F(MqttThreaded, OfAFloodTheNewestAreReportedInOneReport)
     const auto& messages = reports.back().messages;
     ASSERT_EQ(messages.size(), NewestMessages::kMost);
     EXPECT_EQ(messages.back().payload, "499");
-    EXPECT_EQ(messages.front().payload, QByteArray::number(500 - static_cast<int>(NewestMessages::kMost)));
+    EXPECT_EQ(messages.front().payload, "7") << "an urgent one";
+    EXPECT_EQ(messages[1].payload, QByteArray::number(501 - static_cast<int>(NewestMessages::kMost)));
 }
 
 }  // namespace

@@ -73,6 +73,23 @@ TEST(Advice, LooksAtBothAxes)
     EXPECT_EQ(adviceOn(profile).size(), 2U);
 }
 
+// REQ-PROFILE-964: Settings of Hamlib that have no effect, because Boresight starts no rotctld for this bus, give
+// advice.
+TEST(Advice, TellsOfSettingsOfHamlibWithoutEffect)
+{
+    Profile profile;
+    profile.hamlibSettings = {"min_az=-90"};
+    for (const char* const without : {"rotctld:10.0.0.7:4533", "serial:/dev/ttyUSB0"}) {
+        profile.bus = without;
+        ASSERT_EQ(adviceOn(profile).size(), 1U) << without;
+        EXPECT_EQ(adviceOn(profile).front().key, "bus.hamlib_settings");
+    }
+    for (const char* const with : {"hamlib:901:/dev/ttyUSB0", "simulated"}) {
+        profile.bus = with;
+        EXPECT_TRUE(adviceOn(profile).empty()) << with;
+    }
+}
+
 // REQ-MOUNT-12
 TEST(Advice, TellsWhatAMountWithOneAxisDoesNotUse)
 {

@@ -119,6 +119,30 @@ TEST(CrossCheck, AWatchedBoardHasAnIdOfItsOwn)
     EXPECT_EQ(crossCheck(profile).size(), 1u) << "nothing turns the elevation";
 }
 
+// REQ-PROFILE-963: A setting of Hamlib is NAME=VALUE, without blanks and commas, and each name is there once. The port
+// and its speed have keys of their own and are refused here, with the reason. A limit must be a number, because rotctld
+// uses 0 for a word.
+TEST(CrossCheck, ASettingOfHamlibHasANameAndAValue)
+{
+    Profile profile;
+    const Setting& setting = *findSetting("bus.hamlib_settings");
+    for (const char* const bad : {"", "min_az", "min_az=", "=5", "min az=5", "MIN_AZ=5", "stop_bits=2,retry=1",
+                                  "stop_bits=2 ", "a=b=c", "timeout=1\n", "-C=1", "min_az=abc", "max_el=9O"}) {
+        EXPECT_FALSE(setting.set(profile, TextList{bad})) << bad;
+    }
+    EXPECT_FALSE(setting.set(profile, TextList{"timeout=" + std::string(100, '1')}));
+    for (const auto& [own, key] :
+         {std::pair{"rot_pathname=/dev/ttyS0", "bus.name"}, {"serial_speed=600", "bus.baud"}}) {
+        const Result<> set = setting.set(profile, TextList{own});
+        ASSERT_FALSE(set) << own;
+        EXPECT_TRUE(set.error().text.contains(QLatin1String(key))) << set.error().text.toStdString();
+    }
+    ASSERT_TRUE(setting.set(profile, TextList{"min_az=-90", "write_delay=5", "stop_bits=2", "serial_parity=None"}));
+    EXPECT_TRUE(crossCheck(profile).empty());
+    ASSERT_TRUE(setting.set(profile, TextList{"min_az=-90", "stop_bits=2", "min_az=0"}));
+    EXPECT_EQ(keysOf(crossCheck(profile)), std::vector<std::string>{"bus.hamlib_settings"});
+}
+
 // REQ-PROFILE-04
 TEST(CrossCheck, AnIdThatNoControllerHasClashesWithNone)
 {

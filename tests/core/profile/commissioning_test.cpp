@@ -78,6 +78,23 @@ TEST(Commissioning, ARotatorIsTakenInOneAct)
     EXPECT_TRUE(fitsRealMount(profile));
 }
 
+// REQ-PROFILE-965: Settings of Hamlib are for one model. Another model, or a rotator without Hamlib, resets them.
+// Another port keeps them.
+TEST(Commissioning, SettingsOfHamlibStayWithTheirModel)
+{
+    Profile profile;
+    profile.hamlibSettings = {"min_az=-90"};
+    useRotator(profile, {.driver = AxisDriver::Rotctld, .bus = "hamlib:901:/dev/ttyUSB0"});
+    EXPECT_EQ(profile.hamlibSettings.size(), 1U) << "entered before the model was connected";
+    useRotator(profile, {.driver = AxisDriver::Rotctld, .bus = "hamlib:901:/dev/ttyUSB1"});
+    EXPECT_EQ(profile.hamlibSettings.size(), 1U);
+    Profile other = profile;
+    useRotator(other, {.driver = AxisDriver::Rotctld, .bus = "hamlib:902:/dev/ttyUSB1"});
+    EXPECT_TRUE(other.hamlibSettings.empty());
+    useRotator(profile, {.driver = AxisDriver::Gs232, .bus = "serial:/dev/ttyUSB1"});
+    EXPECT_TRUE(profile.hamlibSettings.empty());
+}
+
 // REQ-PROFILE-962
 TEST(Commissioning, ARotatorThatIsReachedElsewhereKeepsItsEnds)
 {

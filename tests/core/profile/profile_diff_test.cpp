@@ -118,6 +118,9 @@ TEST(ProfileDiff, KnowsEveryKey)
         if (setting.key == "bus.watched") {
             other = TextList{"3 polarisation"};
         }
+        if (setting.key == "bus.hamlib_settings") {
+            other = TextList{"min_az=-90"};
+        }
         if (setting.key == "listeners.list") {
             other = TextList{"gs232b drive tcp:127.0.0.1:4534"};
         }

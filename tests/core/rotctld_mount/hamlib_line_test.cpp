@@ -42,10 +42,11 @@ std::vector<pid_t> ownPrograms()
     return found;
 }
 
-std::unique_ptr<BoxLine> lineOf(const std::string& bus)
+std::unique_ptr<BoxLine> lineOf(const std::string& bus, const std::vector<std::string>& settings = {})
 {
     constexpr int kBaud = 9600;
-    return std::make_unique<HamlibLine>(parseBusName(bus).value(), kBaud);
+    return std::make_unique<HamlibLine>(
+        HamlibRotator{.bus = parseBusName(bus).value(), .baud = kBaud, .settings = settings});
 }
 
 class HamlibProgram : public testing::Test
@@ -143,6 +144,29 @@ TEST_F(HamlibProgram, OfAModelThatDoesNotExistSaysWhy)
     ASSERT_TRUE(rig.comesTrue([&] { return rig.warns("rotator.line-down"); }));
     EXPECT_TRUE(rig.line().problem.contains(QStringLiteral("Unknown rot num 99999")))
         << rig.line().problem.toStdString();
+}
+
+// REQ-ROTCTLDMOUNT-67: The rotctld that Boresight starts gets the settings of Hamlib in the profile. Its limits are
+// then those of the settings. If Hamlib refuses a setting, the alarm says where the settings are, and how to list their
+// names.
+TEST_F(HamlibProgram, HasTheSettingsOfTheProfile)
+{
+    Rig rig(lineOf("hamlib:1", {"min_az=-20.5", "max_az=300.5"}));
+    ASSERT_TRUE(rig.comesTrue([&] { return rig.place().has_value(); }));
+    const Result<>& fit = rig.connection->driver().interlock();
+    ASSERT_FALSE(fit);
+    for (const char* const limit : {"-20.5", "300.5"}) {
+        EXPECT_TRUE(fit.error().text.contains(QLatin1String(limit))) << fit.error().text.toStdString();
+    }
+}
+
+// REQ-ROTCTLDMOUNT-67
+TEST_F(HamlibProgram, WithASettingThatHamlibRefusesSaysWhere)
+{
+    Rig rig(lineOf("hamlib:1", {"min_az=-90", "no_such_name=1"}));
+    ASSERT_TRUE(rig.comesTrue([&] { return rig.warns("rotator.line-down"); }));
+    EXPECT_TRUE(rig.line().problem.contains(QStringLiteral("bus.hamlib_settings"))) << rig.line().problem.toStdString();
+    EXPECT_TRUE(rig.line().problem.contains(QStringLiteral("rotctl -m 1 -L")));
 }
 
 // REQ-ROTCTLDMOUNT-63

@@ -24,13 +24,15 @@ struct CommandRig : StationRig
     {
         run(Seconds(0.2));
         connect(7);
+        onTick = [this] { talk->tick(); };
         run(Seconds(2.5));
     }
     void connect(std::uint64_t id)
     {
         talk = std::make_unique<mqtt::CommandTalk>(
-            rotctld::Client{.id = id, .address = "topic boresight/command", .protocol = "MQTT"}, rotator, clock,
-            [] { return std::optional<Site>(); },
+            rotctld::Client{
+                .id = id, .address = "topic boresight/command", .protocol = "MQTT", .keepsControlByReading = false},
+            rotator, clock, [] { return std::optional<Site>(); },
             [this](const rotctld::Client& client) { return control.request(request::Stop{}, clientSource(client)); });
         rotator.clientConnected(talk->client());
     }
@@ -67,8 +69,8 @@ TEST(CommandControl, IsOneClient)
     EXPECT_NEAR(rig.azimuthDegrees(), 50.0, 0.1);
 }
 
-// REQ-MQTTCOMMANDS-09: If the sender falls silent or the broker is lost, the sender keeps control for at most 10 s. Its
-// last target stays.
+// REQ-MQTTCOMMANDS-09: If the sender sends no motion any more or the broker is lost, the sender keeps control for at
+// most 10 s. Its last target stays.
 TEST(CommandControl, EndsWithItsSilence)
 {
     CommandRig rig;
@@ -87,6 +89,25 @@ TEST(CommandControl, EndsWithItsSilence)
     rig.settle();
     EXPECT_NEAR(rig.azimuthDegrees(), 61.0, 0.1);
     EXPECT_TRUE(rig.otherPoints(90.0)) << "at once";
+}
+
+// Story: a dashboard that asked for the position each 5 s kept control for ever after one motion.
+// REQ-MQTTCOMMANDS-14: A question by MQTT does not keep control of the mount.
+TEST(CommandControl, IsNotKeptByAQuestion)
+{
+    CommandRig rig;
+    rig.rotator.clientConnected(rig.other);
+    for (int i = 0; i < 5; ++i) {  // a stream of points, which other clients confirm by reading
+        ASSERT_EQ(rig.say("40." + QByteArray::number(i) + " 30"), "OK");
+        rig.run(Seconds(1.0));
+    }
+    for (int i = 0; i < 4; ++i) {
+        EXPECT_FALSE(rig.otherPoints(90.0)) << i;
+        rig.run(Seconds(2.2));
+        EXPECT_THAT(rig.say("?"), Not(StartsWith("error: ")));
+    }
+    rig.run(Seconds(0.5));
+    EXPECT_TRUE(rig.otherPoints(90.0)) << "10.3 s after the last motion";
 }
 
 TEST(CommandControl, YieldsToTheOperator)

@@ -9,6 +9,10 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <map>
+#include <utility>
+
 namespace boresight {
 namespace {
 
@@ -91,6 +95,28 @@ TEST_F(MessageCommandsTest, ACommandMovesTheMount)
     EXPECT_EQ(clients().front().lastCommand, QStringLiteral("40 30"));
     EXPECT_THAT(ask("?"), HasSubstr("30.0"));
     EXPECT_THAT(ask("open the door"), HasSubstr("error: \"open the door\" is not a command."));
+}
+
+// REQ-MQTTCOMMANDS-04
+TEST_F(MessageCommandsTest, ACommandAfterAPauseOfTheProgramMovesNothing)
+{
+    begin(commanded(broker->port()));
+    clock.advance(Seconds(3.0));  // without a tick
+    EXPECT_THAT(ask("40 30"), HasSubstr("This command may be old. Send it again."));
+    EXPECT_EQ(station->status().state, StationState::Standby);
+}
+
+// REQ-MQTTCOMMANDS-14
+TEST_F(MessageCommandsTest, AQuestionDoesNotKeepControl)
+{
+    begin(commanded(broker->port()));
+    ASSERT_EQ(ask("40 30"), "OK");
+    EXPECT_TRUE(clients().front().inControl);
+    for (int i = 0; i < 5; ++i) {
+        run(110);
+        EXPECT_THAT(ask("?"), HasSubstr("."));
+    }
+    EXPECT_FALSE(clients().front().inControl) << "11 s after the motion";
 }
 
 // REQ-MQTTCOMMANDS-06
@@ -223,6 +249,78 @@ TEST_F(MessageCommandsTest, ATopicThatTheBrokerRefusesIsALineInTheLog)
                                    [](const std::string& line) { return line.find("boresight/stop") != line.npos; });
     }));
     EXPECT_THAT(log, Contains(HasSubstr("does not let Boresight read the topic boresight/command. No command")));
+}
+
+// What a client receives of the messages for Home Assistant. It is connected all the time.
+struct HomeRig : mqtt::Rig
+{
+    explicit HomeRig(std::uint16_t port)
+    {
+        client.subscribe(QStringLiteral("homeassistant/#"));
+        client.open(mqtt::onLoopback(port));
+    }
+    // The number of entities that exist now.
+    [[nodiscard]] std::size_t entities() const
+    {
+        std::map<QString, bool> present;
+        for (const mqtt::Message& message : messages) {
+            present[message.topic] = !message.payload.isEmpty();
+        }
+        return static_cast<std::size_t>(std::ranges::count(present, true, &std::pair<const QString, bool>::second));
+    }
+    [[nodiscard]] std::size_t removed() const
+    {
+        return static_cast<std::size_t>(
+            std::ranges::count_if(messages, [](const mqtt::Message& one) { return one.payload.isEmpty(); }));
+    }
+};
+
+profile::Profile described(std::uint16_t port)
+{
+    profile::Profile profile = publishing(port);
+    profile.mqtt.homeAssistant = profile::HomeAssistant::On;
+    return profile;
+}
+
+// Story: the entities stayed at the old broker for ever, because their topics are the same at the new one.
+// REQ-MQTT-13
+TEST_F(MessageCommandsTest, HomeAssistantForgetsAMountThatGoesToAnotherBroker)
+{
+    HomeRig old(broker->port());
+    fakes::MqttBroker other;
+    ASSERT_TRUE(old.connected());
+    ASSERT_TRUE(other.start());
+    HomeRig next(other.port());
+    ASSERT_TRUE(next.connected());
+    build(described(broker->port()));
+    ASSERT_TRUE(fakes::waitUntil([&] { return old.entities() == 9; }));
+    apply(described(other.port()));
+    EXPECT_TRUE(fakes::waitUntil([&] { return old.entities() == 0; }));
+    EXPECT_TRUE(fakes::waitUntil([&] { return next.entities() == 9; }));
+    profile::Profile off = described(other.port());
+    off.mqtt.homeAssistant = profile::HomeAssistant::Off;
+    off.mqtt.publish = profile::Publish::Off;
+    apply(off);
+    EXPECT_TRUE(fakes::waitUntil([&] { return next.entities() == 0; })) << "before the connection ends";
+}
+
+// REQ-MQTT-13
+TEST_F(MessageCommandsTest, HomeAssistantForgetsWhenTheBrokerIsBack)
+{
+    fakes::MqttBroker away;
+    profile::Profile profile = described(away.port());
+    build(profile);
+    profile.mqtt.prefix = "roof/";
+    apply(profile);
+    ASSERT_TRUE(away.start());
+    HomeRig home(away.port());
+    ASSERT_TRUE(home.connected());
+    ASSERT_TRUE(fakes::waitUntil([this] {
+        run(50);
+        return station->status().broker.connected;
+    }));
+    EXPECT_TRUE(fakes::waitUntil([&] { return home.entities() == 9 && home.removed() == 12; }))
+        << "those of the old prefix are removed, and three that are not offered";
 }
 
 // REQ-MQTT-11
