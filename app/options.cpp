@@ -67,7 +67,7 @@ void addOptions(QCommandLineParser& parser)
     parser.addOption(
         {kElements,
          QStringLiteral("File, folder or https address with the elements of satellites, or celestrak:GROUP. May be "
-                        "given again. Overrides the profile."),
+                        "repeated. Overrides the profile."),
          QStringLiteral("PATH")});
     parser.addOption({kStateDir, QStringLiteral("Folder of the log, the position journal and the window layout."),
                       QStringLiteral("DIR")});

@@ -243,7 +243,7 @@ QString complainInWindow(int argc, char** argv, const QString& text)
     const app::UnixSignals signals;
     QObject::connect(&signals, &app::UnixSignals::endRequested, &problem, &QWidget::close);
     problem.show();
-    complain(QStringLiteral("the window says: ") + text);
+    complain(QStringLiteral("the window shows: ") + text);
     QApplication::exec();
     return problem.chosenProfile();
 }

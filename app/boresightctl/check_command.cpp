@@ -24,7 +24,7 @@ QString driverText(const QString& axis, const profile::AxisSettings& settings)
 ExitStatus runCheck(Arguments arguments)
 {
     if (arguments.size() != 1) {
-        return usageError(kCheckCommand, QStringLiteral("give one profile"));
+        return usageError(kCheckCommand, QStringLiteral("name one profile"));
     }
     const QString path = toQString(arguments.front());
     const Result<profile::Profile> profile = profile::loadProfile(path);

@@ -34,7 +34,7 @@ QString question(const profile::Profile& profile)
                "Mount \"%1\", bus %2.\n"
                "After this Boresight moves the mount to every place of its travel, at up to %3.\n"
                "Confirm only what a person at the mast has seen:\n"
-               "%4Type yes if the mount turns so: ")
+               "%4Type yes if the mount turns like this: ")
         .arg(toQString(profile.mount.name), toQString(profile.bus), speeds.join(QStringLiteral(" and ")),
              seen.join(QString()));
 }
@@ -50,7 +50,7 @@ bool isConfirmedByHand(const profile::Profile& profile)
 ExitStatus runConfirmDirections(Arguments arguments)
 {
     if (arguments.size() != 1) {
-        return usageError(kConfirmDirectionsCommand, QStringLiteral("give one profile"));
+        return usageError(kConfirmDirectionsCommand, QStringLiteral("name one profile"));
     }
     const QString path = QString::fromStdString(arguments.front());
     const auto toml = profile::readFile(path);

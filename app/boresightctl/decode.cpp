@@ -70,7 +70,7 @@ Result<CanFrame> readFrame(Arguments arguments)
 ExitStatus runDecode(Arguments arguments)
 {
     if (arguments.empty()) {
-        return usageError(kDecodeCommand, QStringLiteral("give the identifier and the data of a frame"));
+        return usageError(kDecodeCommand, QStringLiteral("write the identifier and the data of a frame"));
     }
     const Result<CanFrame> frame = readFrame(arguments);
     if (!frame) {

@@ -60,7 +60,7 @@ ExitStatus scan(CanLink& link)
 ExitStatus runScan(Arguments arguments)
 {
     if (arguments.size() != 1) {
-        return usageError(kScanCommand, QStringLiteral("give one bus"));
+        return usageError(kScanCommand, QStringLiteral("name one bus"));
     }
     const SystemClock clock;
     const Result<std::unique_ptr<CanLink>> link = makeLink(arguments.front(), clock);

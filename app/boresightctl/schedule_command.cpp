@@ -154,7 +154,7 @@ ExitStatus runSchedule(Arguments arguments)
     const auto* const action = std::ranges::find_if(
         kActions, [&](const ScheduleAction& one) { return !arguments.empty() && arguments.front() == one.word; });
     if (action == kActions.end()) {
-        return usageError(kScheduleCommand, QStringLiteral("give list, arm, disarm, report or rehearse"));
+        return usageError(kScheduleCommand, QStringLiteral("write list, arm, disarm, report or rehearse"));
     }
     const auto options = parseStationOptions(arguments.subspan(1), 0);
     if (!options) {

@@ -122,7 +122,7 @@ Result<> takeOption(const std::string& name, OptionReader& reader, SimulateOptio
 Result<> check(const SimulateOptions& options)
 {
     if (options.pty.empty() == options.can.empty()) {
-        return refuse(QStringLiteral("give either --pty PATH or --can IFACE"));
+        return refuse(QStringLiteral("use either --pty PATH or --can IFACE"));
     }
     if (!options.sensor.empty() && options.sensor == options.pty) {
         return refuse(QStringLiteral("--sensor and --pty name the same file"));
@@ -134,7 +134,7 @@ Result<> check(const SimulateOptions& options)
     if (!options.factory && pair.azimuth.config.id == pair.elevation.config.id) {
         return refuse(
             QStringLiteral(
-                "both drives would have id %1: give --az-id or --el-id. To simulate this fault, use --duplicate-id")
+                "both drives would have id %1: set --az-id or --el-id. To simulate this fault, use --duplicate-id")
                 .arg(pair.azimuth.config.id));
     }
     for (const sim::Injection& injection : options.injections) {

@@ -82,7 +82,7 @@ std::vector<orbit::ElementSet> chosenSatellites(const Subcommand& subcommand, co
             (options.number
                  ? QStringLiteral("%1: there is no usable element set of number %2. ").arg(where).arg(*options.number)
                  : QStringLiteral("%1: there is no usable element set. ").arg(where)) +
-                QStringLiteral("Give a file that has one with --elements"));
+                QStringLiteral("With --elements name a file that has one"));
     }
     return std::move(files.sets);
 }

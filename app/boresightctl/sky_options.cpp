@@ -240,7 +240,7 @@ Result<SkyOptions> parseEphemerisOptions(Arguments arguments)
             return failure(
                 ErrorCode::InvalidInput,
                 QStringLiteral(
-                    "--body and --radec need no elements: give only --body, only --radec, or --elements with --norad"));
+                    "--body and --radec need no elements: use only --body, only --radec, or --elements with --norad"));
         }
         if (!options.table.isEmpty() && (options.object || options.number || !options.elements.empty())) {
             return failure(ErrorCode::InvalidInput,
@@ -249,7 +249,7 @@ Result<SkyOptions> parseEphemerisOptions(Arguments arguments)
         const bool isSatellite = !options.object && options.table.isEmpty();
         if (options.doppler && !isSatellite) {
             return failure(ErrorCode::InvalidInput,
-                           QStringLiteral("--doppler is for a satellite: give --elements and --norad with it"));
+                           QStringLiteral("--doppler needs a satellite: add --elements and --norad"));
         }
         const QString missing = isSatellite && options.elements.empty() ? QStringLiteral("--elements FILE")
                                 : isSatellite && !options.number        ? QStringLiteral("--norad N")

@@ -101,7 +101,7 @@ Result<StationOptions> parseStationOptions(Arguments arguments, std::size_t coun
     return readOptions(arguments).and_then([count](StationOptions options) -> Result<StationOptions> {
         if (options.places.size() != count) {
             return failure(ErrorCode::InvalidInput, count == 0 ? QStringLiteral("there are too many arguments")
-                                                               : QStringLiteral("give an azimuth and an elevation"));
+                                                               : QStringLiteral("write an azimuth and an elevation"));
         }
         return options;
     });

@@ -105,7 +105,7 @@ inline constexpr std::array kPointingAlarms{
                .action = QT_TRANSLATE_NOOP(
                    "Text", "The mount stands still. It moves again BY ITSELF if the file is right again before %2"),
                .remedy = QT_TRANSLATE_NOOP("Text", "STOP or Hold ends the tracking"),
-               .examples = {"nothing writes the file: open Astronomical Data in WSJT-X", "17:06:10Z"},
+               .examples = {"nothing writes the file. Open Astronomical Data in WSJT-X", "17:06:10Z"},
                .identifying = 0},
     AlarmEntry{.id = "azel.ended",
                .source = "azel.dat",

@@ -71,7 +71,7 @@ Result<> AzelFeed::isFresh(SteadyTime now) const
         return failure(ErrorCode::NoAnswer, m_problem ? m_problem->text : Text::tr("the file was not read yet"));
     }
     if (!m_changed || now - *m_changed > kStale) {
-        return failure(ErrorCode::NoAnswer, Text::tr("nothing writes the file: open Astronomical Data in WSJT-X"));
+        return failure(ErrorCode::NoAnswer, Text::tr("nothing writes the file. Open Astronomical Data in WSJT-X"));
     }
     if (std::abs(m_clockOff.count()) > Seconds(kStale).count()) {
         return failure(ErrorCode::NoAnswer, Text::tr("the time in the file and the clock of this computer differ by "

@@ -150,7 +150,7 @@ Result<> StationControl::askSources(const Request& request, const Source& source
             return *std::move(answer);
         }
     }
-    return failure(ErrorCode::NotAvailable, Text::tr("no source of motion takes this request"));
+    return failure(ErrorCode::NotAvailable, Text::tr("no source of motion accepts this request"));
 }
 
 void StationControl::stepSources()

@@ -311,7 +311,8 @@ Result<> DriveCheck::fitToMove() const
         case DriveCheckState::Running:
             return failure(ErrorCode::Busy, Text::tr("The drive check is running. Wait some seconds."));
         case DriveCheckState::Fixing:
-            return failure(ErrorCode::Busy, Text::tr("Settings are being written to the drives."));
+            return failure(ErrorCode::Busy,
+                           Text::tr("Boresight is writing the settings of the drives. Wait until this ends."));
         case DriveCheckState::Done:
             break;
     }

@@ -45,7 +45,7 @@ bool isNoFile(const QString& path)
 QStringList filesOf(const QString& path, QStringList& problems)
 {
     if (isNoFile(path)) {
-        problems.append(Text::tr("%1: This is a pipe or a device. Give a file or a folder.").arg(path));
+        problems.append(Text::tr("%1: This is a pipe or a device. Name a file or a folder.").arg(path));
         return {};
     }
     if (path.endsWith(QStringLiteral(".mod"))) {

@@ -139,11 +139,11 @@ QString MagneticModel::expiry(double year) const
     }
     if (year > validTo()) {
         return Text::tr(
-                   "The magnetic model %1 ended with %2. Its declination is less exact each year. Get the present "
+                   "The magnetic model %1 was valid until %2. Its declination is less exact each year. Get the present "
                    "World Magnetic Model (.COF).")
             .arg(toQString(name()), yearText(validTo()));
     }
-    return Text::tr("The magnetic model %1 ends with %2. Get the next one before that.")
+    return Text::tr("The magnetic model %1 is valid until %2. Get the next model before then.")
         .arg(toQString(name()), yearText(validTo()));
 }
 

@@ -63,7 +63,7 @@ std::optional<Obstacle> obstacleInTime(const DriveFrame& frame, const Evidence& 
     }
     if (record.provesNothing()) {
         return Obstacle{
-            .why = Text::tr("The journal does not prove the cable wrap, because a doubt arose after it was written")};
+            .why = Text::tr("The journal does not prove the cable wrap, because the position became doubtful later")};
     }
     const std::optional<Seconds> elapsed = vouchedElapsed(evidence, record);
     if (!elapsed) {

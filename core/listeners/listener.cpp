@@ -200,8 +200,8 @@ Result<> checkSenders(const Listener& listener)
 {
     if (listener.udp && isOpenToAll(listener)) {
         return failure(ErrorCode::InvalidInput,
-                       Text::tr("other computers could move the mount by UDP. Add the addresses that may, or listen on "
-                                "127.0.0.1, or use the right \"read\""));
+                       Text::tr("other computers could move the mount by UDP. Add the permitted addresses. Or listen "
+                                "on 127.0.0.1, or use the right \"read\""));
     }
     return {};
 }

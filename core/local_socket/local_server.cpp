@@ -87,7 +87,7 @@ void LocalServer::close()
 {
     m_server.close();
     for (LocalConversation* const one : conversations()) {
-        one->end(failure(ErrorCode::NotAvailable, Text::tr("The station is being closed.")));
+        one->end(failure(ErrorCode::NotAvailable, Text::tr("The station is closing.")));
     }
 }
 

@@ -258,7 +258,7 @@ Result<> DriveCare::mayRead() const
 {
     return mayTouch().and_then([this]() -> Result<> {
         return m_driveCheck.state() == DriveCheckState::Running
-                   ? failure(ErrorCode::Busy, Text::tr("the drives are being read"))
+                   ? failure(ErrorCode::Busy, Text::tr("Boresight is reading the drives. Wait a moment."))
                    : Result<>{};
     });
 }

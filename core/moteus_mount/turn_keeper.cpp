@@ -358,9 +358,9 @@ Result<> TurnKeeper::choose(Axis axis, Angle angle, Drive& drive, const QString&
         place = nearestOf(asked->candidates, angle);
         if (abs(place - angle) > std::min(kEyeSight, asked->period * 0.5)) {
             return failure(ErrorCode::Refused,
-                           Text::tr("the drive contradicts %1. The nearest position that the drive permits is %2. Is "
-                                    "that position wrong? "
-                                    "Then another tool has set the position of the drive. Switch its power off and on")
+                           Text::tr("the drive contradicts %1. The nearest position that the drive permits is %2. If "
+                                    "that position is wrong, another tool has set the position of the drive. Switch "
+                                    "the power of the drive off and on")
                                .arg(degreesText(angle), degreesText(place)));
         }
     }

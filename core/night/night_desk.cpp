@@ -177,7 +177,7 @@ void NightDesk::noticed(const Request& request, const Source& by)
         disarm({.end = schedule::PassEnd::Manual,
                 .why = std::holds_alternative<request::Stop>(request)
                            ? Text::tr("STOP of %1").arg(sourceText(by.name))
-                           : Text::tr("%1 has taken the mount").arg(sourceText(by.name))});
+                           : Text::tr("%1 sent another command").arg(sourceText(by.name))});
     }
 }
 

@@ -113,7 +113,7 @@ public:
         }
         if (m_highest.empty() || m_highest.size() > kMaxHorizonPoints) {
             return failure(ErrorCode::InvalidInput,
-                           Text::tr("%1: %2 points; 1…%3 make a horizon")
+                           Text::tr("%1: %2 points. A horizon has 1 to %3 points")
                                .arg(m_fileName, QString::number(m_highest.size()), QString::number(kMaxHorizonPoints)));
         }
         HorizonText text{.points = {}, .merged = m_merged};

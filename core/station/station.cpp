@@ -530,8 +530,7 @@ void Station::publish()
 
 void Station::shutDown()
 {
-    m_log.add(Severity::Advisory, QStringLiteral("station"),
-              Text::tr("Boresight is being closed: the mount is stopped"));
+    m_log.add(Severity::Advisory, QStringLiteral("station"), Text::tr("Boresight is closing. It stops the mount"));
     m_tables.forget();
     m_transmit.close();
     m_control.shutDown();

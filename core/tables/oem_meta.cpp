@@ -68,7 +68,7 @@ Result<> OemMeta::take(std::string_view line)
         return badMeta(Text::tr("The key \"%1\" is not one of an OEM.").arg(orbit::quoted(entry->key)));
     }
     if (m_values[index]) {
-        return badMeta(Text::tr("The key %1 is there twice.").arg(toQString(entry->key)));
+        return badMeta(Text::tr("The file has the key %1 twice in one segment.").arg(toQString(entry->key)));
     }
     m_values[index] = std::string(entry->value);
     return {};

@@ -251,7 +251,7 @@ Result<Target> parseTarget(std::string_view text, std::span<const orbit::Element
     }
     if (found.size() > 1) {
         return failure(ErrorCode::InvalidInput,
-                       Text::tr("%1 satellites have that name, among them %2. Give the number.")
+                       Text::tr("%1 satellites have that name, among them %2. Enter the number.")
                            .arg(found.size())
                            .arg(listed(found)));
     }

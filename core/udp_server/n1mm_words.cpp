@@ -67,8 +67,8 @@ Result<Command> parseTurn(const std::vector<Field>& fields)
     if (hasOffset) {
         return failure(
             ErrorCode::NotAvailable,
-            Text::tr("Boresight does not support the offset of an antenna. Set it to 0 in N1MM, and enter it as the "
-                     "direction of the beam here."));
+            Text::tr("Boresight does not support the offset of an antenna. Set the offset to 0 in N1MM, and enter it "
+                     "in Boresight as the direction of the beam."));
     }
     return rotctld::inReach(*azimuth, {}).map([&] { return Command(Target{.azimuth = azimuth, .elevation = {}}); });
 }

@@ -93,7 +93,7 @@ TEST(SkyOptions, ABodyIsNoSatellite)
     EXPECT_EQ(refusalOfEphemeris(with(kEphemeris, {"--doppler", "on"})), "accepted");
     EXPECT_EQ(refusalOfEphemeris(with(kEphemeris, {"--doppler", "yes"})), "--doppler \"yes\": expected on or off");
     EXPECT_EQ(refusalOfEphemeris({"--body", "moon", "--site", "1,2,3", "--times", "-", "--doppler", "on"}),
-              "--doppler is for a satellite: give --elements and --norad with it");
+              "--doppler needs a satellite: add --elements and --norad");
     EXPECT_EQ(refusalOfEphemeris(with(kEphemeris, {"--refraction", "optical"})),
               "--refraction \"optical\": expected none, light or radio");
     EXPECT_EQ(refusalOfPasses(with(kPasses, {"--refraction", "light"})), "there is no option --refraction");

@@ -87,7 +87,7 @@ TEST_F(StartTest, ABrokenProfileIsSaidInAWindowThatStaysUntilItIsClosed)
     const QString file = keep("version = 1\n[azimuth]\nmax_speed_deg_s = \"fast\"\n");
     fakes::Program program(QStringLiteral(BORESIGHT), {});
     const QString reason = file + QStringLiteral(":3: azimuth.max_speed_deg_s: a number is expected");
-    EXPECT_TRUE(program.waitForError(QStringLiteral("boresight: the window says: ") + reason))
+    EXPECT_TRUE(program.waitForError(QStringLiteral("boresight: the window shows: ") + reason))
         << program.errors().toStdString();
     program.terminate();  // as at the end of a session, with the window still open
     EXPECT_EQ(program.waitForEnd(), 2) << "the event loop ended it, and not the signal";
@@ -97,7 +97,7 @@ TEST_F(StartTest, AProfileThatWasNamedIsSaidInAWindowToo)
 {
     const QString file = keep("version = 1\n[azimuth]\nmax_speed_deg_s = \"fast\"\n");
     fakes::Program program(QStringLiteral(BORESIGHT), {QStringLiteral("--profile"), file});
-    EXPECT_TRUE(program.waitForError(QStringLiteral("boresight: the window says: ") + file +
+    EXPECT_TRUE(program.waitForError(QStringLiteral("boresight: the window shows: ") + file +
                                      QStringLiteral(":3: azimuth.max_speed_deg_s: ")))
         << program.errors().toStdString();
     program.terminate();
@@ -109,7 +109,7 @@ TEST_F(StartTest, WhatWasTypedWrongIsSaidInTheTerminalAlone)
     fakes::Program program(QStringLiteral(BORESIGHT), {QStringLiteral("--listen"), QStringLiteral("nowhere")});
     EXPECT_EQ(program.waitForEnd(), 2);
     EXPECT_THAT(program.errors().toStdString(), HasSubstr("--listen: "));
-    EXPECT_THAT(program.errors().toStdString(), Not(HasSubstr("the window says")));
+    EXPECT_THAT(program.errors().toStdString(), Not(HasSubstr("the window shows")));
 }
 
 }  // namespace

@@ -160,7 +160,7 @@ StationStatus reading()
     StationStatus status = factoryDrives();
     status.drives->driveCheck = DriveCheckState::Running;
     status.drives->driveCheckText = QStringLiteral("reading servo.timeout_mode of elevation");
-    status.drives->armingObstacle = QStringLiteral("the drives are being read");
+    status.drives->armingObstacle = QStringLiteral("Boresight is reading the drives. Wait a moment.");
     status.permissions = withoutMotion(status.drives->armingObstacle);
     for (const Action action : {Action::ReadDrives, Action::FixDrives, Action::SetAzimuth, Action::SetElevation}) {
         status.permissions.refuse(action, status.drives->armingObstacle);

@@ -88,7 +88,7 @@ GuideNorth::GuideNorth(ProfileChange& change, RequestDesk& desk, QWidget* parent
       m_set(new CommandButton(tr("Set north"), tr("Set the azimuth offset of the pointing model. Nothing moves."), desk,
                               *m_notice, this)),
       m_panel(makePushButton({.text = tr("Sensor, Sun, Moon (Ctrl+9)"),
-                              .help = tr("Find north with them on the panel North. F3 returns to this step.")},
+                              .help = tr("Find north on the panel North. F3 returns to this step.")},
                              this))
 {
     const QString help = tr("Moves the %1 slowly while held").arg(name(Axis::Azimuth));
@@ -123,7 +123,7 @@ void GuideNorth::build()
     grid->addLayout(top, 0, 0, 1, 3);
     grid->addWidget(m_pointing, 1, 0, 1, 2);
     grid->addWidget(m_hold, 1, 2);
-    grid->addWidget(makeCaption(tr("It really points to"), *m_truth), 2, 0);
+    grid->addWidget(makeCaption(tr("True azimuth"), *m_truth), 2, 0);
     grid->addWidget(m_truth, 2, 1);
     grid->addWidget(m_set, 2, 2);
     grid->addWidget(m_effect, 3, 0, 1, 3);

@@ -112,7 +112,7 @@ QString whyNotSeen(GuideStep step, const StationStatus& status)
 {
     switch (step) {
         case GuideStep::Connect:
-            return everyDriveAnswers(status) ? QString() : GuideWords::tr("The drives are being read.");
+            return everyDriveAnswers(status) ? QString() : GuideWords::tr("Boresight is reading the drives.");
         case GuideStep::Protection:
             return everyDriveAnswers(status) ? QString() : GuideWords::tr("The drives have not been read.");
         case GuideStep::Directions:

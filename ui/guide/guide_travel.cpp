@@ -30,9 +30,7 @@ GuideTravel::GuideTravel(ProfileChange& change, RequestDesk& desk, QWidget* pare
     auto* const explanation = new ValueLabel(tr("What the ends are"), fonts::label(), {}, this);
     explanation->setStretching(true);
     explanation->setLines(3);
-    explanation->setValue(
-        tr("Type the ends, or drive there and set them here. Turns of the cable count: 370° is not "
-           "10°."));
+    explanation->setValue(tr("Type the ends, or jog to each end and set it here. Whole turns count: 370° is not 10°."));
     auto* const top = new QHBoxLayout;
     top->addWidget(explanation, 1);
     top->addWidget(new StepPicture(StepPicture::Scene::Travel, this));

@@ -45,7 +45,7 @@ CalibrationBar::CalibrationBar(RequestDesk& desk, QWidget* parent)
       m_discard(new CommandButton(tr("Discard"), tr("Drop the proposal. Nothing changes, and the points stay"), desk,
                                   *m_notice, this)),
       m_undo(
-          new CommandButton(tr("Undo"), tr("Return to the calibration before. Nothing moves"), desk, *m_notice, this))
+          new CommandButton(tr("Undo"), tr("Return to the previous calibration. Nothing moves"), desk, *m_notice, this))
 {
     m_discard->setAccessibleName(tr("Discard the proposal"));
     m_undo->setAccessibleName(tr("Undo the calibration"));

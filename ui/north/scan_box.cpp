@@ -75,8 +75,9 @@ ScanBox::ScanBox(RequestDesk& desk, ValueLabel& notice, QWidget* parent)
       m_notice(notice),
       m_width(makeField(
           {.name = tr("Width of the scan"),
-           .help = tr(
-               "On the sky, from end to end of each line. The default is twice the beam width. 1.5 to 3 times works"),
+           .help =
+               tr("On the sky, from end to end of each line. The default is twice the beam width. 1.5 to 3 beam widths "
+                  "work"),
            .min = kScanBoxNarrowest,
            .max = kWidest,
            .decimals = 1,

@@ -43,7 +43,7 @@ PlotTools::PlotTools(QWidget* parent)
           new PlotButton(PlotButton::Glyph::Save, tr("Save …"), tr("Save the plot as a picture (PNG or SVG)"), this)),
       m_offCaption(new ValueLabel(tr("Distance to the target"), fonts::label(), tr("off by"), this)),
       m_off(new ValueLabel(tr("Off by"), fonts::value(), angleText(Angle::fromDegrees(888.88)), this)),
-      m_loss(new ValueLabel(tr("Loss by pointing"), fonts::label(), lossText(12.0), this)),
+      m_loss(new ValueLabel(tr("Pointing loss"), fonts::label(), lossText(12.0), this)),
       m_cable(new ValueLabel(tr("Azimuth cable"), fonts::label(), widestCableWords().place, this)),
       m_travel(new ValueLabel(tr("Travel of the azimuth cable"), fonts::label(), widestCableWords().travel, this)),
       m_readout(new ValueLabel(tr("Under the cursor"), fonts::label(), QStringLiteral("az 000.0°…000.0°"), this))

@@ -84,7 +84,8 @@ void switchedOff(StationRig& rig)
 void unfit(StationRig& rig)
 {
     standing(rig);
-    rig.mount.setInterlock(failure(ErrorCode::Refused, QStringLiteral("the drives are being read")));
+    rig.mount.setInterlock(
+        failure(ErrorCode::Refused, QStringLiteral("Boresight is reading the drives. Wait a moment.")));
 }
 
 void unconfirmed(StationRig& rig)

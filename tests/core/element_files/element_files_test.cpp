@@ -108,11 +108,11 @@ TEST_F(ElementFilesTest, APipeIsNotWaitedFor)
         return path;
     };
     EXPECT_THAT(linesOf(readElementFiles({pipe("pipe.tle")})),
-                ElementsAre(HasSubstr("pipe.tle: This is a pipe or a device. Give a file or a folder.")));
+                ElementsAre(HasSubstr("pipe.tle: This is a pipe or a device. Name a file or a folder.")));
     EXPECT_THAT(linesOf(readElementFiles({pipe("pipe.mod")})),
                 ElementsAre(HasSubstr("pipe.mod: This is a pipe or a device.")));
     EXPECT_THAT(linesOf(readElementFiles({QStringLiteral("/dev/zero")})),
-                ElementsAre("/dev/zero: This is a pipe or a device. Give a file or a folder."));
+                ElementsAre("/dev/zero: This is a pipe or a device. Name a file or a folder."));
     EXPECT_THAT(linesOf(readElementFiles({folder.path()})), ElementsAre(HasSubstr("There is no file of elements")));
     ASSERT_TRUE(QDir(folder.path()).mkdir(QStringLiteral("satdata")));
     pipe("satdata/25544.sat");

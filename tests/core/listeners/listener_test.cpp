@@ -66,7 +66,7 @@ TEST(Listener, MayBeForDatagrams)
         EXPECT_TRUE(refusalOf(line).contains(QStringLiteral("\"rotor=\""))) << line;
     }
     for (const char* const line : {"pst drive udp:0.0.0.0:12000", "n1mm drive udp:192.168.1.2:12040 rotor=Yagi"}) {
-        EXPECT_TRUE(refusalOf(line).contains(QStringLiteral("Add the addresses that may"))) << line;
+        EXPECT_TRUE(refusalOf(line).contains(QStringLiteral("Add the permitted addresses"))) << line;
     }
     EXPECT_TRUE(parseListener("pst read udp:0.0.0.0:12000"));
     EXPECT_TRUE(refusalOf("pst drive udp:127.0.0.1:65535").contains(QStringLiteral("the port after its own")));

@@ -300,7 +300,7 @@ TEST_F(LocalServerTest, TheEndOfTheStationIsAnAnswer)
     ASSERT_TRUE(listen());
     const auto waiting = client(1);
     server.close();
-    EXPECT_EQ(answerTo(*waiting, {}), "error: The station is being closed.\n");
+    EXPECT_EQ(answerTo(*waiting, {}), "error: The station is closing.\n");
 }
 
 }  // namespace

@@ -112,9 +112,9 @@ TEST(DriveCare, WhatIsReadOrRightIsNotOfferedAgain)
 {
     CareRig rig;
     ASSERT_TRUE(rig.reaches(DriveCheckState::Running));
-    EXPECT_EQ(rig.obstacle(Action::ReadDrives), "the drives are being read");
-    EXPECT_EQ(rig.refusal(request::ReadDrives{}), "the drives are being read");
-    EXPECT_EQ(rig.obstacle(Action::FixDrives), "the drives are being read");
+    EXPECT_EQ(rig.obstacle(Action::ReadDrives), "Boresight is reading the drives. Wait a moment.");
+    EXPECT_EQ(rig.refusal(request::ReadDrives{}), "Boresight is reading the drives. Wait a moment.");
+    EXPECT_EQ(rig.obstacle(Action::FixDrives), "Boresight is reading the drives. Wait a moment.");
     ASSERT_TRUE(rig.endsItsDriveCheck());
     EXPECT_EQ(rig.obstacle(Action::ReadDrives), "");
     EXPECT_EQ(rig.obstacle(Action::FixDrives), "every setting is right");

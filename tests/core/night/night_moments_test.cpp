@@ -47,7 +47,7 @@ TEST_F(NightDeskTest, WhatWasToldToComeIsToldToEnd)
     operatorAsks(request::Hold{});
     ASSERT_THAT(moments(), ElementsAre(Moment::BeforeAos, Moment::Los));
     EXPECT_EQ(told[1].end, schedule::PassEnd::Manual);
-    EXPECT_EQ(told[1].why, QStringLiteral("operator has taken the mount"));
+    EXPECT_EQ(told[1].why, QStringLiteral("operator sent another command"));
     EXPECT_TRUE(logged("the pass of SAT 90001 ends before its LOS"));
     told.clear();
     skipTo(first().begins() + std::chrono::seconds(20));

@@ -92,13 +92,13 @@ TEST(HorizonText, TellsAllErrorsWithTheirLines)
 
 TEST(HorizonText, IsSomethingAndNotTooMuch)
 {
-    EXPECT_EQ(pointsOf(""), "h.txt: 0 points; 1…3600 make a horizon");
-    EXPECT_EQ(pointsOf("# nothing\nwords\n"), "h.txt: 0 points; 1…3600 make a horizon");
+    EXPECT_EQ(pointsOf(""), "h.txt: 0 points. A horizon has 1 to 3600 points");
+    EXPECT_EQ(pointsOf("# nothing\nwords\n"), "h.txt: 0 points. A horizon has 1 to 3600 points");
     std::string many;
     for (int i = 0; i < 3601; ++i) {
         many += formatFixed(0.05 * i, 2) + " 1\n";
     }
-    EXPECT_EQ(pointsOf(many), "h.txt: 3601 points; 1…3600 make a horizon");
+    EXPECT_EQ(pointsOf(many), "h.txt: 3601 points. A horizon has 1 to 3600 points");
     std::string other;
     for (int i = 0; i < 23; ++i) {
         other += "x y\n";

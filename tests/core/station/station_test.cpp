@@ -386,7 +386,7 @@ TEST(Station, TheLastLinesAreOnDisk)
     rig.station.reset();
     QFile file(rig.stateDir.filePath(QStringLiteral("events.log")));
     ASSERT_TRUE(file.open(QIODevice::ReadOnly));
-    EXPECT_TRUE(file.readAll().contains("Boresight is being closed"));
+    EXPECT_TRUE(file.readAll().contains("Boresight is closing"));
 }
 
 // REQ-ALARMS-47

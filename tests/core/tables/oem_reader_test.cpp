@@ -118,7 +118,7 @@ TEST(OemReader, NamesTheLineOfAMistake)
     EXPECT_THAT(refusalOf(changed(text, "CENTER_NAME = EARTH\n", "")),
                 StartsWith("a.oem:12: The key CENTER_NAME is missing above."));
     EXPECT_THAT(refusalOf(changed(text, "OBJECT_ID", "OBJECT_NAME")),
-                StartsWith("a.oem:7: The key OBJECT_NAME is there twice."));
+                StartsWith("a.oem:7: The file has the key OBJECT_NAME twice in one segment."));
     EXPECT_THAT(refusalOf(whole("USABLE_STOP_TIME = x\n")),
                 HasSubstr("The key \"USABLE_STOP_TIME\" is not one of an OEM."));
     EXPECT_THAT(refusalOf(whole("USEABLE_STOP_TIME = x\n")),

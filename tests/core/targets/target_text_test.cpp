@@ -63,7 +63,7 @@ TEST(TargetText, ReadsSatellitesByNumberAndName)
     EXPECT_EQ(number("FO29"), 24278) << "a locator, too";
     EXPECT_EQ(nameOf("99"), "99");
     EXPECT_EQ(refusal("noaa"),
-              "2 satellites have that name, among them NOAA 19 (33591), NOAA 20 (43013). Give the number.");
+              "2 satellites have that name, among them NOAA 19 (33591), NOAA 20 (43013). Enter the number.");
     EXPECT_THAT(refusal("noaa 1"), HasSubstr("not a known satellite")) << "not NOAA 19";
     EXPECT_THAT(refusal("12345"), HasSubstr("\"12345\" is not a known satellite, a body or a locator"));
     EXPECT_THAT(refusal(""), HasSubstr("The bodies are: sun, moon"));

@@ -128,7 +128,7 @@ TEST_F(DrivesTest, ReadAgainAsksAtOnceAndWaitsWhileReading)
     give(samples::refusal(samples::idle(), requests.back().id, "the mount is moving"));
     EXPECT_TRUE(named<CommandButton>("Read again")->isEnabled());
     give(samples::update(samples::reading()));
-    expectBlocked("Read again", "the drives are being read");
+    expectBlocked("Read again", "Boresight is reading the drives. Wait a moment.");
     EXPECT_EQ(text("Drive check"), QStringLiteral("reading servo.timeout_mode of elevation"));
 }
 

@@ -211,7 +211,7 @@ TEST_F(NorthPagesTest, TheDeclinationIsToldWithItsModelAndWhatIsWrongWithIt)
     EXPECT_EQ(Tone::Secondary, line.tone());
     EXPECT_FALSE(line.isElided());
     status.sensor.declinationDoubt =
-        QStringLiteral("The magnetic model WMM-2025 ends with 2030.00. Get the next one before that.");
+        QStringLiteral("The magnetic model WMM-2025 is valid until 2030.00. Get the next model before then.");
     show(CalibrationStep::Sensor, status);
     EXPECT_TRUE(line.text().contains(QStringLiteral("ends with 2030")));
     EXPECT_EQ(Tone::Warning, line.tone());
