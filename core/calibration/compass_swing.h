@@ -52,6 +52,7 @@ struct SwingLimits
     Angle unreliable = Angle::fromDegrees(3.0);          // a sector with a larger median residual is unreliable
     Angle hopelessRms = Angle::fromDegrees(5.0);         // of a single reading about the curve
     Angle hopelessAmplitude = Angle::fromDegrees(35.0);  // of the first harmonic
+    Angle declination;  // for the headings in hints, which are true. All other results are relative to magnetic north
     double hopelessPart = 0.25;  // part of the samples that are outliers, or of the circle that is unreliable
 };
 

@@ -125,7 +125,7 @@ public:
         }
         for (const UnreliableSector& sector : m_swing.curve.unreliable) {
             hint(Text::tr("From %1 to %2 the compass is off by %3. It is unreliable there.")
-                     .arg(inWords(sector.from, 0), inWords(sector.to, 0), inWords(sector.residual, 0)));
+                     .arg(trueHeading(sector.from), trueHeading(sector.to), inWords(sector.residual, 0)));
         }
     }
 
@@ -139,6 +139,10 @@ public:
 private:
     void giveUp(const QString& reason) { m_swing.hopeless.push_back(reason); }
     void hint(const QString& text) { m_swing.hints.push_back(text); }
+    [[nodiscard]] QString trueHeading(Angle heading) const
+    {
+        return inWords((heading + m_limits.declination).wrapped360(), 0);
+    }
 
     CompassSwing& m_swing;
     const SwingLimits& m_limits;

@@ -232,7 +232,9 @@ std::vector<calibration::SwingDot> SwingRun::dots(calibration::AzimuthSense sens
 // curve is turned, too. Its constant then includes everything that the sensor adds itself.
 Result<SwingOutcome> SwingRun::outcome(UtcTime utc, Angle declination) const
 {
-    auto fit = calibration::fitCompassSwing(m_samples, m_fit);
+    calibration::SwingLimits limits = m_fit;
+    limits.declination = declination;
+    auto fit = calibration::fitCompassSwing(m_samples, limits);
     if (!fit) {
         return tl::unexpected(fit.error());
     }

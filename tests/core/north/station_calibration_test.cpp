@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The complete system: the simulated mount with its own sensor, and the station that calibrates it.
+#include "core/calibration/fit_words.h"
 #include "core/ephemeris/almanac.h"
 #include "core/moteus_mount/moteus_connection.h"
 #include "core/sim_sensor/simulated_source.h"
@@ -275,8 +276,16 @@ TEST(StationCalibration, BesideSteelTheSensorIsSilentAfterASwingAndGivesNoNorth)
     ASSERT_TRUE(rig.ask(request::StartSwing{.rate = 5_deg_s, .headings = 0}));
     rig.run(Seconds(210.0));
     ASSERT_TRUE(rig.calibration()->proposal) << rig.calibration()->progress.outcome.toStdString();
+    const std::vector<QString> warned = rig.calibration()->proposal->warnings;
+    const QString warnings = QStringList(warned.begin(), warned.end()).join(QLatin1Char('\n'));
     ASSERT_TRUE(rig.ask(request::ApplyCalibration{rig.calibration()->proposal->number}));
     const Angle north = rig.saved->pointing.azimuthOffset;
+    // Story: the warning had the headings from magnetic north, and the sector those from true north.
+    ASSERT_EQ(rig.saved->sensor.deviation.unreliable.size(), 1U);
+    const profile::UnreliableArc sector = rig.saved->sensor.deviation.unreliable.front();
+    EXPECT_TRUE(warnings.contains(QStringLiteral("From %1 to %2 the compass is off by 15°.")
+                                      .arg(calibration::inWords(sector.from, 0), calibration::inWords(sector.to, 0))))
+        << warnings.toStdString();
     for (double beam = 196.0; beam <= 240.0; beam += 2.0) {
         ASSERT_TRUE(rig.ask(request::PointAxes{{.azimuth = Angle::fromDegrees(beam) - 37.4_deg, .elevation = 30_deg}}));
         rig.run(Seconds(8.0));
