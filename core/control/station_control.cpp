@@ -169,6 +169,16 @@ Result<> StationControl::receive(const SourceReport& received)
     return believed;
 }
 
+std::optional<SkyPointing> StationControl::targetAt(UtcTime utc)
+{
+    for (const auto& one : m_sources) {
+        if (const auto direction = one->targetAt(utc)) {
+            return direction;
+        }
+    }
+    return std::nullopt;
+}
+
 void StationControl::sourceGone(const Source& source)
 {
     m_clientControl.gone(source);
