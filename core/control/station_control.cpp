@@ -21,7 +21,8 @@ template <class Wanted>
 constexpr bool kIsCarriedOutAbove =
     std::is_same_v<Wanted, CalibrationRequest> || std::is_same_v<Wanted, TuningRequest> ||
     std::is_same_v<Wanted, ScheduleRequest> || std::is_same_v<Wanted, request::Rehearse> ||
-    std::is_same_v<Wanted, request::JudgeDirection> || std::is_same_v<Wanted, request::TrackFile>;
+    std::is_same_v<Wanted, request::JudgeDirection> || std::is_same_v<Wanted, request::TrackFile> ||
+    std::is_same_v<Wanted, request::UseNewTime>;
 
 Result<> makesSense(const profile::Profile& profile)
 {
