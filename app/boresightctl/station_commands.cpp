@@ -40,6 +40,8 @@ QString doneText(local::LocalCommand command)
         case local::LocalCommand::OverrideWind:
             return QStringLiteral(
                 "The mount may move in the wind for the time of the profile. Then the mount parks again.");
+        case local::LocalCommand::UseNewTime:
+            return QStringLiteral("The station uses the time of this computer. A tracked target may be elsewhere now.");
         case local::LocalCommand::Stop:
         case local::LocalCommand::Track:
         case local::LocalCommand::Satellites:
@@ -218,6 +220,20 @@ Example:
 )",
                                       .run = runLocally<kOverrideWindCommand, local::LocalCommand::OverrideWind>};
 
+const Subcommand kUseNewTimeCommand{.name = "use-new-time",
+                                    .arguments = "[--station HOST:PORT]",
+                                    .summary = "Let a running station use the clock of its computer after it was set",
+                                    .details = kWhichLocalStation + kLocalSocket +
+                                               R"(
+When the clock of the computer is set while the station tracks a target or its schedule is armed, the station goes on with
+the time before. This command confirms the new time, like the button of the window. A mount that tracks a target moves to
+where the target is at the new time. The station refuses the command while it uses the time of the computer.
+)" + kExitStatus + R"(
+Example:
+  boresightctl use-new-time
+)",
+                                    .run = runLocally<kUseNewTimeCommand, local::LocalCommand::UseNewTime>};
+
 const Subcommand kTakeCommand{.name = "take",
                               .arguments = "[--station HOST:PORT]",
                               .summary = "Take control of a running station from its clients",
@@ -263,9 +279,10 @@ const Subcommand kStatusCommand{.name = "status",
                                            R"(  --format text|json   default: text
 
 Prints the station, its state, and where the mount points. A station of this user on this computer also reports by its
-local socket: the state that its window shows (TRACK, HOLD, …), the motion, the wind, and whether the transmit output is
-on. A station on another computer reports only by rotctld. Its state is MOVING, or SLOW OR NOT MOVING: rotctld reports no
-motion below 0.02°/s, for example while the mount tracks the Moon.
+local socket: the state that its window shows (TRACK, HOLD, …), the motion, the wind, whether the transmit output is on, and
+whether the station still uses the time before its clock was set. A station on another computer reports only by rotctld.
+Its state is MOVING, or SLOW OR NOT MOVING: rotctld reports no motion below 0.02°/s, for example while the mount tracks the
+Moon.
 )" + kExitStatus + R"(
 Example:
   boresightctl status --format json

@@ -30,6 +30,16 @@ QString transmitText(const QJsonObject& transmit)
     return QStringLiteral("transmit: %1\n").arg(parts.join(QStringLiteral(". ")));
 }
 
+// Empty: the station uses the clock of its computer, or runs on another computer.
+QString clockText(const QJsonValue& setBy)
+{
+    return setBy.isDouble() ? QStringLiteral(
+                                  "clock:    set by %1 s. The station uses the time before until "
+                                  "use-new-time\n")
+                                  .arg(setBy.toDouble(), 0, 'f', 1)
+                            : QString();
+}
+
 // An old speed is not shown. Empty: the station reads no wind, or runs on another computer.
 QString windText(const QJsonObject& wind)
 {
@@ -67,7 +77,7 @@ QString reportText(const QJsonObject& report)
     return lineOf(report, QStringLiteral("station")) + lineOf(report, QStringLiteral("state")) +
            lineOf(report, QStringLiteral("reason")) + lineOf(report, QStringLiteral("motion")) +
            QStringLiteral("actual:   %1\n").arg(actualText(report[QStringLiteral("actual")])) +
-           windText(report[QStringLiteral("wind")].toObject()) +
+           clockText(report[QStringLiteral("clockSetBy")]) + windText(report[QStringLiteral("wind")].toObject()) +
            transmitText(report[QStringLiteral("transmit")].toObject());
 }
 

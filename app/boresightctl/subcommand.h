@@ -41,6 +41,7 @@ extern const Subcommand kGotoCommand;
 extern const Subcommand kStopCommand;
 extern const Subcommand kResetStopCommand;
 extern const Subcommand kOverrideWindCommand;
+extern const Subcommand kUseNewTimeCommand;
 extern const Subcommand kTakeCommand;
 extern const Subcommand kReleaseCommand;
 extern const Subcommand kScheduleCommand;

@@ -130,6 +130,8 @@ QString buttonText(AlarmHelp help)
             return Text::tr("Park now");
         case AlarmHelp::OverrideWind:
             return Text::tr("Move anyway");
+        case AlarmHelp::UseNewTime:
+            return Text::tr("Use new time");
         case AlarmHelp::MovePark:
             return Text::tr("Move park");
         case AlarmHelp::OpenProtection:

@@ -24,6 +24,10 @@ public:
     [[nodiscard]] virtual std::optional<Seconds> error() const = 0;
     // How long this computer has slept since its start.
     [[nodiscard]] virtual Seconds slept() const = 0;
+    // How far the clock of this computer is set ahead of utc(). Always 0 s, except for a KeptClock.
+    [[nodiscard]] virtual Seconds ahead() const { return Seconds(0.0); }
+    // The clock of this computer as it is set. Other programs write this time into their files and messages.
+    [[nodiscard]] UtcTime computerUtc() const { return utc() + std::chrono::duration_cast<UtcTime::duration>(ahead()); }
 
 protected:
     Clock() = default;

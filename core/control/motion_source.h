@@ -53,6 +53,8 @@ public:
     virtual void step(SteadyTime /*now*/) {}
     // A report, which may be for another source. The error says why the report is not accepted.
     virtual Result<> receive(const SourceReport& /*report*/) { return {}; }
+    // Where the target that it tracks by the time is at this time. Empty: it tracks none, or the direction is unknown.
+    [[nodiscard]] virtual std::optional<SkyPointing> targetAt(UtcTime /*utc*/) { return std::nullopt; }
     virtual void profileChanged(const profile::Profile& /*before*/, const profile::Profile& /*after*/) {}
     // This client has disconnected for good.
     virtual void gone(const Source& /*client*/) {}

@@ -21,7 +21,8 @@ template <class Wanted>
 constexpr bool kIsCarriedOutAbove =
     std::is_same_v<Wanted, CalibrationRequest> || std::is_same_v<Wanted, TuningRequest> ||
     std::is_same_v<Wanted, ScheduleRequest> || std::is_same_v<Wanted, request::Rehearse> ||
-    std::is_same_v<Wanted, request::JudgeDirection> || std::is_same_v<Wanted, request::TrackFile>;
+    std::is_same_v<Wanted, request::JudgeDirection> || std::is_same_v<Wanted, request::TrackFile> ||
+    std::is_same_v<Wanted, request::UseNewTime>;
 
 Result<> makesSense(const profile::Profile& profile)
 {
@@ -167,6 +168,16 @@ Result<> StationControl::receive(const SourceReport& received)
         believed = believed.and_then([&] { return one->receive(received); });
     }
     return believed;
+}
+
+std::optional<SkyPointing> StationControl::targetAt(UtcTime utc)
+{
+    for (const auto& one : m_sources) {
+        if (const auto direction = one->targetAt(utc)) {
+            return direction;
+        }
+    }
+    return std::nullopt;
 }
 
 void StationControl::sourceGone(const Source& source)

@@ -161,6 +161,9 @@ public:
     void takeWind(double speed) { m_wind.take(speed); }
     // Why only Park may move the mount because of the wind. Empty: the wind forbids nothing.
     [[nodiscard]] QString windObstacle() const { return m_wind.obstacle(); }
+    // Where the target that is tracked by the time is at this time. Empty: none is tracked, or the direction is
+    // unknown.
+    [[nodiscard]] std::optional<SkyPointing> targetAt(UtcTime utc);
     // Passes a report to the source of motion that waits for it. The error says why the report is not believed.
     Result<> receive(const SourceReport& received);
 

@@ -21,6 +21,7 @@ constexpr std::array kWords{std::pair{LocalCommand::Take, "take"},
                             std::pair{LocalCommand::Stop, "stop"},
                             std::pair{LocalCommand::ResetStop, "reset-stop"},
                             std::pair{LocalCommand::OverrideWind, "override-wind"},
+                            std::pair{LocalCommand::UseNewTime, "use-new-time"},
                             std::pair{LocalCommand::Satellites, "satellites"},
                             std::pair{LocalCommand::Antennas, "antennas"},
                             std::pair{LocalCommand::UseAntenna, "antenna"},
@@ -115,9 +116,9 @@ Result<LocalRequest> parseRequest(const QByteArray& line)
     if (found == kWords.end() || hasTarget == (word == text)) {
         return failure(
             ErrorCode::InvalidInput,
-            Text::tr(
-                "This is not a command. The commands are take, release, stop, reset-stop, override-wind, satellites, "
-                "status, transmit, track TARGET, antennas, antenna NAME and the commands of the schedule."));
+            Text::tr("This is not a command. The commands are take, release, stop, reset-stop, override-wind, "
+                     "use-new-time, satellites, status, transmit, track TARGET, antennas, antenna NAME and the "
+                     "commands of the schedule."));
     }
     return LocalRequest{.command = found->first, .target = hasTarget ? text.mid(word.size()).trimmed() : QByteArray()};
 }

@@ -23,6 +23,7 @@ enum class LocalCommand
     Stop,
     ResetStop,
     OverrideWind,
+    UseNewTime,
     Track,
     Satellites,
     Antennas,

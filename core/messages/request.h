@@ -95,6 +95,8 @@ struct UseAntenna  // from then on all directions are those of the beam of this 
 };
 struct OverrideWind  // the mount may move in a strong wind, for the time in the profile. Moves nothing
 {};
+struct UseNewTime  // the clock of this computer was set: point by its time, see ClockStatus::ahead
+{};
 struct Hold  // decelerate and hold; not latched
 {};
 struct Stop  // decelerate and hold, latched until ResetStop
@@ -314,7 +316,8 @@ using AnyRequest =
                  request::TakeBus, request::ChooseTurn, request::ProveCrashStop, request::EndProof, request::ReadGains,
                  request::SetGain, request::PutGainsBack, request::StoreGains, request::Trial, request::FollowAzel,
                  request::FollowPosition, request::FollowRotator, request::Rehearse, request::TrackFile,
-                 request::UseAntenna, request::OverrideWind, TuningRequest, CalibrationRequest, ScheduleRequest>;
+                 request::UseAntenna, request::OverrideWind, request::UseNewTime, TuningRequest, CalibrationRequest,
+                 ScheduleRequest>;
 
 // Copying so many alternatives is compiled once in request.cpp, and not in every source that includes this header.
 struct Request : AnyRequest

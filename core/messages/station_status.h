@@ -187,6 +187,7 @@ enum class AlarmHelp
     Reconnect,
     ParkNow,
     OverrideWind,
+    UseNewTime,
     MovePark,
     OpenProtection,
     OpenDrives,
@@ -255,6 +256,8 @@ struct ClockStatus
 {
     bool synchronised = true;      // a time source sets it
     std::optional<Seconds> error;  // as reported by the time source
+    // The clock was set by this, and Boresight still points by the time before. Empty: it points by the clock.
+    std::optional<Seconds> ahead = {};
 };
 
 struct StationStatus
@@ -302,7 +305,7 @@ struct StationStatus
     BrokerStatus broker;
     SensorStatus sensor;
     std::vector<Alarm> alarms;  // active or unacknowledged, worst first
-    UtcTime utc;
+    UtcTime utc;                // by which the mount is pointed
     std::uint64_t tick = 0;
     // The profile in force. The screen draws and edits the same object that the station obeys. Never null.
     std::shared_ptr<const profile::Profile> profile = fresh<profile::Profile>();
@@ -319,6 +322,12 @@ struct StationStatus
     ClockStatus clock;
 };
 
+// The clock of the computer of the station. Alarms and lines of the log have this time. It differs from `utc` only
+// while the station uses the time before a clock was set.
+[[nodiscard]] inline UtcTime computerUtc(const StationStatus& status)
+{
+    return status.utc + std::chrono::round<UtcTime::duration>(status.clock.ahead.value_or(Seconds(0.0)));
+}
 // The antenna in use. Directions in the status are those of its beam, and its beam width shows how much a pointing
 // error matters.
 [[nodiscard]] inline pointing::Antenna antennaOf(const StationStatus& status)

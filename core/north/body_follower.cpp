@@ -65,7 +65,8 @@ Result<SkyPointing> BodyFollower::direction(Body body)
 
 Result<> BodyFollower::permits(Body body, bool overTheTop)
 {
-    return direction(body).and_then([&](const SkyPointing& direction) -> Result<> {
+    const auto place = isTimeCertain(body).and_then([&] { return direction(body); });
+    return place.and_then([&](const SkyPointing& direction) -> Result<> {
         if (direction.elevation < Angle{}) {
             return failure(ErrorCode::Refused, Text::tr("The %1 is below the horizon.").arg(bodyName(body)));
         }
@@ -74,6 +75,17 @@ Result<> BodyFollower::permits(Body body, bool overTheTop)
             return m_control.reaches(fromSide(direction, overTheTop));
         });
     });
+}
+
+Result<> BodyFollower::isTimeCertain(Body body) const
+{
+    if (m_clock.ahead() != Seconds(0.0)) {
+        return failure(ErrorCode::Refused,
+                       Text::tr("The clock of this computer was set, and Boresight still uses the time before. Press "
+                                "Use new time or correct the clock before you track the %1 here.")
+                           .arg(bodyName(body)));
+    }
+    return {};
 }
 
 Result<> BodyFollower::mayFollow(Body body, bool overTheTop)
@@ -159,8 +171,7 @@ void BodyFollower::tick()
         return;
     }
     if (!m_control.obeys(calibrationSource())) {
-        m_ending.clear();
-        ended(Text::tr("stopped tracking the %1, because the mount got another command").arg(bodyName(*m_body)));
+        noticeOtherCommand();
     } else if (m_clock.now() >= m_next) {
         const auto may = permits(*m_body, m_overTheTop).and_then([&] { return staysOnItsWay(); }).and_then([&] {
             return sendPoint(false);
@@ -187,6 +198,25 @@ Result<> BodyFollower::staysOnItsWay()
         }
         return {};
     });
+}
+
+void BodyFollower::noticeOtherCommand()
+{
+    m_ending.clear();
+    ended(Text::tr("stopped tracking the %1, because the mount got another command").arg(bodyName(*m_body)));
+}
+
+void BodyFollower::clockWasSet()
+{
+    if (m_following && !m_control.obeys(calibrationSource())) {
+        noticeOtherCommand();  // the mount must not be held for a motion of somebody else
+    }
+    if (m_body) {
+        end(Text::tr("The clock of this computer was set, so tracking stopped. Check the clock, then track the %1 "
+                     "again.")
+                .arg(bodyName(*m_body)));
+        m_body.reset();  // nobody has centred the body at the other time
+    }
 }
 
 void BodyFollower::end(const QString& why)

@@ -29,6 +29,8 @@ public:
     // Holds the mount if the body is tracked. The operator's trim is dropped, because it belongs to this body alone. A
     // reason, if there is one, is logged as a warning.
     void end(const QString& why = {});
+    // The clock of this computer was set, so what was measured with this body belongs to another time.
+    void clockWasSet();
     // Points the beam beside the body, by this offset on the sky.
     Result<> lookBeside(const calibration::SkyOffset& offset);
 
@@ -60,8 +62,10 @@ public:
     [[nodiscard]] Result<> permitsAround(ephemeris::Body body, const std::vector<calibration::SkyOffset>& places);
 
 private:
+    [[nodiscard]] Result<> isTimeCertain(ephemeris::Body body) const;
     Result<> sendPoint(bool anew);
     [[nodiscard]] Result<> staysOnItsWay();
+    void noticeOtherCommand();
     void ended(const QString& how);
 
     StationControl& m_control;

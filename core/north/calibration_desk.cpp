@@ -67,6 +67,13 @@ void CalibrationDesk::tick()
     }
 }
 
+void CalibrationDesk::clockWasSet()
+{
+    m_follower.clockWasSet();
+    m_points.clockWasSet();
+    m_report.expire();
+}
+
 // The outcome also names the terms that Apply will leave unchanged. A peak becomes a point.
 void CalibrationDesk::useWhatEnded()
 {

@@ -30,6 +30,8 @@ public:
     void show(const PowerLineStatus& line) { m_runs.show(line); }
     // Once per tick, before the tick of StationControl.
     void tick();
+    // The clock of this computer was set. A tracked body and a cross scan end, because they would mix two times.
+    void clockWasSet();
     // Call it after StationControl::profileChanged().
     void profileChanged(const profile::Profile& before, const profile::Profile& after);
     // A change that must go into force at once, like a profile that the operator applies.

@@ -90,6 +90,16 @@ void KeptPoints::clear()
     changed();
 }
 
+// Only the operator knows which of the two times was wrong.
+void KeptPoints::clockWasSet()
+{
+    if (!m_book.points().empty()) {
+        m_log.add(Severity::Warning, kPointsSource,
+                  Text::tr("The clock of this computer was set. If the time before was wrong, drop the points of the "
+                           "Sun and the Moon that were taken with it"));
+    }
+}
+
 void KeptPoints::fit()
 {
     m_book.fit(m_model.terms(), m_model.known());

@@ -27,6 +27,8 @@ public:
     Result<> drop(std::size_t index);
     Result<> use(std::size_t index, bool used);
     void clear();
+    // The clock of this computer was set: the operator is warned of points from before.
+    void clockWasSet();
     // Fits again after another model came into force.
     void fit();
 

@@ -31,7 +31,7 @@ Result<> AzelFollow::receive(const SourceReport& report)
 {
     if (const auto* const reading = std::get_if<azel::AzelReading>(&report)) {
         const Clock& clock = helm().view().clock;
-        m_feed.take(*reading, clock.now(), clock.utc());
+        m_feed.take(*reading, clock.now(), clock.computerUtc());
     }
     return {};
 }
@@ -270,6 +270,11 @@ void AzelFollow::end(Severity severity, const QString& why)
     helm().end(severity, why);
 }
 
+std::optional<SkyPointing> AzelFollow::targetAt(UtcTime utc)
+{
+    return m_followed && m_moon.interpolates() ? std::optional(m_moon.at(utc)) : std::nullopt;
+}
+
 // While the mount stands still for the transmitter, the status still shows the moving Moon as its target.
 void AzelFollow::aimAtTheMoon(StationStatus& status) const
 {
@@ -289,7 +294,7 @@ void AzelFollow::describe(StationStatus& status) const
     const Result<> usable = isUsable();
     status.azel = {.path = m_feed.path(),
                    .problem = usable ? m_feed.problem(view.now) : usable.error().text,
-                   .age = m_feed.age(view.now, view.clock.utc()),
+                   .age = m_feed.age(view.now, view.clock.computerUtc()),
                    .apart = m_moon.apart(),
                    .interpolates = m_moon.interpolates()};
     if (m_feed.text()) {

@@ -24,6 +24,7 @@ public:
     void step(SteadyTime now) override;
     void describe(StationStatus& status) const override;
     Result<> receive(const SourceReport& report) override;
+    [[nodiscard]] std::optional<SkyPointing> targetAt(UtcTime utc) override;
 
 private:
     struct Target

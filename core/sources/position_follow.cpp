@@ -38,7 +38,7 @@ Result<> PositionFollow::receive(const SourceReport& report)
     }
     const Clock& clock = helm().view().clock;
     m_feed.setLimits(limitsOf(helm().view().profile.position));
-    return m_feed.take(*read, clock.now(), clock.utc());
+    return m_feed.take(*read, clock.now(), clock.computerUtc());
 }
 
 void PositionFollow::profileChanged(const profile::Profile& before, const profile::Profile& after)

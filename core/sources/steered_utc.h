@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/clock.h"
+#include "core/base/kept_clock.h"
 
 #include <optional>
 
@@ -13,8 +13,7 @@ namespace boresight::sources {
 class SteeredUtc
 {
 public:
-    // A larger difference is not a correction: somebody has set the clock.
-    static constexpr std::chrono::milliseconds kSet{500};
+    static constexpr std::chrono::milliseconds kSet = KeptClock::kSet;
     static constexpr std::chrono::milliseconds kMost{1};
 
     // Call once in each tick.

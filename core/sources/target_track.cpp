@@ -275,7 +275,9 @@ void TargetTrack::renewWay(UtcTime utc)
 
 void TargetTrack::watchClock()
 {
-    if (targets::stays(m_tracked->target) || helm().view().clock.synchronised()) {
+    const Clock& clock = helm().view().clock;
+    const bool isKept = clock.ahead() != Seconds(0.0);  // another alarm reports this
+    if (targets::stays(m_tracked->target) || isKept || clock.synchronised()) {
         helm().clearAlarm(alarmEntry("track.clock"));
     } else {
         helm().raiseAlarm(alarmEntry("track.clock"),
@@ -294,6 +296,15 @@ void TargetTrack::end(Severity severity, const QString& why)
 {
     forget();
     helm().end(severity, why);
+}
+
+std::optional<SkyPointing> TargetTrack::targetAt(UtcTime utc)
+{
+    if (!m_tracked || targets::stays(m_tracked->target)) {
+        return std::nullopt;
+    }
+    const Result<SkyPointing> direction = m_tracked->path.at(utc);
+    return direction ? std::optional(*direction) : std::nullopt;
 }
 
 void TargetTrack::describe(StationStatus& status) const

@@ -21,6 +21,7 @@ public:
     Result<> ask(const request::Track& wanted, const Source& by);
     void step(SteadyTime now) override;
     void describe(StationStatus& status) const override;
+    [[nodiscard]] std::optional<SkyPointing> targetAt(UtcTime utc) override;
 
 private:
     struct Tracked

@@ -3,6 +3,7 @@
 
 #include "core/alarms/catalogue.h"
 #include "core/base/text.h"
+#include "core/control/time_effect.h"
 #include "core/north/calibration_gates.h"
 #include "core/profile/commissioning.h"
 #include "core/profile/profile_diff.h"
@@ -34,11 +35,12 @@ Source operatorSource()
 Station::Station(const profile::Profile& profile, const MountMaker& mount, const QString& stateDir, const Clock& clock)
     : m_profile(profile),
       m_clock(clock),
+      m_kept(clock),
       m_log(clock),
       m_alarms(m_log, clock),
       m_mount(mount(m_profile, clock, m_log, m_alarms)),
-      m_control(m_profile, clock, m_log, m_alarms, m_mount->driver(), motionSources),
-      m_clockGuard(clock, m_log, m_alarms),
+      m_control(m_profile, m_kept, m_log, m_alarms, m_mount->driver(), motionSources),
+      m_clockGuard(m_kept, m_log, m_alarms, [this](Seconds by) { return effectOf(by); }),
       m_server(m_control, m_profile, m_log, clock, this),
       m_shell(
           {.ask = [this](const Request& request, const Source& by) { return askNow(request, by); },
@@ -49,7 +51,7 @@ Station::Station(const profile::Profile& profile, const MountMaker& mount, const
            .antennas = [this] { return knownAntennas(); },
            .schedule = [this] { return m_night.status(); },
            .rehearsal = [this] { return m_rehearsal.status(); },
-           .status = [this] { return m_control.status(); },
+           .status = [this] { return status(); },
            .transmit = [this] { return m_transmit.status(); }},
           m_log, clock, this),
       m_broker(m_profile, m_log, clock, this),
@@ -64,13 +66,13 @@ Station::Station(const profile::Profile& profile, const MountMaker& mount, const
       m_position(m_profile, m_log, clock, m_broker, this),
       m_wind(m_profile, m_log, clock, m_broker, this),
       m_calibrationFile(calibrationPath(stateDir, toQString(profile.mount.name), m_mount->simulated()), this),
-      m_calibration(m_control, m_profile, m_calibrationFile, clock, m_log),
+      m_calibration(m_control, m_profile, m_calibrationFile, m_kept, m_log),
       m_tuning(m_control, clock, m_log),
       m_hooks(m_profile, m_mount->simulated(), m_log, m_broker, this),
       m_transmit(m_profile, m_mount->simulated(), clock, m_log, m_alarms, this),
       m_reportFile(reportPath(stateDir, toQString(profile.mount.name), m_mount->simulated()), this),
       m_night(
-          m_control, m_profile, m_reportFile, clock, m_log,
+          m_control, m_profile, m_reportFile, m_kept, m_log,
           [this](std::vector<passes::SatelliteSearch> searches, NightDesk::Found found) {
               m_passes.search(std::move(searches), std::move(found));
           },
@@ -221,7 +223,9 @@ void Station::keepSample()
 void Station::tick()
 {
     keepSample();
-    m_clockGuard.tick();
+    if (m_clockGuard.tick()) {
+        m_calibration.clockWasSet();
+    }
     m_server.tick();
     m_commands.tick();
     m_calibration.show(m_power.tick());
@@ -412,10 +416,19 @@ Result<> Station::carryOut(const Request& request, const Source& by)
     if (const auto* const wanted = std::get_if<request::Rehearse>(&request)) {
         return rehearse(*wanted);
     }
+    if (std::holds_alternative<request::UseNewTime>(request)) {
+        return m_clockGuard.useNewTime(by);
+    }
     if (const auto* const wanted = std::get_if<request::Reconnect>(&request)) {
         return mayConnect(wanted->profile).map([&] { reconnect(wanted->profile); });
     }
     return m_mount->carryOut(request);
+}
+
+TimeEffect Station::effectOf(Seconds clockSet)
+{
+    return timeEffect(
+        status(), [this](UtcTime utc) { return m_control.targetAt(utc); }, clockSet);
 }
 
 // The rehearsal begins at the measured position of the mount, or at the park position while the measured one is
@@ -430,7 +443,7 @@ Result<> Station::rehearse(const request::Rehearse& wanted)
                               .satellites = m_elements.satellites(),
                               .antenna = m_control.chosenAntenna().name,
                               .standing = m_control.measured().value_or(m_profile->park),
-                              .from = m_clock.utc()});
+                              .from = m_kept.utc()});
 }
 
 std::optional<DrivesStatus> Station::drives() const

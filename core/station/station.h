@@ -5,6 +5,7 @@
 #include "core/alarms/event_file.h"
 #include "core/alarms/event_log.h"
 #include "core/base/clock.h"
+#include "core/base/kept_clock.h"
 #include "core/control/station_control.h"
 #include "core/messages/request.h"
 #include "core/messages/station_status.h"
@@ -120,6 +121,7 @@ private:
     [[nodiscard]] Result<> carryOut(const Request& request, const Source& by);
     void readTable(const QString& path, StationTables::Then then);
     void findRotator(const QString& name, StationFollow::Then then);
+    [[nodiscard]] TimeEffect effectOf(Seconds clockSet);
     [[nodiscard]] Result<> rehearse(const request::Rehearse& wanted);
     [[nodiscard]] std::optional<DrivesStatus> drives() const;
     void openServer();
@@ -132,6 +134,7 @@ private:
 
     profile::InForce m_profile;  // first, because the other members read it
     const Clock& m_clock;
+    KeptClock m_kept;  // points the mount; log, alarms and files have the clock of the computer
     EventLog m_log;
     AlarmBoard m_alarms;
     std::unique_ptr<MountConnection> m_mount;

@@ -35,6 +35,8 @@ Request requestOf(const local::LocalRequest& asked)
             return request::ResetStop{};
         case local::LocalCommand::OverrideWind:
             return request::OverrideWind{};
+        case local::LocalCommand::UseNewTime:
+            return request::UseNewTime{};
         case local::LocalCommand::ScheduleArm:
             return request::ArmSchedule{};
         case local::LocalCommand::ScheduleDisarm:
@@ -76,6 +78,9 @@ QByteArray statusJson(const StationStatus& status)
                     {QStringLiteral("motion"), status.targetText}};
     if (!status.wind.source.isEmpty()) {
         all[QStringLiteral("wind")] = windObject(status.wind);
+    }
+    if (status.clock.ahead) {
+        all[QStringLiteral("clockSetBy")] = status.clock.ahead->count();
     }
     return QJsonDocument(all).toJson(QJsonDocument::Compact);
 }

@@ -171,9 +171,10 @@ TEST_F(CtlStation, ListsTheSatellites)
 // status 2), a missing socket means that no station answers (3).
 TEST_F(CtlStation, IsAskedOnItsOwnComputer)
 {
-    for (const char* const line : {"take --station mast.example:4533", "release --station 192.168.1.7:4533",
-                                   "stop --latched --station 0.0.0.0:4533", "reset-stop --station mast.example:4533",
-                                   "override-wind --station mast.example:4533"}) {
+    for (const char* const line :
+         {"take --station mast.example:4533", "release --station 192.168.1.7:4533",
+          "stop --latched --station 0.0.0.0:4533", "reset-stop --station mast.example:4533",
+          "override-wind --station mast.example:4533", "use-new-time --station mast.example:4533"}) {
         const Outcome other = ctl(words(line));
         EXPECT_EQ(other.status, 2) << line;
         EXPECT_THAT(other.errors, HasSubstr("only on the computer of the station"));
@@ -183,6 +184,9 @@ TEST_F(CtlStation, IsAskedOnItsOwnComputer)
         EXPECT_EQ(ctl({QStringLiteral("take"), QStringLiteral("--station"), QLatin1String(host) + u':' + port}).status,
                   0);
     }
+    const Outcome sameTime = ask("use-new-time");
+    EXPECT_EQ(sameTime.status, 1);
+    EXPECT_THAT(sameTime.errors, HasSubstr("refused: Boresight already uses the time of this computer."));
     EXPECT_EQ(ask("goto 1 2 --latched").status, 2);
     daemon.terminate();
     EXPECT_EQ(daemon.waitForEnd(), 0);

@@ -77,5 +77,15 @@ TEST(StationReport, HasTheWind)
     EXPECT_EQ(ends(wind), QStringLiteral("wind:     unknown, no reading for 45 s\n"));
 }
 
+// REQ-CTL-305: boresightctl status has a line about the clock while the station uses the time before the clock of its
+// computer was set. `use-new-time` confirms the new time.
+TEST(StationReport, HasAClockThatWasSet)
+{
+    QJsonObject report = reportWith({});
+    report[QStringLiteral("clockSetBy")] = -3600.0;
+    EXPECT_TRUE(reportText(report).endsWith(
+        QStringLiteral("\nclock:    set by -3600.0 s. The station uses the time before until use-new-time\n")));
+}
+
 }  // namespace
 }  // namespace boresight::ctl

@@ -46,7 +46,7 @@ SeenAlarm followed(const SeenAlarm& seen, const StationStatus& status, std::size
     next.place = place;
     next.alarm.since = seen.alarm.since;  // an alarm of the window gets a new beginning with every status
     if (!next.alarm.active) {
-        next.ended = seen.ended.value_or(status.utc);
+        next.ended = seen.ended.value_or(computerUtc(status));
     }
     return next;
 }
@@ -104,7 +104,7 @@ void AlarmModel::follow(const StationStatus& status, bool newStation)
         const auto now =
             std::ranges::find_if(status.alarms, [&seen](const Alarm& alarm) { return same(alarm, seen.alarm); });
         const bool gone = newStation || now == status.alarms.end();
-        change(row, gone ? closed(seen, status.utc, newStation)
+        change(row, gone ? closed(seen, computerUtc(status), newStation)
                          : followed(seen, status, static_cast<std::size_t>(now - status.alarms.begin())));
     }
 }
@@ -127,7 +127,7 @@ bool AlarmModel::add(const StationStatus& status)
             continue;
         }
         beginInsertRows({}, rowCount(), rowCount());
-        const auto ended = alarm.active ? std::nullopt : std::optional(status.utc);
+        const auto ended = alarm.active ? std::nullopt : std::optional(computerUtc(status));
         m_seen.push_back({.alarm = alarm, .ended = ended, .place = place});
         endInsertRows();
         raised = raised || (alarm.active && alarm.severity > Severity::Advisory);

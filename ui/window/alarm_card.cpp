@@ -117,7 +117,7 @@ std::optional<Alarm> mostUrgent(const StationStatus& status)
                  .action = text.action,
                  .remedy = text.remedy,
                  .help = entry.help,
-                 .since = status.utc};
+                 .since = computerUtc(status)};
 }
 
 QString linesOf(QStringList sentences)
@@ -362,6 +362,9 @@ void AlarmCard::help(AlarmHelp help, CommandButton& button)
             return;
         case AlarmHelp::OverrideWind:
             button.ask(request::OverrideWind{});
+            return;
+        case AlarmHelp::UseNewTime:
+            button.ask(request::UseNewTime{});
             return;
         case AlarmHelp::Reconnect:
             button.ask(request::Reconnect{m_draft.applied()});

@@ -27,6 +27,11 @@ QString errorText(Seconds error)
                                        : ClockWords::tr("%1 s").arg(error.count(), 0, 'f', 1);
 }
 
+QString signedSeconds(Seconds time)
+{
+    return (time < Seconds(0.0) ? QString() : QStringLiteral("+")) + QString::number(time.count(), 'f', 0);
+}
+
 std::optional<AngularRate> trackedRate(const StationStatus& status)
 {
     return status.tracked ? status.tracked->skyRate : std::nullopt;
@@ -47,6 +52,9 @@ QString utcText(const StationStatus& status)
 
 QString clockErrorText(const StationStatus& status)
 {
+    if (status.clock.ahead) {
+        return ClockWords::tr("set by %1 s").arg(signedSeconds(*status.clock.ahead));
+    }
     const auto rate = trackedRate(status);
     if (!status.clock.synchronised) {
         return rate ? ClockWords::tr("1 s = %1").arg(shiftText(*rate, kSecond)) : ClockWords::tr("not set");
@@ -66,6 +74,12 @@ QString widestClockErrorText()
 
 QString clockHelp(const StationStatus& status)
 {
+    if (status.clock.ahead) {
+        return ClockWords::tr(
+                   "The clock of the station was set by %1 s. Boresight still uses the time before, which is shown "
+                   "here. Use new time on the alarm changes that.")
+            .arg(signedSeconds(*status.clock.ahead));
+    }
     const auto rate = trackedRate(status);
     if (!status.clock.synchronised) {
         const QString what = ClockWords::tr("No time source sets the clock of the station. Set up NTP or GPS.");

@@ -33,7 +33,7 @@ void complain(StationStatus& status, const AlarmEntry& entry, const QStringList&
                       .what = text.what,
                       .action = text.action,
                       .remedy = text.remedy,
-                      .since = status.utc,
+                      .since = computerUtc(status),
                       .acknowledged = true};
     status.alarms.insert(status.alarms.begin(), alarm);
 }

@@ -233,6 +233,7 @@ void PanelTabs::open(AlarmHelp help)
         case AlarmHelp::Reconnect:
         case AlarmHelp::ParkNow:
         case AlarmHelp::OverrideWind:
+        case AlarmHelp::UseNewTime:
             break;
     }
 }

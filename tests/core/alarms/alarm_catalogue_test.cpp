@@ -159,6 +159,7 @@ TEST(AlarmCatalogue, ARemedyThatNamesAButtonHasIt)
                                                                {"Press Unwrap now", AlarmHelp::Unwind},
                                                                {"Press Park now", AlarmHelp::ParkNow},
                                                                {"press Move anyway", AlarmHelp::OverrideWind},
+                                                               {"Press Use new time", AlarmHelp::UseNewTime},
                                                                {"press Reconnect", AlarmHelp::Reconnect},
                                                                {"page Protection", AlarmHelp::OpenProtection},
                                                                {"Press Fix", AlarmHelp::OpenProtection},

@@ -58,7 +58,7 @@ protected:
         ASSERT_TRUE(sets);
         rig.clock.setUtc(*sets);
     }
-    void look() { (void)rig.control.receive(writer.readingAt(now())); }
+    void look() { (void)rig.control.receive(writer.readingAt(rig.clock.computerUtc())); }
     // Runs the station while WSJT-X writes the file every second.
     void run(
         Seconds time, const std::function<void()>& each = [] {})
@@ -175,6 +175,22 @@ TEST_F(StationAzelFollow, AFileThatDiffersIsFollowedInItsSteps)
     run(Seconds(60.0));
     EXPECT_LT(angleBetween(*rig.control.status().commanded, *writer.moonInstead), kHalfStep);
     EXPECT_FALSE(status().apart);
+}
+
+// REQ-AZEL-925: The file is judged by the clock of this computer, which WSJT-X reads, and the mount is pointed by the
+// time before that clock was set. So the mount neither stops nor jumps when the clock is set.
+TEST_F(StationAzelFollow, GoesOnWhenTheClockIsSet)
+{
+    follow();
+    const AxisPosition before = place();
+    EXPECT_GT(angleBetween(*rig.control.targetAt(now()), *rig.control.targetAt(now() + std::chrono::hours(1))), 5_deg);
+    rig.clock.setAhead(Seconds(3600.0));
+    run(Seconds(1.0));
+    EXPECT_LT(angleBetween({place().azimuth, place().elevation}, {before.azimuth, before.elevation}), 0.02_deg);
+    run(Seconds(150.0));
+    EXPECT_EQ(status().phase, AzelPhase::Following);
+    EXPECT_EQ(status().problem.toStdString(), "");
+    EXPECT_LT(off(), 0.02_deg);
 }
 
 // REQ-AZEL-913: Tracking by the file is refused with the reason: there is no file, nobody writes the file, a client

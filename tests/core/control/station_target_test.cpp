@@ -109,6 +109,23 @@ TEST_F(StationTarget, FollowsABodyUntilItSets)
     }
 }
 
+// REQ-TRACK-928: The direction of the tracked target is known for any time, also below the horizon. For a target that
+// does not depend on the time there is none.
+TEST_F(StationTarget, TheDirectionAtAnotherTimeIsKnown)
+{
+    EXPECT_FALSE(rig.control.targetAt(now()));
+    goTo(*pathOf("moon").nextUp(now()).value().sets - std::chrono::minutes(10));
+    ASSERT_EQ(ask("moon"), "");
+    for (const auto later : {std::chrono::minutes(0), std::chrono::minutes(-90), std::chrono::minutes(90)}) {
+        const auto direction = rig.control.targetAt(now() + later);
+        ASSERT_TRUE(direction);
+        EXPECT_LT(angleBetween(*direction, pathOf("moon").at(now() + later).value()), 0.001_deg);
+    }
+    EXPECT_LT(rig.control.targetAt(now() + std::chrono::minutes(90))->elevation, Angle{});
+    ASSERT_EQ(ask("azel 100,30"), "");
+    EXPECT_FALSE(rig.control.targetAt(now()));
+}
+
 // REQ-TRACK-921: A body below the horizon is refused with the time of its next rise, or because it does not rise within
 // a day. In the last half hour before the rise the mount waits where the body rises, and tracks it from there.
 TEST_F(StationTarget, WaitsForABodyToRise)

@@ -10,14 +10,15 @@
 namespace boresight::local {
 namespace {
 
-// REQ-LOCALSOCKET-01: The commands are take, release, stop, reset-stop, override-wind, satellites, status, transmit,
-// antennas, those of the schedule, track with a target, and antenna with a name. No other word is a command. The answer
-// is ok and the lines of the answer, or one line with error and the reason.
+// REQ-LOCALSOCKET-01: The commands are take, release, stop, reset-stop, override-wind, use-new-time, satellites,
+// status, transmit, antennas, those of the schedule, track with a target, and antenna with a name. No other word is a
+// command. The answer is ok and the lines of the answer, or one line with error and the reason.
 TEST(LocalCommandTest, EachHasItsWord)
 {
-    for (const char* const word : {"take", "release", "stop", "reset-stop", "override-wind", "satellites", "antennas",
-                                   "schedule-list", "schedule-arm", "schedule-disarm", "schedule-report",
-                                   "schedule-rehearse", "schedule-rehearsal", "status", "transmit"}) {
+    for (const char* const word :
+         {"take", "release", "stop", "reset-stop", "override-wind", "use-new-time", "satellites", "antennas",
+          "schedule-list", "schedule-arm", "schedule-disarm", "schedule-report", "schedule-rehearse",
+          "schedule-rehearsal", "status", "transmit"}) {
         const auto request = parseRequest(word);
         ASSERT_TRUE(request) << word;
         EXPECT_EQ(wordOf(request->command), word);

@@ -39,6 +39,46 @@ TEST(CalibrationFollow, AClockThatIsSetMovesNothing)
     EXPECT_TRUE(again) << textOf(again.error());
 }
 
+// REQ-NORTH-37e: When the clock of this computer is set, also by less than the Sun needs to move visibly, the tracking
+// for a calibration ends and the mount holds. No point is taken from that body until it is tracked again. Points from
+// before get a warning. While the mount is pointed by the time before, no body is tracked for a calibration.
+TEST(CalibrationFollow, AClockThatIsSetEndsIt)
+{
+    SwungRig rig;
+    takeSun(rig, 8.0);
+    rig.clock.setAhead(Seconds(5.0));
+    rig.desk.clockWasSet();
+    rig.run(Seconds(3.0));
+    EXPECT_FALSE(rig.status().following);
+    EXPECT_EQ(StationState::Hold, rig.state());
+    EXPECT_FALSE(rig.ask(request::TakePoint{}));
+    EXPECT_EQ(1U, rig.status().points.size());
+    const auto lines = rig.log.since(0, EventLog::kCapacity);
+    const auto isTold = [&lines](const QString& part) {
+        return std::ranges::any_of(lines, [&part](const LogEntry& line) { return line.text.contains(part); });
+    };
+    EXPECT_TRUE(isTold(QStringLiteral("The clock of this computer was set, so tracking stopped")));
+    EXPECT_TRUE(isTold(QStringLiteral("drop the points of the Sun and the Moon")));
+    const auto refused = rig.ask(request::FollowBody{.body = Body::Sun});
+    ASSERT_FALSE(refused);
+    EXPECT_NE(std::string::npos, textOf(refused.error()).find("Press Use new time or correct the clock"));
+    rig.clock.setAhead(Seconds(0.0));
+    const auto again = rig.ask(request::FollowBody{.body = Body::Sun});
+    EXPECT_TRUE(again) << textOf(again.error());
+}
+
+// REQ-NORTH-37e
+TEST(CalibrationFollow, AClockThatIsSetHoldsNoMotionOfOthers)
+{
+    SwungRig rig;
+    setHour(rig, 8.0);
+    follow(rig);
+    ASSERT_TRUE(rig.control.request(request::PointAxes{{.azimuth = 100_deg, .elevation = 30_deg}}, kOperator));
+    rig.desk.clockWasSet();
+    rig.run(Seconds(60.0));
+    EXPECT_NEAR(100.0, rig.axes().azimuth.degrees(), 0.01);
+}
+
 // REQ-NORTH-37b
 TEST(CalibrationFollow, ASecondOfTheClockIsFollowed)
 {

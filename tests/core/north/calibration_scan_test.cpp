@@ -66,6 +66,23 @@ TEST(CalibrationScan, FindsTheSun)
     EXPECT_LT(apart(rig.model.toSky(point.axes), point.truth), 0.1);
 }
 
+// REQ-NORTH-37e
+TEST(CalibrationScan, EndsWhenTheClockIsSet)
+{
+    SwungRig rig;
+    startScan(rig);
+    givePowers(rig, 5);
+    ASSERT_TRUE(scans(rig));
+    rig.desk.clockWasSet();
+    rig.run(Seconds(3.0));
+    EXPECT_FALSE(scans(rig));
+    EXPECT_TRUE(rig.status().progress.failed);
+    EXPECT_TRUE(rig.status().progress.outcome.startsWith(QStringLiteral("The clock of this computer was set")))
+        << rig.status().progress.outcome.toStdString();
+    EXPECT_TRUE(rig.status().points.empty());
+    EXPECT_EQ(StationState::Hold, rig.state());
+}
+
 // The peak of the last scan must not count as the peak of this one.
 // REQ-NORTH-38d
 TEST(CalibrationScan, ForgetsWhatTheLastOneFound)

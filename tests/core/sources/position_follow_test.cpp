@@ -229,5 +229,22 @@ TEST_F(PositionFollowTest, AJumpMovesNothing)
     EXPECT_THAT(rig.control.status().position.refusal.toStdString(), HasSubstr("GPS fix"));
 }
 
+// REQ-POSITION-42: The time of a report is judged by the clock of this computer, which the sending program reads, also
+// while the mount is pointed by the time before that clock was set.
+TEST_F(PositionFollowTest, AReportIsJudgedByTheClockOfTheComputer)
+{
+    rig.clock.setAhead(Seconds(3600.0));
+    const auto sent = [&](UtcTime utc) {
+        const auto day = std::chrono::floor<std::chrono::days>(utc);
+        return rig.control.receive(
+            position::PositionText{.site = balloon(flown()),
+                                   .name = QStringLiteral("B1"),
+                                   .time = std::chrono::floor<std::chrono::milliseconds>(utc - day)});
+    };
+    EXPECT_FALSE(sent(rig.clock.utc()));
+    EXPECT_TRUE(sent(rig.clock.computerUtc()));
+    EXPECT_EQ(ask(), "");
+}
+
 }  // namespace
 }  // namespace boresight

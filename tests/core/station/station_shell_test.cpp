@@ -71,6 +71,7 @@ TEST(StationShell, AsksAsTheOperator)
     EXPECT_EQ(ask(path, "release\n"), "error: STOP is latched. Reset STOP first.\n");
     EXPECT_EQ(rig.station->status().authority, Authority::Operator);
     EXPECT_EQ(ask(path, "reset-stop\n"), "ok\n");
+    EXPECT_EQ(ask(path, "use-new-time\n"), "error: Boresight already uses the time of this computer.\n");
     EXPECT_FALSE(rig.station->status().stopLatched);
     EXPECT_EQ(rig.station->status().authority, Authority::Operator);
     const std::string log = logOf(rig);
@@ -106,6 +107,7 @@ struct ShellRig : StationRig
     StationTables::Then answer;
     StationFollow::Then found;
     TransmitStatus transmit;
+    ClockStatus watched;
     std::shared_ptr<const std::vector<orbit::ElementSet>> known =
         std::make_shared<const std::vector<orbit::ElementSet>>(std::vector<orbit::ElementSet>{
             {.name = "ISS (ZARYA)", .number = 25544, .epoch = orbit::julianDate(UtcTime(std::chrono::days(20000)))}});
@@ -123,7 +125,12 @@ struct ShellRig : StationRig
                             },
                         .satellites = [this] { return known; },
                         .antennas = [] { return antennas(); },
-                        .status = [this] { return control.status(); },
+                        .status =
+                            [this] {
+                                StationStatus status = control.status();
+                                status.clock = watched;
+                                return status;
+                            },
                         .transmit = [this] { return transmit; }},
                        log,
                        clock,
@@ -189,6 +196,17 @@ TEST(StationShell, ReportsTheWindAndOverridesIt)
     EXPECT_THAT(rig.answerTo("status\n"), HasSubstr("The wind reached 21.0 m/s. The limit is 15.0 m/s."));
     EXPECT_EQ(rig.answerTo("override-wind\n"), "ok\n");
     EXPECT_THAT(rig.answerTo("status\n"), HasSubstr(R"("obstacle":"","overriddenUntil":"00:)"));
+}
+
+// REQ-STATION-243: Without a screen, the shell confirms the new time of a clock that was set, and reports with the
+// status by how much it was set while the station uses the time before.
+TEST(StationShell, ConfirmsAClockThatWasSet)
+{
+    ShellRig rig;
+    EXPECT_THAT(rig.answerTo("status\n"), testing::Not(HasSubstr("clockSetBy")));
+    rig.watched.ahead = Seconds(90.0);
+    EXPECT_THAT(rig.answerTo("status\n"), HasSubstr(R"("clockSetBy":90)"));
+    EXPECT_EQ(rig.answerTo("use-new-time\n"), "ok\n");
 }
 
 // REQ-STATION-940

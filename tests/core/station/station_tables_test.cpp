@@ -153,5 +153,36 @@ TEST_F(TableFolder, TheStationTracksAFile)
     EXPECT_FALSE(rig.station->status().tracked) << "Hold stands";
 }
 
+// REQ-STATION-238: A mount that tracks does not jump when the clock of this computer is set, neither forwards nor
+// backwards, until the operator uses the new time. Alarms and log have the clock of the computer.
+TEST_F(TableFolder, AClockThatIsSetDoesNotMoveWhatIsTracked)
+{
+    MovingStation rig(folder.path());
+    rig.clock.setSynchronised(false);
+    rig.station->request({.id = 1, .request = request::TrackFile{write("way.txt", rowsFrom(rig.clock.utc()))}});
+    const auto accepted = rig.answerTo(1);
+    ASSERT_TRUE(accepted && !accepted->error);
+    rig.run(Seconds(60.0));
+    const auto azimuth = [&] { return rig.station->status().commanded->azimuth.degrees(); };
+    for (const double step : {90.0, -90.0 - 3600.0, 3600.0 + 45.0}) {
+        const double before = azimuth();
+        rig.clock.stepUtc(Seconds(step));
+        rig.run(Seconds(3.0));
+        EXPECT_NEAR(azimuth(), before + 0.2, 0.05) << step << " s: the table moves 4° in a minute";
+        const StationStatus status = rig.station->status();
+        EXPECT_TRUE(status.tracked) << step;
+        ASSERT_FALSE(status.alarms.empty());
+        const auto kept = std::ranges::find(status.alarms, QStringLiteral("clock.kept"), &Alarm::name);
+        ASSERT_NE(kept, status.alarms.end());
+        EXPECT_LT(std::chrono::abs(rig.clock.utc() - kept->since), std::chrono::seconds(5)) << step;
+        EXPECT_EQ(computerUtc(status), rig.clock.utc()) << step;
+    }
+    EXPECT_EQ(rig.station->status().clock.ahead, Seconds(45.0));
+    const double before = azimuth();
+    rig.station->request({.id = 2, .request = request::UseNewTime{}});
+    rig.run(Seconds(5.0));
+    EXPECT_NEAR(azimuth(), before + 3.0 + 0.33, 0.1);
+}
+
 }  // namespace
 }  // namespace boresight

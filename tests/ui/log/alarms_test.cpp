@@ -204,5 +204,18 @@ TEST_F(AlarmsTest, SaysOnItsButtonHowManyWait)
     EXPECT_EQ(named<ChoiceButton>(kChoice)->text(), QStringLiteral("▲ Alarms (1)"));
 }
 
+// REQ-UI-1703: The end of an alarm has the clock of the computer of the station, as its beginning, also while the
+// station uses the time before that clock was set.
+TEST_F(AlarmsTest, TheEndHasTheClockOfTheComputer)
+{
+    StationStatus status = samples::faulted();
+    status.utc = UtcTime(std::chrono::sys_days{std::chrono::year{2026} / 11 / 21}) + std::chrono::hours(17);
+    status.clock.ahead = Seconds(90.0);
+    show(status);
+    show(over(status));
+    clickRow(0);
+    EXPECT_TRUE(reading().contains(QStringLiteral(" to 17:01:30, over"))) << reading().toStdString();
+}
+
 }  // namespace
 }  // namespace boresight::ui

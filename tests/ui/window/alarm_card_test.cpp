@@ -150,6 +150,14 @@ TEST_F(AlarmCardTest, TheButtonOpensThePanelThatHelps)
     EXPECT_EQ(opens(alarmEntry("rotctld.open"), "Open Profile"), 8);
 }
 
+// REQ-UI-1701: The alarm about a clock that was set has the button Use new time.
+TEST_F(AlarmCardTest, TheNewTimeIsUsedByItsButton)
+{
+    give(samples::update(samples::alarmed(alarmEntry("clock.kept"))));
+    QTest::mouseClick(named<CommandButton>("Use new time"), Qt::LeftButton);
+    EXPECT_EQ(asked<request::UseNewTime>().size(), 1u);
+}
+
 // REQ-WIND-28: The alarm about the wind has the buttons Move anyway and Park now.
 TEST_F(AlarmCardTest, TheWindHasTwoButtons)
 {

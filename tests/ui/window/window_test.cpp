@@ -128,6 +128,21 @@ TEST_F(WindowTest, TheClockSaysHowFarItIsOff)
     EXPECT_EQ(text("Error of the clock"), QStringLiteral("not set"));
 }
 
+// REQ-UI-1700: While Boresight points by the time before a clock was set, the clock shows that time and by how much the
+// clock was set.
+TEST_F(WindowTest, AClockThatWasSetIsShownAtTheClock)
+{
+    StationStatus status = samples::operatorMoving();
+    status.clock = {.synchronised = false, .ahead = Seconds(90.0)};
+    give(samples::update(status));
+    EXPECT_EQ(text("Error of the clock"), QStringLiteral("set by +90 s"));
+    EXPECT_TRUE(named<ValueLabel>("UTC")->toolTip().startsWith(
+        QStringLiteral("The clock of the station was set by +90 s. Boresight still uses the time before")));
+    status.clock.ahead = Seconds(-3600.0);
+    give(samples::update(status));
+    EXPECT_EQ(text("Error of the clock"), QStringLiteral("set by -3600 s"));
+}
+
 TEST_F(WindowTest, TheClientListIsInTheTooltip)
 {
     give(samples::update(samples::withClients(samples::tracking(1), 3)));
