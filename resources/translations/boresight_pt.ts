@@ -260,6 +260,14 @@
         <source>1 s = %1</source>
         <translation>1 s = %1</translation>
     </message>
+    <message>
+        <source>set by %1 s</source>
+        <translation>acertado em %1 s</translation>
+    </message>
+    <message>
+        <source>The clock of the station was set by %1 s. Boresight still uses the time before, which is shown here. Use new time on the alarm changes that.</source>
+        <translation>O relógio da estação foi acertado em %1 s. O Boresight usa ainda a hora anterior, que se vê aqui. &quot;Usar nova hora&quot; no alarme muda isso.</translation>
+    </message>
 </context>
 <context>
     <name>DriveCheckWords</name>
@@ -417,10 +425,6 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
         <translation>Nenhum programa se pode ligar, porque o rotctld não está à escuta.</translation>
     </message>
     <message>
-        <source>The drives are being read.</source>
-        <translation>Os acionamentos estão a ser lidos.</translation>
-    </message>
-    <message>
         <source>Nobody has confirmed north.</source>
         <translation>Ninguém confirmou o norte.</translation>
     </message>
@@ -495,6 +499,10 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
     <message>
         <source>Connect: what turns the mount?</source>
         <translation>Conexão: o que move a montagem?</translation>
+    </message>
+    <message>
+        <source>Boresight is reading the drives.</source>
+        <translation>O Boresight está a ler os acionamentos.</translation>
     </message>
 </context>
 <context>
@@ -1474,10 +1482,6 @@ até %1</translation>
         <translation>Um erro do firmware do acionamento</translation>
     </message>
     <message>
-        <source>Update the firmware and report it to the maker</source>
-        <translation>Atualize o firmware e comunique ao fabricante</translation>
-    </message>
-    <message>
         <source>The board (75 °C by default) or the motor is too hot</source>
         <translation>A placa (75 °C por padrão) ou o motor está quente demais</translation>
     </message>
@@ -1552,10 +1556,6 @@ até %1</translation>
     <message>
         <source>An error of the drive&apos;s firmware, seen only with its checks enabled</source>
         <translation>Um erro do firmware do acionamento, só visto com os controles ativados</translation>
-    </message>
-    <message>
-        <source>Report it to the maker</source>
-        <translation>Comunique ao fabricante</translation>
     </message>
     <message>
         <source>Back-EMF feedforward is on but no acceleration limit was in force</source>
@@ -1812,10 +1812,6 @@ até %1</translation>
     <message>
         <source>… and %1 more</source>
         <translation>… e mais %1</translation>
-    </message>
-    <message>
-        <source>%1: %2 points; 1…%3 make a horizon</source>
-        <translation>%1: %2 pontos; um horizonte tem 1…%3</translation>
     </message>
     <message>
         <source>a locator has 4, 6, 8 or 10 characters, like JN58td</source>
@@ -3080,10 +3076,6 @@ até %1</translation>
         <translation>descarta &quot;%1&quot;</translation>
     </message>
     <message>
-        <source>Boresight is being closed: the mount is stopped</source>
-        <translation>O Boresight está a ser fechado: a montagem é parada</translation>
-    </message>
-    <message>
         <source>another program</source>
         <translation>outro programa</translation>
     </message>
@@ -3208,10 +3200,6 @@ até %1</translation>
         <translation>%1 não pode ser bloqueado (%2). Um programa de outro usuário talvez controle esta montagem. Inicie o Boresight como esse usuário, ou com outro --state-dir</translation>
     </message>
     <message>
-        <source>the drives are being read</source>
-        <translation>os acionamentos estão sendo lidos</translation>
-    </message>
-    <message>
         <source>at the upper limit %1</source>
         <translation>no limite superior %1</translation>
     </message>
@@ -3226,10 +3214,6 @@ até %1</translation>
     <message>
         <source>moteus mode %1, fault %2</source>
         <translation>modo moteus %1, falha %2</translation>
-    </message>
-    <message>
-        <source>no source of motion takes this request</source>
-        <translation>nenhuma fonte de movimento atende este pedido</translation>
     </message>
     <message>
         <source>This rotator has no watchdog of its own</source>
@@ -3279,10 +3263,6 @@ até %1</translation>
     <message>
         <source>The declination here is %1, but the sensor added %2. Its headings are off by %3.</source>
         <translation>A declinação aqui é %1, mas o sensor somou %2. Os rumos dele têm um erro de %3.</translation>
-    </message>
-    <message>
-        <source>The magnetic model %1 ended with %2. Its declination is less exact each year. Get the present World Magnetic Model (.COF).</source>
-        <translation>O modelo magnético %1 terminou em %2. A sua declinação é menos exata a cada ano. Obtenha o World Magnetic Model atual (.COF).</translation>
     </message>
     <message>
         <source>This calibration belongs to the mount at %2, but the bus of the profile is now %1. Set the bus back, or press Reconnect and calibrate again.</source>
@@ -3531,10 +3511,6 @@ até %1</translation>
     <message>
         <source>A position beyond the drive&apos;s own bounds was commanded, or the axis was pushed there</source>
         <translation>Foi comandada uma posição além dos limites do acionamento, ou o eixo foi empurrado para lá</translation>
-    </message>
-    <message>
-        <source>Nothing to clear. Lower the acceleration if it comes often</source>
-        <translation>Nada a limpar. Baixe a aceleração se acontecer muitas vezes</translation>
     </message>
     <message>
         <source>%1 moved by %2 to %3 without a command (weight, wind, a hand or another program)</source>
@@ -5329,10 +5305,6 @@ até %1</translation>
         <translation>A verificação dos acionamentos está em curso. Espere alguns segundos.</translation>
     </message>
     <message>
-        <source>Settings are being written to the drives.</source>
-        <translation>Os parâmetros estão a ser escritos nos acionamentos.</translation>
-    </message>
-    <message>
         <source>%1. Nearest allowed: %2.</source>
         <translation>%1. Mais próximo permitido: %2.</translation>
     </message>
@@ -5379,10 +5351,6 @@ até %1</translation>
     <message>
         <source>XDG_RUNTIME_DIR is not set</source>
         <translation>XDG_RUNTIME_DIR não está definida</translation>
-    </message>
-    <message>
-        <source>The station is being closed.</source>
-        <translation>A estação está a ser fechada.</translation>
     </message>
     <message>
         <source>Too many programs ask at the same time. Try again.</source>
@@ -6203,10 +6171,6 @@ até %1</translation>
     <message>
         <source>The journal is dated %1 in the future. The clock of this computer was set back</source>
         <translation>O diário tem data de %1 no futuro: o relógio deste computador foi atrasado</translation>
-    </message>
-    <message>
-        <source>The journal does not prove the cable wrap, because a doubt arose after it was written</source>
-        <translation>O diário já não prova nenhuma volta: surgiu uma dúvida depois de ser escrito</translation>
     </message>
     <message>
         <source>This computer restarted, and its clock is not synchronised. It is unknown whether the drive kept its power</source>
@@ -7121,10 +7085,6 @@ até %1</translation>
         <translation>o ficheiro ainda não foi lido</translation>
     </message>
     <message>
-        <source>nothing writes the file: open Astronomical Data in WSJT-X</source>
-        <translation>nada escreve o ficheiro: abra a janela Astronomical Data do WSJT-X</translation>
-    </message>
-    <message>
         <source>the time in the file and the clock of this computer differ by %1 s</source>
         <translation>a hora no ficheiro e o relógio deste computador diferem %1 s</translation>
     </message>
@@ -7249,10 +7209,6 @@ até %1</translation>
         <translation>%1, caminho longo</translation>
     </message>
     <message>
-        <source>%1 satellites have that name, among them %2. Give the number.</source>
-        <translation>%1 satélites têm esse nome, entre eles %2. Indique o número.</translation>
-    </message>
-    <message>
         <source>The schedule of passes is off: %1</source>
         <translation>A agenda de passagens está desligada: %1</translation>
     </message>
@@ -7291,10 +7247,6 @@ até %1</translation>
     <message>
         <source>STOP of %1</source>
         <translation>STOP de %1</translation>
-    </message>
-    <message>
-        <source>%1 has taken the mount</source>
-        <translation>%1 tomou a montagem</translation>
     </message>
     <message>
         <source>a fault ended the motion</source>
@@ -7989,10 +7941,6 @@ até %1</translation>
         <translation>Chegou outro comando antes de o ficheiro ser lido. Siga-o outra vez.</translation>
     </message>
     <message>
-        <source>There is no such file.</source>
-        <translation>Este ficheiro não existe.</translation>
-    </message>
-    <message>
         <source>The file is larger than %1 MB. Split it.</source>
         <translation>O ficheiro tem mais de %1 MB. Divida-o.</translation>
     </message>
@@ -8027,10 +7975,6 @@ até %1</translation>
     <message>
         <source>The key &quot;%1&quot; is not one of an OEM.</source>
         <translation>A chave &quot;%1&quot; não pertence a um OEM.</translation>
-    </message>
-    <message>
-        <source>The key %1 is there twice.</source>
-        <translation>A chave %1 aparece duas vezes.</translation>
     </message>
     <message>
         <source>The key %1 is missing above.</source>
@@ -8393,10 +8337,6 @@ até %1</translation>
         <translation>%1 não é um ficheiro</translation>
     </message>
     <message>
-        <source>This is not a file.</source>
-        <translation>Isto não é um ficheiro.</translation>
-    </message>
-    <message>
         <source>Check whether the cable is wrapped around the mount. Jog the other way.</source>
         <translation>Verifique se o cabo está enrolado à volta da montagem. Mova para o outro lado.</translation>
     </message>
@@ -8415,10 +8355,6 @@ até %1</translation>
     <message>
         <source>%1: This file and %4 place satellite %2 %3 km apart. Boresight uses %4.</source>
         <translation>%1: Este ficheiro e %4 colocam o satélite %2 a %3 km um do outro. O Boresight usa %4.</translation>
-    </message>
-    <message>
-        <source>The magnetic model %1 ends with %2. Get the next one before that.</source>
-        <translation>O modelo magnético %1 termina com %2. Obtenha o seguinte antes disso.</translation>
     </message>
     <message>
         <source>A device at an aux port sends more data than configured, or at another speed</source>
@@ -8555,10 +8491,6 @@ até %1</translation>
     <message>
         <source>Nothing corrects the declination. The sensor adds %1 to the heading.</source>
         <translation>Nada corrige a declinação. O sensor soma %1 ao rumo.</translation>
-    </message>
-    <message>
-        <source>the drive contradicts %1. The nearest position that the drive permits is %2. Is that position wrong? Then another tool has set the position of the drive. Switch its power off and on</source>
-        <translation>o acionamento contradiz %1. A posição mais próxima que o acionamento permite é %2. Essa posição está errada? Então outra ferramenta alterou a posição do acionamento. Desligue e volte a ligar a sua alimentação</translation>
     </message>
     <message>
         <source>Real-time scheduling: off. Boresight gave it back after 0.1 s of work without a pause.</source>
@@ -8927,10 +8859,6 @@ até %1</translation>
     <message>
         <source>Check that rotctld still runs there (%1). If it hangs, end it and start it again</source>
         <translation>Verifique se o rotctld ainda corre lá (%1). Se estiver bloqueado, termine-o e arranque-o de novo</translation>
-    </message>
-    <message>
-        <source>%1: This is a pipe or a device. Give a file or a folder.</source>
-        <translation>%1: Isto é um tubo (pipe) ou um dispositivo. Indique um ficheiro ou uma pasta.</translation>
     </message>
     <message>
         <source>The running pass could not be stored: %1</source>
@@ -9509,10 +9437,6 @@ até %1</translation>
         <translation>O perfil só permite parar e ler por MQTT (mqtt.commands).</translation>
     </message>
     <message>
-        <source>The connection to the broker began or was interrupted less than %1 s ago, so this command may be old. Send it again.</source>
-        <translation>A ligação ao broker começou ou foi interrompida há menos de %1 s, portanto este comando pode ser antigo. Envie-o de novo.</translation>
-    </message>
-    <message>
         <source>the tracked part of the pass of %1 begins</source>
         <translation>começa a parte seguida da passagem de %1</translation>
     </message>
@@ -9845,10 +9769,6 @@ até %1</translation>
         <translation>&quot;%1&quot; não pode seguir-se a um caminho. Só programas deste computador chegam a um caminho</translation>
     </message>
     <message>
-        <source>This is not a command. The commands are take, release, stop, reset-stop, override-wind, satellites, status, transmit, track TARGET, antennas, antenna NAME and the commands of the schedule.</source>
-        <translation>Isto não é um comando. Os comandos são take, release, stop, reset-stop, override-wind, satellites, status, transmit, track ALVO, antennas, antenna NOME e os comandos da agenda.</translation>
-    </message>
-    <message>
         <source>A setting that requires a stop was changed while driving</source>
         <translation>Uma configuração que exige paragem foi alterada durante o acionamento</translation>
     </message>
@@ -10133,10 +10053,6 @@ até %1</translation>
         <translation>As linhas de %1 às %2 são demasiado irregulares para interpolar entre elas.</translation>
     </message>
     <message>
-        <source>The axis was %1 away from its set-point. Put the gains back, or check what blocks the axis</source>
-        <translation>O eixo esteve a %1 do valor comandado. Reponha os ganhos ou verifique o que bloqueia o eixo</translation>
-    </message>
-    <message>
         <source>the wind speed is not a number</source>
         <translation>a velocidade do vento não é um número</translation>
     </message>
@@ -10195,10 +10111,6 @@ até %1</translation>
     <message>
         <source>&quot;pst&quot; answers to the port after its own. Choose a port below %1</source>
         <translation>&quot;pst&quot; responde para a porta a seguir à sua. Escolha uma porta abaixo de %1</translation>
-    </message>
-    <message>
-        <source>other computers could move the mount by UDP. Add the addresses that may, or listen on 127.0.0.1, or use the right &quot;read&quot;</source>
-        <translation>outros computadores poderiam mover a montagem por UDP. Acrescente os endereços que podem, ou escute em 127.0.0.1, ou use o direito &quot;read&quot;</translation>
     </message>
     <message>
         <source>&quot;rotor=&quot; is followed by the name of a rotor in N1MM, at the end of a line of n1mm</source>
@@ -10261,10 +10173,6 @@ até %1</translation>
         <translation>O Boresight não conhece este comando do N1MM.</translation>
     </message>
     <message>
-        <source>Boresight does not support the offset of an antenna. Set it to 0 in N1MM, and enter it as the direction of the beam here.</source>
-        <translation>O Boresight não suporta o desvio de uma antena. Ponha-o a 0 no N1MM e introduza-o aqui como direção do feixe.</translation>
-    </message>
-    <message>
         <source>names no rotor</source>
         <translation>não indica nenhum rotor</translation>
     </message>
@@ -10299,6 +10207,194 @@ até %1</translation>
     <message>
         <source>This computer slept or was blocked less than %1 s ago. The command may be old. Send it again.</source>
         <translation>Este computador dormiu ou esteve bloqueado há menos de %1 s. O comando pode ser antigo. Envie-o de novo.</translation>
+    </message>
+    <message>
+        <source>Use new time</source>
+        <translation>Usar nova hora</translation>
+    </message>
+    <message>
+        <source>The clock of this computer was set by %1 s%2</source>
+        <translation>O relógio deste computador foi acertado em %1 s%2</translation>
+    </message>
+    <message>
+        <source>Boresight still uses the time before, so the mount does not jump</source>
+        <translation>O Boresight usa ainda a hora anterior, por isso a montagem não salta</translation>
+    </message>
+    <message>
+        <source>Press Use new time if the new time is right. Otherwise correct the clock</source>
+        <translation>Prima &quot;Usar nova hora&quot; se a nova hora estiver certa. Caso contrário, corrija o relógio</translation>
+    </message>
+    <message>
+        <source>nothing writes the file. Open Astronomical Data in WSJT-X</source>
+        <translation>nada escreve o ficheiro. Abra Astronomical Data no WSJT-X</translation>
+    </message>
+    <message>
+        <source>no source of motion accepts this request</source>
+        <translation>nenhuma fonte de movimento aceita este pedido</translation>
+    </message>
+    <message>
+        <source>%1 would be %2 away</source>
+        <translation>%1 ficaria a %2</translation>
+    </message>
+    <message>
+        <source>%1 has no direction at the new time</source>
+        <translation>%1 não tem direção à nova hora</translation>
+    </message>
+    <message>
+        <source>%1: This is a pipe or a device. Name a file or a folder.</source>
+        <translation>%1: Isto é um pipe ou um dispositivo. Indique um ficheiro ou uma pasta.</translation>
+    </message>
+    <message>
+        <source>The magnetic model %1 was valid until %2. Its declination is less exact each year. Get the present World Magnetic Model (.COF).</source>
+        <translation>O modelo magnético %1 foi válido até %2. A sua declinação é menos exata a cada ano. Obtenha o atual World Magnetic Model (.COF).</translation>
+    </message>
+    <message>
+        <source>The magnetic model %1 is valid until %2. Get the next model before then.</source>
+        <translation>O modelo magnético %1 é válido até %2. Obtenha o modelo seguinte antes disso.</translation>
+    </message>
+    <message>
+        <source>The journal does not prove the cable wrap, because the position became doubtful later</source>
+        <translation>O diário não prova a volta do cabo, porque a posição se tornou duvidosa depois</translation>
+    </message>
+    <message>
+        <source>other computers could move the mount by UDP. Add the permitted addresses. Or listen on 127.0.0.1, or use the right &quot;read&quot;</source>
+        <translation>outros computadores poderiam mover a montagem por UDP. Acrescente os endereços permitidos. Ou escute em 127.0.0.1, ou use o direito &quot;read&quot;</translation>
+    </message>
+    <message>
+        <source>This is not a command. The commands are take, release, stop, reset-stop, override-wind, use-new-time, satellites, status, transmit, track TARGET, antennas, antenna NAME and the commands of the schedule.</source>
+        <translation>Isto não é um comando. Os comandos são take, release, stop, reset-stop, override-wind, use-new-time, satellites, status, transmit, track ALVO, antennas, antenna NOME e os comandos da agenda.</translation>
+    </message>
+    <message>
+        <source>The station is closing.</source>
+        <translation>A estação está a fechar.</translation>
+    </message>
+    <message>
+        <source>Update the firmware. Report the fault to the maker</source>
+        <translation>Atualize o firmware. Comunique a falha ao fabricante</translation>
+    </message>
+    <message>
+        <source>Report the fault to the maker</source>
+        <translation>Comunique a falha ao fabricante</translation>
+    </message>
+    <message>
+        <source>There is nothing to clear. If this happens often, lower the acceleration</source>
+        <translation>Não há nada a limpar. Se isto acontecer muitas vezes, baixe a aceleração</translation>
+    </message>
+    <message>
+        <source>the drive contradicts %1. The nearest position that the drive permits is %2. If that position is wrong, another tool has set the position of the drive. Switch the power of the drive off and on</source>
+        <translation>o acionamento contradiz %1. A posição mais próxima que o acionamento permite é %2. Se essa posição estiver errada, outra ferramenta definiu a posição do acionamento. Desligue e volte a ligar a alimentação do acionamento</translation>
+    </message>
+    <message>
+        <source>Boresight connected to the broker, or continued after a pause, less than %1 s ago. This command may be old. Send it again.</source>
+        <translation>O Boresight ligou-se ao broker, ou continuou depois de uma pausa, há menos de %1 s. Este comando pode ser antigo. Envie-o de novo.</translation>
+    </message>
+    <message>
+        <source>%1 sent another command</source>
+        <translation>%1 enviou outro comando</translation>
+    </message>
+    <message>
+        <source>The clock of this computer was set, and Boresight still uses the time before. Press Use new time or correct the clock before you track the %1 here.</source>
+        <translation>O relógio deste computador foi acertado, e o Boresight usa ainda a hora anterior. Prima &quot;Usar nova hora&quot; ou corrija o relógio antes de seguir aqui: %1.</translation>
+    </message>
+    <message>
+        <source>The clock of this computer was set, so tracking stopped. Check the clock, then track the %1 again.</source>
+        <translation>O relógio deste computador foi acertado, por isso o seguimento parou. Verifique o relógio e depois siga de novo: %1.</translation>
+    </message>
+    <message>
+        <source>The clock of this computer was set. If the time before was wrong, drop the points of the Sun and the Moon that were taken with it</source>
+        <translation>O relógio deste computador foi acertado. Se a hora anterior estava errada, descarte os pontos do Sol e da Lua que foram medidos com ela</translation>
+    </message>
+    <message>
+        <source>overrode this warning by Apply anyway: %1</source>
+        <translation>ignorou este aviso com &quot;Aplicar mesmo assim&quot;: %1</translation>
+    </message>
+    <message>
+        <source>This result is unreliable. %1 To use it all the same, press Apply anyway.</source>
+        <translation>Este resultado não é de confiança. %1 Para o usar mesmo assim, prima &quot;Aplicar mesmo assim&quot;.</translation>
+    </message>
+    <message>
+        <source>the settings of Hamlib have no effect, because Boresight starts no rotctld for %1</source>
+        <translation>as definições do Hamlib não têm efeito, porque o Boresight não inicia nenhum rotctld para %1</translation>
+    </message>
+    <message>
+        <source>Remove them, or give them to the rotctld that you start yourself, with its option -C.</source>
+        <translation>Retire-as, ou dê-as ao rotctld que inicia você mesmo, com a opção -C.</translation>
+    </message>
+    <message>
+        <source>names %1 twice</source>
+        <translation>indica %1 duas vezes</translation>
+    </message>
+    <message>
+        <source>%1: %2 points. A horizon has 1 to %3 points</source>
+        <translation>%1: %2 pontos. Um horizonte tem de 1 a %3 pontos</translation>
+    </message>
+    <message>
+        <source>Settings of Hamlib</source>
+        <translation>Definições do Hamlib</translation>
+    </message>
+    <message>
+        <source>Further settings for the rotctld that Boresight starts for a model of Hamlib, such as &quot;stop_bits=2&quot; or &quot;min_az=-90&quot;. &quot;rotctl -m MODEL -L&quot; lists their names.</source>
+        <translation>Outras definições para o rotctld que o Boresight inicia para um modelo do Hamlib, como &quot;stop_bits=2&quot; ou &quot;min_az=-90&quot;. &quot;rotctl -m MODELO -L&quot; lista os seus nomes.</translation>
+    </message>
+    <message>
+        <source>NAME=VALUE without blanks and commas is expected, like &quot;min_az=-90&quot;</source>
+        <translation>espera-se NOME=VALOR sem espaços nem vírgulas, como &quot;min_az=-90&quot;</translation>
+    </message>
+    <message>
+        <source>Boresight sets %1 itself. Change %2 instead</source>
+        <translation>O próprio Boresight define %1. Mude antes %2</translation>
+    </message>
+    <message>
+        <source>%1 needs a number</source>
+        <translation>%1 precisa de um número</translation>
+    </message>
+    <message>
+        <source>Hamlib refuses a setting of bus.hamlib_settings. &quot;rotctl -m %1 -L&quot; lists the settings of this model</source>
+        <translation>O Hamlib recusa uma definição de bus.hamlib_settings. &quot;rotctl -m %1 -L&quot; lista as definições deste modelo</translation>
+    </message>
+    <message>
+        <source>the clock of this computer has the time before again</source>
+        <translation>o relógio deste computador tem de novo a hora anterior</translation>
+    </message>
+    <message>
+        <source>Boresight already uses the time of this computer.</source>
+        <translation>O Boresight já usa a hora deste computador.</translation>
+    </message>
+    <message>
+        <source>uses the new time of this computer (%1 s)</source>
+        <translation>usa a nova hora deste computador (%1 s)</translation>
+    </message>
+    <message>
+        <source>Boresight is closing. It stops the mount</source>
+        <translation>O Boresight está a fechar. Para a montagem</translation>
+    </message>
+    <message>
+        <source>This is not a file. Choose a file.</source>
+        <translation>Isto não é um ficheiro. Escolha um ficheiro.</translation>
+    </message>
+    <message>
+        <source>There is no such file. Check its path.</source>
+        <translation>Este ficheiro não existe. Verifique o caminho.</translation>
+    </message>
+    <message>
+        <source>The file has the key %1 twice in one segment.</source>
+        <translation>O ficheiro tem a chave %1 duas vezes num segmento.</translation>
+    </message>
+    <message>
+        <source>Use a table with later times.</source>
+        <translation>Use uma tabela com horas posteriores.</translation>
+    </message>
+    <message>
+        <source>%1 satellites have that name, among them %2. Enter the number.</source>
+        <translation>%1 satélites têm esse nome, entre eles %2. Introduza o número.</translation>
+    </message>
+    <message>
+        <source>The axis was %1 away from its set-point. Put the gains back. Check that nothing blocks the axis</source>
+        <translation>O eixo estava a %1 do seu valor de referência. Reponha os ganhos. Verifique que nada bloqueia o eixo</translation>
+    </message>
+    <message>
+        <source>Boresight does not support the offset of an antenna. Set the offset to 0 in N1MM, and enter it in Boresight as the direction of the beam.</source>
+        <translation>O Boresight não suporta o desvio de uma antena. Ponha o desvio a 0 no N1MM e introduza-o no Boresight como direção do feixe.</translation>
     </message>
 </context>
 <context>
@@ -11329,16 +11425,36 @@ velocidade %1</translation>
         <translation>A proposta desaparece; nada muda, e os pontos ficam</translation>
     </message>
     <message>
-        <source>Return to the calibration before. Nothing moves</source>
-        <translation>Volta à calibração anterior; nada se move</translation>
-    </message>
-    <message>
         <source>Discard the proposal</source>
         <translation>Descartar o que se propõe</translation>
     </message>
     <message>
         <source>In force at once, and nothing moves: %1</source>
         <translation>Vale de imediato, nada se move: %1</translation>
+    </message>
+    <message>
+        <source>Apply an unreliable result?</source>
+        <translation>Aplicar um resultado que não é de confiança?</translation>
+    </message>
+    <message>
+        <source>This result is unreliable. %1
+
+Apply anyway changes: %2.
+
+The mount then points by this result. The log records that you applied it anyway. Undo returns to the calibration before.</source>
+        <translation>Este resultado não é de confiança. %1
+
+&quot;Aplicar mesmo assim&quot; muda: %2.
+
+Depois a montagem aponta por este resultado. O registo anota que o aplicou mesmo assim. Desfazer volta à calibração anterior.</translation>
+    </message>
+    <message>
+        <source>Apply anyway</source>
+        <translation>Aplicar mesmo assim</translation>
+    </message>
+    <message>
+        <source>Return to the previous calibration. Nothing moves</source>
+        <translation>Voltar à calibração anterior. Nada se move</translation>
     </message>
 </context>
 <context>
@@ -12769,10 +12885,6 @@ trocar os motores</translation>
         <translation>Move o eixo de %1 devagar enquanto premido</translation>
     </message>
     <message>
-        <source>It really points to</source>
-        <translation>Aponta mesmo para</translation>
-    </message>
-    <message>
         <source>the antenna looks up: lower it first</source>
         <translation>a antena olha para cima: baixe-a primeiro</translation>
     </message>
@@ -12801,10 +12913,6 @@ trocar os motores</translation>
         <translation>Definir o desvio de azimute do modelo de apontamento. Nada se move.</translation>
     </message>
     <message>
-        <source>Find north with them on the panel North. F3 returns to this step.</source>
-        <translation>Encontrar o norte com eles no painel Norte. F3 volta a este passo.</translation>
-    </message>
-    <message>
         <source>The azimuth offset changes from %1 to %2 at once. Nothing moves. Travel, cable and park keep their numbers. Horizon and keep-outs keep their true directions. To go back, press Undo on the page Profile.</source>
         <translation>O desvio de azimute muda de %1 para %2 de imediato. Nada se move. Curso, cabo e estacionamento mantêm os números. Horizonte e zonas proibidas mantêm as direções verdadeiras. Para voltar atrás, prima Desfazer na página Perfil.</translation>
     </message>
@@ -12831,6 +12939,14 @@ trocar os motores</translation>
     <message>
         <source>Point the antenna at a landmark with a known bearing, and type the bearing. Or use the sensor, the Sun or the Moon. To find north later, press Next. Everything else works without north.</source>
         <translation>Aponte a antena para um marco de azimute conhecido e escreva esse azimute. Ou use o sensor, o Sol ou a Lua. Para achar o norte mais tarde, prima Seguinte. Tudo o resto funciona sem o norte.</translation>
+    </message>
+    <message>
+        <source>Find north on the panel North. F3 returns to this step.</source>
+        <translation>Encontre o norte no painel Norte. F3 volta a este passo.</translation>
+    </message>
+    <message>
+        <source>True azimuth</source>
+        <translation>Azimute verdadeiro</translation>
     </message>
 </context>
 <context>
@@ -13125,10 +13241,6 @@ trocar os motores</translation>
         <translation>O que são os fins</translation>
     </message>
     <message>
-        <source>Type the ends, or drive there and set them here. Turns of the cable count: 370° is not 10°.</source>
-        <translation>Escreva os fins, ou vá até lá e marque-os. As voltas do cabo contam: 370° não é 10°.</translation>
-    </message>
-    <message>
         <source>%1, a mechanical angle</source>
         <translation>%1, um ângulo mecânico</translation>
     </message>
@@ -13195,6 +13307,10 @@ trocar os motores</translation>
     <message>
         <source>The %1 end of %2 is the present position of the axis</source>
         <translation>O fim %1 de %2 é a posição atual do eixo</translation>
+    </message>
+    <message>
+        <source>Type the ends, or jog to each end and set it here. Whole turns count: 370° is not 10°.</source>
+        <translation>Escreva os extremos, ou vá até cada extremo por jog e defina-o aqui. As voltas inteiras contam: 370° não é 10°.</translation>
     </message>
 </context>
 <context>
@@ -15338,10 +15454,6 @@ el %2</translation>
         <translation>O ângulo do eixo de azimute. Em 0° o cabo não está enrolado. O anel em volta do céu mostra o curso.</translation>
     </message>
     <message>
-        <source>Loss by pointing</source>
-        <translation>Perda por apontamento</translation>
-    </message>
-    <message>
         <source>Loss of power by the pointing error. It is shown up to one beam width.</source>
         <translation>O que o erro de apontamento custa. Acima de uma largura de feixe não é indicado.</translation>
     </message>
@@ -15352,6 +15464,10 @@ el %2</translation>
     <message>
         <source>The angle on the sky between the target and the direction of the mount</source>
         <translation>O ângulo no céu entre o alvo e a direção da montagem</translation>
+    </message>
+    <message>
+        <source>Pointing loss</source>
+        <translation>Perda de apontamento</translation>
     </message>
 </context>
 <context>
@@ -16494,10 +16610,6 @@ Defina estes à mão, porque só o construtor da montagem conhece os valores:
         <translation>%1: ainda nada chegou</translation>
     </message>
     <message>
-        <source>On the sky, from end to end of each line. The default is twice the beam width. 1.5 to 3 times works</source>
-        <translation>No céu, de ponta a ponta de cada linha. Sugere-se o dobro do feixe do perfil; de 1,5 a 3 vezes o pico é encontrado</translation>
-    </message>
-    <message>
         <source>Enter dB</source>
         <translation>Dar dB</translation>
     </message>
@@ -16524,6 +16636,10 @@ Defina estes à mão, porque só o construtor da montagem conhece os valores:
     <message>
         <source>%1. The scan did not reach the background.</source>
         <translation>%1. A varredura não chegou ao fundo.</translation>
+    </message>
+    <message>
+        <source>On the sky, from end to end of each line. The default is twice the beam width. 1.5 to 3 beam widths work</source>
+        <translation>No céu, de ponta a ponta de cada linha. O valor por omissão é o dobro da largura de feixe. De 1,5 a 3 larguras de feixe servem</translation>
     </message>
 </context>
 <context>
@@ -16800,8 +16916,8 @@ A menos de 3 dB: %4 s
         <translation>A estação já não tem elementos deste satélite.</translation>
     </message>
     <message>
-        <source>Go to the place where the satellite rises, and track it until it sets. Then the mount holds</source>
-        <translation>Ir para o lugar onde o satélite nasce e segui-lo até se pôr. Depois a montagem fica parada</translation>
+        <source>Go to the place where the satellite rises. Track the satellite until it sets. Then the mount holds</source>
+        <translation>Ir para onde o satélite nasce. Seguir o satélite até se pôr. Depois a montagem mantém a posição</translation>
     </message>
 </context>
 <context>
@@ -17812,6 +17928,17 @@ Em comparação com a montagem em uso:
     </message>
 </context>
 <context>
+    <name>boresight::ui::TableQuestion</name>
+    <message>
+        <source>%1 was not read within %2 s. Check whether its folder answers.</source>
+        <translation>%1 não foi lido em %2 s. Verifique se a sua pasta responde.</translation>
+    </message>
+    <message>
+        <source>Boresight is reading the file. Wait a moment.</source>
+        <translation>O Boresight está a ler o ficheiro. Espere um momento.</translation>
+    </message>
+</context>
+<context>
     <name>boresight::ui::TargetTable</name>
     <message>
         <source>Target</source>
@@ -17917,10 +18044,6 @@ Em comparação com a montagem em uso:
         <translation>O local não está definido. Introduza-o na página Perfil.</translation>
     </message>
     <message>
-        <source>Track file…</source>
-        <translation>Seguir ficheiro…</translation>
-    </message>
-    <message>
         <source>Tables and OEM (*.txt *.csv *.tsv *.dat *.oem *.kvn)</source>
         <translation>Tabelas e OEM (*.txt *.csv *.tsv *.dat *.oem *.kvn)</translation>
     </message>
@@ -17935,10 +18058,6 @@ Em comparação com a montagem em uso:
     <message>
         <source>Track the typed target, or go there if it does not move</source>
         <translation>Seguir o alvo escrito, ou ir para lá se não se mover</translation>
-    </message>
-    <message>
-        <source>Track the rows of a file: a table with a time, an azimuth and an elevation in each line, or a CCSDS OEM</source>
-        <translation>Seguir as linhas de um ficheiro: uma tabela com uma hora, um azimute e uma elevação em cada linha, ou um OEM do CCSDS</translation>
     </message>
     <message>
         <source>A satellite: 25544, iss
@@ -17961,8 +18080,16 @@ Para onde outro rotor aponta, segundo o seu rotctld: rotctld:10.0.0.7:4533</tran
         <translation>Selecione primeiro um alvo.</translation>
     </message>
     <message>
-        <source>Track the path in a file</source>
-        <translation>Seguir o caminho de um ficheiro</translation>
+        <source>Choose file …</source>
+        <translation>Escolher ficheiro …</translation>
+    </message>
+    <message>
+        <source>Choose the path in a file: a table with a time, an azimuth and an elevation in each line, or a CCSDS OEM. Track then tracks it</source>
+        <translation>Escolher o percurso num ficheiro: uma tabela com hora, azimute e elevação em cada linha, ou um CCSDS OEM. Depois Seguir segue-o</translation>
+    </message>
+    <message>
+        <source>Choose the path in a file</source>
+        <translation>Escolher o percurso num ficheiro</translation>
     </message>
 </context>
 <context>
