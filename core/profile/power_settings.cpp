@@ -3,9 +3,9 @@
 #include "core/profile/power_settings.h"
 
 #include "core/base/text.h"
+#include "core/contacts/output_name.h"
 #include "core/profile/setting_groups.h"
 #include "core/profile/setting_makers.h"
-#include "core/transmit/output_name.h"
 
 #include <algorithm>
 #include <initializer_list>
@@ -49,7 +49,7 @@ void addTransmit(std::vector<Setting>& list)
              "its arguments, dtr:PORT or rts:PORT. Use it as the interlock of the transmitter. Empty: none.")},
         [](const Profile& p) { return p.transmit.output; },
         [](Profile& p, const std::string& wanted) {
-            return transmit::parseOutput(wanted).map([&](const transmit::OutputName&) { p.transmit.output = wanted; });
+            return contacts::parseOutput(wanted).map([&](const contacts::OutputName&) { p.transmit.output = wanted; });
         }));
     list.push_back(number(
         "transmit.beam_fraction", "", {0.01, 1.0}, Applies::Now,
@@ -78,8 +78,8 @@ void checkPower(std::vector<Problem>& problems, const Profile& profile)
 // Boresight would take its own "on" and "off" for a command or a reading, or write over what it publishes.
 void checkTransmit(std::vector<Problem>& problems, const Profile& profile)
 {
-    const auto output = transmit::parseOutput(profile.transmit.output);
-    if (!output || output->kind != transmit::OutputKind::Mqtt) {
+    const auto output = contacts::parseOutput(profile.transmit.output);
+    if (!output || output->kind != contacts::OutputKind::Mqtt) {
         return;
     }
     const BrokerSettings& broker = profile.mqtt;

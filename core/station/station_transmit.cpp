@@ -3,13 +3,13 @@
 
 #include "core/alarms/catalogue.h"
 #include "core/base/text.h"
+#include "core/outputs/broker_output.h"
+#include "core/outputs/command_output.h"
+#include "core/outputs/modem_line.h"
+#include "core/outputs/serial_modem_port.h"
+#include "core/outputs/state_file.h"
+#include "core/outputs/threaded_output.h"
 #include "core/station/station_broker.h"
-#include "core/transmit_output/broker_output.h"
-#include "core/transmit_output/command_output.h"
-#include "core/transmit_output/modem_line.h"
-#include "core/transmit_output/serial_modem_port.h"
-#include "core/transmit_output/state_file.h"
-#include "core/transmit_output/threaded_output.h"
 #include "core/units/degrees_text.h"
 
 #include <QUuid>
@@ -20,8 +20,8 @@
 namespace boresight {
 namespace {
 
+using contacts::OutputKind;
 using transmit::Obstacle;
-using transmit::OutputKind;
 
 const QString kTransmitSource = QStringLiteral("transmit");
 constexpr int kTransmitLinesPerSecond = 2;
@@ -35,10 +35,10 @@ mqtt::Broker ownBroker(profile::BrokerSettings settings)
     return brokerOf(settings, QStringLiteral("boresight-") + QUuid::createUuid().toString(QUuid::Id128).left(8));
 }
 
-std::unique_ptr<transmit::TransmitOutput> lineOutput(const QString& port, transmit::Line line)
+std::unique_ptr<outputs::Output> lineOutput(const QString& port, outputs::Line line)
 {
-    const auto modem = std::make_shared<transmit::ModemLine>(std::make_unique<transmit::SerialModemPort>(port), line);
-    return std::make_unique<transmit::ThreadedOutput>([modem](bool on) { return modem->set(on); });
+    const auto modem = std::make_shared<outputs::ModemLine>(std::make_unique<outputs::SerialModemPort>(port), line);
+    return std::make_unique<outputs::ThreadedOutput>([modem](bool on) { return modem->set(on); });
 }
 
 bool isLive(const AxisStatus& axis)
@@ -104,7 +104,7 @@ StationTransmit::StationTransmit(const profile::InForce& profile, bool simulated
       m_clock(clock),
       m_lines(log, clock, kTransmitLinesPerSecond),
       m_alarms(alarms),
-      m_make([this](const transmit::OutputName& name) { return make(name); })
+      m_make([this](const contacts::OutputName& name) { return make(name); })
 {}
 
 StationTransmit::~StationTransmit()
@@ -112,20 +112,20 @@ StationTransmit::~StationTransmit()
     close();
 }
 
-std::unique_ptr<transmit::TransmitOutput> StationTransmit::make(const transmit::OutputName& name) const
+std::unique_ptr<outputs::Output> StationTransmit::make(const contacts::OutputName& name) const
 {
     switch (name.kind) {
         case OutputKind::File:
-            return std::make_unique<transmit::ThreadedOutput>(
-                [path = name.place](bool on) { return transmit::writeState(path, on); });
+            return std::make_unique<outputs::ThreadedOutput>(
+                [path = name.place](bool on) { return outputs::writeState(path, on); });
         case OutputKind::Mqtt:
-            return std::make_unique<transmit::BrokerOutput>(ownBroker(m_profile->mqtt), name.place, m_clock);
+            return std::make_unique<outputs::BrokerOutput>(ownBroker(m_profile->mqtt), name.place, m_clock);
         case OutputKind::Command:
-            return std::make_unique<transmit::CommandOutput>(name.place, name.arguments);
+            return std::make_unique<outputs::CommandOutput>(name.place, name.arguments);
         case OutputKind::Dtr:
-            return lineOutput(name.place, transmit::Line::Dtr);
+            return lineOutput(name.place, outputs::Line::Dtr);
         case OutputKind::Rts:
-            return lineOutput(name.place, transmit::Line::Rts);
+            return lineOutput(name.place, outputs::Line::Rts);
         case OutputKind::None:
             break;
     }
@@ -149,10 +149,10 @@ void StationTransmit::begin()
     if (!m_open || m_output || m_former) {
         return;
     }
-    m_output = m_make(transmit::parseOutput(m_profile->transmit.output).value_or(transmit::OutputName{}));
+    m_output = m_make(contacts::parseOutput(m_profile->transmit.output).value_or(contacts::OutputName{}));
     if (m_output) {
-        connect(m_output.get(), &transmit::TransmitOutput::reached, this, &StationTransmit::reached);
-        connect(m_output.get(), &transmit::TransmitOutput::failed, this, &StationTransmit::fail);
+        connect(m_output.get(), &outputs::Output::reached, this, &StationTransmit::reached);
+        connect(m_output.get(), &outputs::Output::failed, this, &StationTransmit::fail);
         order(false);
     }
 }
@@ -170,8 +170,8 @@ void StationTransmit::retire()
                 begin();
             }
         };
-        connect(m_former.get(), &transmit::TransmitOutput::reached, this, letGo, Qt::QueuedConnection);
-        connect(m_former.get(), &transmit::TransmitOutput::failed, this, letGo, Qt::QueuedConnection);
+        connect(m_former.get(), &outputs::Output::reached, this, letGo, Qt::QueuedConnection);
+        connect(m_former.get(), &outputs::Output::failed, this, letGo, Qt::QueuedConnection);
         m_former->set(false);
     }
     settleAnew();
@@ -188,7 +188,7 @@ void StationTransmit::settleAnew()
 // The output goes off, because a change of the profile may have moved the target, the beam or the beam width.
 void StationTransmit::profileChanged(const profile::Profile& before, const profile::Profile& after)
 {
-    const auto name = transmit::parseOutput(after.transmit.output);
+    const auto name = contacts::parseOutput(after.transmit.output);
     const bool isByBroker = name && name->kind == OutputKind::Mqtt;
     if (before.transmit.output != after.transmit.output || (isByBroker && before.mqtt != after.mqtt)) {
         retire();

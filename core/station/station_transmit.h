@@ -4,11 +4,11 @@
 #include "core/alarms/alarm_board.h"
 #include "core/alarms/log_throttle.h"
 #include "core/base/clock.h"
+#include "core/contacts/output_name.h"
 #include "core/messages/station_status.h"
+#include "core/outputs/output.h"
 #include "core/profile/in_force.h"
-#include "core/transmit/output_name.h"
 #include "core/transmit/transmit_gate.h"
-#include "core/transmit_output/transmit_output.h"
 
 #include <QObject>
 
@@ -26,7 +26,7 @@ class StationTransmit : public QObject
     Q_OBJECT
 
 public:
-    using MakeOutput = std::function<std::unique_ptr<transmit::TransmitOutput>(const transmit::OutputName& name)>;
+    using MakeOutput = std::function<std::unique_ptr<outputs::Output>(const contacts::OutputName& name)>;
 
     // An older measured position does not count, because the beam may be elsewhere.
     static constexpr std::chrono::milliseconds kOldestReport{500};
@@ -67,7 +67,7 @@ private:
         QString problem = {};
     };
 
-    [[nodiscard]] std::unique_ptr<transmit::TransmitOutput> make(const transmit::OutputName& name) const;
+    [[nodiscard]] std::unique_ptr<outputs::Output> make(const contacts::OutputName& name) const;
     void begin();
     void retire();
     void settleAnew();
@@ -84,9 +84,9 @@ private:
     AlarmBoard& m_alarms;
     MakeOutput m_make;
     bool m_open = false;
-    std::unique_ptr<transmit::TransmitOutput> m_output;  // null: the profile names none, or m_former has to end first
-    std::unique_ptr<transmit::TransmitOutput> m_former;  // the previous output, until it is off
-    Angle m_within;                                      // permitted distance to the target for the antenna in use
+    std::unique_ptr<outputs::Output> m_output;  // null: the profile names none, or m_former has to end first
+    std::unique_ptr<outputs::Output> m_former;  // the previous output, until it is off
+    Angle m_within;                             // permitted distance to the target for the antenna in use
     transmit::TransmitGate m_gate;
     transmit::GateDecision m_decision;
     Switching m_switching;

@@ -36,7 +36,7 @@ profile::Profile held(const std::string& output)
 }
 
 // A transmit output that the test controls: it answers when the test says so.
-class PlayedOutput final : public transmit::TransmitOutput
+class PlayedOutput final : public outputs::Output
 {
 public:
     explicit PlayedOutput(std::vector<std::string>& calls) : m_calls(calls) {}
@@ -75,8 +75,8 @@ protected:
         status.target = SkyPointing{.azimuth = 120_deg, .elevation = 40_deg};
         status.actual = status.target;
         status.azimuth.age = status.elevation.age = std::chrono::milliseconds(20);
-        transmit.setMaker([this](const transmit::OutputName& name) {
-            auto made = name.kind == transmit::OutputKind::None ? nullptr : std::make_unique<PlayedOutput>(calls);
+        transmit.setMaker([this](const contacts::OutputName& name) {
+            auto made = name.kind == contacts::OutputKind::None ? nullptr : std::make_unique<PlayedOutput>(calls);
             output = made.get();
             return made;
         });
@@ -308,7 +308,7 @@ TEST_F(StationTransmitTest, ASimulatedMountSwitchesNothing)
     next.transmit.inSimulation = profile::InSimulation::Off;
     inForce.apply(next);
     StationTransmit simulated(inForce, true, clock, log, alarms, nullptr);
-    simulated.setMaker([this](const transmit::OutputName&) { return std::make_unique<PlayedOutput>(calls); });
+    simulated.setMaker([this](const contacts::OutputName&) { return std::make_unique<PlayedOutput>(calls); });
     simulated.open();
     for (int i = 0; i < 100; ++i) {
         clock.advance(Seconds(0.02));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/transmit/output_name.h"
+#include "core/contacts/output_name.h"
 
 #include "core/base/control_characters.h"
 #include "core/base/text.h"
@@ -10,7 +10,7 @@
 #include <array>
 #include <utility>
 
-namespace boresight::transmit {
+namespace boresight::contacts {
 namespace {
 
 constexpr std::size_t kLongest = 1000;  // bytes
@@ -74,4 +74,4 @@ Result<OutputName> parseOutput(const std::string& text)
     }
 }
 
-}  // namespace boresight::transmit
+}  // namespace boresight::contacts

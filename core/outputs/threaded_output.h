@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/transmit_output/transmit_output.h"
+#include "core/outputs/output.h"
 
 #include <QThreadPool>
 
@@ -12,9 +12,9 @@
 
 // An output that is set by a call that may take long: writing a file, or switching a line of an adapter. One thread
 // makes the calls, one at a time. The destructor waits for the last call.
-namespace boresight::transmit {
+namespace boresight::outputs {
 
-class ThreadedOutput final : public TransmitOutput
+class ThreadedOutput final : public Output
 {
     Q_OBJECT
 
@@ -39,4 +39,4 @@ private:
     QThreadPool m_worker;         // the last member, so that it is destroyed first
 };
 
-}  // namespace boresight::transmit
+}  // namespace boresight::outputs

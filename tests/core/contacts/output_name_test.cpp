@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/transmit/output_name.h"
+#include "core/contacts/output_name.h"
 
 #include <gtest/gtest.h>
 
 #include <string>
 
-namespace boresight::transmit {
+namespace boresight::contacts {
 namespace {
 
 OutputName named(const std::string& text)
@@ -48,4 +48,4 @@ TEST(OutputName, RefusesAllElse)
 }
 
 }  // namespace
-}  // namespace boresight::transmit
+}  // namespace boresight::contacts

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/outputs/output.h"
 #include "core/programs/program_runner.h"
-#include "core/transmit_output/transmit_output.h"
 
 #include <QStringList>
 
@@ -11,9 +11,9 @@
 
 // Runs a program of the operator, with "on" or "off" as its last argument. The "off" run does not wait for an "on" run
 // that is still going. That "on" run may take effect last, so "off" is run once more after both have ended.
-namespace boresight::transmit {
+namespace boresight::outputs {
 
-class CommandOutput final : public TransmitOutput
+class CommandOutput final : public Output
 {
     Q_OBJECT
 
@@ -53,4 +53,4 @@ private:
     std::optional<bool> m_reached;  // the state set by the last program that succeeded; empty: unknown
 };
 
-}  // namespace boresight::transmit
+}  // namespace boresight::outputs

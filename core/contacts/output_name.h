@@ -8,8 +8,8 @@
 
 #include <string>
 
-// Reads the name of a transmit output in the profile. The output permits a transmitter to transmit. Pure, any thread.
-namespace boresight::transmit {
+// Reads the name of an output in the profile. Pure, any thread.
+namespace boresight::contacts {
 
 enum class OutputKind
 {
@@ -34,4 +34,4 @@ struct OutputName
 // "rts:/dev/ttyUSB0". Double quotes keep an argument with spaces together. An empty text means no output.
 [[nodiscard]] Result<OutputName> parseOutput(const std::string& text);
 
-}  // namespace boresight::transmit
+}  // namespace boresight::contacts

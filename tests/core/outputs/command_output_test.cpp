@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Real programs are started.
-#include "core/transmit_output/command_output.h"
+#include "core/outputs/command_output.h"
 
 #include "tests/fakes/wait_until.h"
 
@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace boresight::transmit {
+namespace boresight::outputs {
 namespace {
 
 using testing::ElementsAre;
@@ -41,9 +41,9 @@ protected:
         output = std::make_unique<CommandOutput>(
             QStringLiteral("/bin/sh"),
             QStringList{QStringLiteral("-c"), script, folder.path(), QStringLiteral("an argument")}, kPatient);
-        QObject::connect(output.get(), &TransmitOutput::reached, output.get(),
+        QObject::connect(output.get(), &Output::reached, output.get(),
                          [this](bool on) { told.emplace_back(on ? "on" : "off"); });
-        QObject::connect(output.get(), &TransmitOutput::failed, output.get(),
+        QObject::connect(output.get(), &Output::failed, output.get(),
                          [this](const QString& reason) { told.push_back(reason.toStdString()); });
     }
     [[nodiscard]] bool tells(std::size_t count) const
@@ -97,7 +97,7 @@ TEST_F(CommandOutputTest, ATroubleIsToldAndTriedAgain)
     EXPECT_EQ(told.back(), "off");
     output = std::make_unique<CommandOutput>(QStringLiteral("/no/such/program"), QStringList{});
     std::string reason;
-    QObject::connect(output.get(), &TransmitOutput::failed, output.get(),
+    QObject::connect(output.get(), &Output::failed, output.get(),
                      [&reason](const QString& text) { reason = text.toStdString(); });
     output->set(false);
     EXPECT_TRUE(fakes::waitUntil([&] { return !reason.empty(); }));
@@ -167,7 +167,7 @@ TEST_F(CommandOutputTest, AnOutputThatIsNotIdleGivesASignalLater)
     letGo("on");
     letGo("off");
     bool wasIdle = false;
-    QObject::connect(output.get(), &TransmitOutput::reached, output.get(), [&] { wasIdle = output->isIdle(); });
+    QObject::connect(output.get(), &outputs::Output::reached, output.get(), [&] { wasIdle = output->isIdle(); });
     EXPECT_TRUE(fakes::waitUntil([&] { return wasIdle; }));
     EXPECT_EQ(told.back(), "off");
 }
@@ -198,4 +198,4 @@ TEST_F(CommandOutputTest, TheLastWordIsOffAlsoWhereOnHangs)
 }
 
 }  // namespace
-}  // namespace boresight::transmit
+}  // namespace boresight::outputs

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/transmit_output/threaded_output.h"
+#include "core/outputs/threaded_output.h"
 
 #include <utility>
 
-namespace boresight::transmit {
+namespace boresight::outputs {
 
-ThreadedOutput::ThreadedOutput(Write write, QObject* parent) : TransmitOutput(parent), m_write(std::move(write))
+ThreadedOutput::ThreadedOutput(Write write, QObject* parent) : Output(parent), m_write(std::move(write))
 {
     m_worker.setMaxThreadCount(1);
     m_worker.setExpiryTimeout(-1);
@@ -52,6 +52,6 @@ void ThreadedOutput::finish(bool on, const Result<>& outcome)
     }
 }
 
-}  // namespace boresight::transmit
+}  // namespace boresight::outputs
 
 #include "moc_threaded_output.cpp"

@@ -9,8 +9,8 @@
 // its access rights, and it can be emptied on a full disk. A reader must treat anything but "on" as off, also an empty
 // file. Each call renews the modification time, so an old time shows the reader that Boresight died. Any thread; may
 // block.
-namespace boresight::transmit {
+namespace boresight::outputs {
 
 [[nodiscard]] Result<> writeState(const QString& path, bool on);
 
-}  // namespace boresight::transmit
+}  // namespace boresight::outputs

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/transmit_output/command_output.h"
+#include "core/outputs/command_output.h"
 
-namespace boresight::transmit {
+namespace boresight::outputs {
 CommandOutput::CommandOutput(const QString& program, const QStringList& arguments, const programs::Limits& limits,
                              QObject* parent)
-    : TransmitOutput(parent),
+    : Output(parent),
       m_program(program),
       m_arguments(arguments),
       m_limits(limits),
@@ -74,6 +74,6 @@ void CommandOutput::finish(bool on, const programs::Ending& ending)
     }
 }
 
-}  // namespace boresight::transmit
+}  // namespace boresight::outputs
 
 #include "moc_command_output.cpp"

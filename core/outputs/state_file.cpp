@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/transmit_output/state_file.h"
+#include "core/outputs/state_file.h"
 
 #include "core/base/file_descriptor.h"
 #include "core/base/text.h"
@@ -14,7 +14,7 @@
 #include <cstring>
 #include <string_view>
 
-namespace boresight::transmit {
+namespace boresight::outputs {
 namespace {
 
 constexpr mode_t kReadByAll = 0644;
@@ -56,4 +56,4 @@ Result<> writeState(const QString& path, bool on)
     return {};
 }
 
-}  // namespace boresight::transmit
+}  // namespace boresight::outputs

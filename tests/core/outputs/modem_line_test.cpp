@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The use of the two lines, at a port that the test plays, because a pseudo-terminal has no such lines.
-#include "core/transmit_output/modem_line.h"
+#include "core/outputs/modem_line.h"
 
-#include "core/transmit_output/serial_modem_port.h"
+#include "core/outputs/serial_modem_port.h"
 #include "tests/fakes/pseudo_terminal.h"
 
 #include <gmock/gmock.h>
@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace boresight::transmit {
+namespace boresight::outputs {
 namespace {
 
 using testing::ElementsAre;
@@ -103,4 +103,4 @@ TEST(SerialModemPort, AMissingPortIsAnError)
 }
 
 }  // namespace
-}  // namespace boresight::transmit
+}  // namespace boresight::outputs

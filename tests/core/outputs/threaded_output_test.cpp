@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/transmit_output/threaded_output.h"
+#include "core/outputs/threaded_output.h"
 
 #include "core/base/text.h"
 #include "tests/fakes/wait_until.h"
@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace boresight::transmit {
+namespace boresight::outputs {
 namespace {
 
 using testing::ElementsAre;
@@ -43,9 +43,9 @@ class ThreadedOutputTest : public testing::Test
 protected:
     ThreadedOutputTest()
     {
-        QObject::connect(output.get(), &TransmitOutput::reached, output.get(),
+        QObject::connect(output.get(), &Output::reached, output.get(),
                          [this](bool on) { told.emplace_back(on ? "on" : "off"); });
-        QObject::connect(output.get(), &TransmitOutput::failed, output.get(),
+        QObject::connect(output.get(), &Output::failed, output.get(),
                          [this](const QString& reason) { told.push_back(reason.toStdString()); });
     }
     [[nodiscard]] bool tells(std::size_t count) const
@@ -106,4 +106,4 @@ TEST_F(ThreadedOutputTest, ItsEndSetsWhatWasAskedLast)
 }
 
 }  // namespace
-}  // namespace boresight::transmit
+}  // namespace boresight::outputs

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/transmit_output/state_file.h"
+#include "core/outputs/state_file.h"
 
 #include "core/base/text.h"
 
@@ -14,7 +14,7 @@
 
 #include <csignal>
 
-namespace boresight::transmit {
+namespace boresight::outputs {
 namespace {
 
 using testing::HasSubstr;
@@ -125,4 +125,4 @@ TEST_F(StateFile, IsEmptyWhereNothingCanBeWritten)
 }
 
 }  // namespace
-}  // namespace boresight::transmit
+}  // namespace boresight::outputs

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // With the real mosquitto.
-#include "core/transmit_output/broker_output.h"
+#include "core/outputs/broker_output.h"
 
 #include "tests/core/mqtt/mqtt_rig.h"
 #include "tests/fakes/mqtt_test.h"
@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace boresight::transmit {
+namespace boresight::outputs {
 namespace {
 
 using testing::ElementsAre;
@@ -36,9 +36,9 @@ protected:
     void begin()
     {
         output = std::make_unique<BrokerOutput>(mqtt::onLoopback(broker->port()), kTopic, clock);
-        QObject::connect(output.get(), &TransmitOutput::reached, output.get(),
+        QObject::connect(output.get(), &Output::reached, output.get(),
                          [this](bool on) { told.emplace_back(on ? "on" : "off"); });
-        QObject::connect(output.get(), &TransmitOutput::failed, output.get(),
+        QObject::connect(output.get(), &Output::failed, output.get(),
                          [this](const QString& reason) { told.push_back(reason.toStdString()); });
     }
     [[nodiscard]] bool tells(std::size_t count) const
@@ -120,4 +120,4 @@ TEST_F(BrokerOutputTest, ABrokerThatIsGoneIsATrouble)
 }
 
 }  // namespace
-}  // namespace boresight::transmit
+}  // namespace boresight::outputs

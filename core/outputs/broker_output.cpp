@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/transmit_output/broker_output.h"
+#include "core/outputs/broker_output.h"
 
-namespace boresight::transmit {
+namespace boresight::outputs {
 namespace {
 
 mqtt::Message messageOf(const QString& topic, bool on)
@@ -13,7 +13,7 @@ mqtt::Message messageOf(const QString& topic, bool on)
 }  // namespace
 
 BrokerOutput::BrokerOutput(const mqtt::Broker& broker, const QString& topic, const Clock& clock, QObject* parent)
-    : TransmitOutput(parent), m_topic(topic), m_client(clock)
+    : Output(parent), m_topic(topic), m_client(clock)
 {
     connect(&m_client, &mqtt::Connection::connected, this, &BrokerOutput::publish);
     connect(&m_client, &mqtt::Connection::problemChanged, this, [this](const QString& problem) {
@@ -46,6 +46,6 @@ void BrokerOutput::publish()
     }
 }
 
-}  // namespace boresight::transmit
+}  // namespace boresight::outputs
 
 #include "moc_broker_output.cpp"

@@ -3,14 +3,14 @@
 
 #include "core/base/clock.h"
 #include "core/mqtt/threaded_client.h"
-#include "core/transmit_output/transmit_output.h"
+#include "core/outputs/output.h"
 
 // Publishes "on" or "off" to a topic of an MQTT broker. "off" is retained. It is also the will: the broker publishes it
 // when the connection to Boresight breaks. "on" is never retained, because a client that subscribes later must not
 // receive an old "on". The output has a connection of its own, because an MQTT connection has only one will.
-namespace boresight::transmit {
+namespace boresight::outputs {
 
-class BrokerOutput final : public TransmitOutput
+class BrokerOutput final : public Output
 {
     Q_OBJECT
 
@@ -29,4 +29,4 @@ private:
     mqtt::ThreadedClient m_client;
 };
 
-}  // namespace boresight::transmit
+}  // namespace boresight::outputs

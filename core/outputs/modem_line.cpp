@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/transmit_output/modem_line.h"
+#include "core/outputs/modem_line.h"
 
-namespace boresight::transmit {
+namespace boresight::outputs {
 
 Result<> ModemLine::open()
 {
@@ -26,4 +26,4 @@ Result<> ModemLine::set(bool high)
     return done;
 }
 
-}  // namespace boresight::transmit
+}  // namespace boresight::outputs

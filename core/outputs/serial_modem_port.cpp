@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/transmit_output/serial_modem_port.h"
+#include "core/outputs/serial_modem_port.h"
 
 #include "core/base/text.h"
 #include "core/serial/port_holder.h"
@@ -14,7 +14,7 @@
 #include <cerrno>
 #include <cstring>
 
-namespace boresight::transmit {
+namespace boresight::outputs {
 namespace {
 
 tl::unexpected<Error> portFailure(const QString& path, int number)
@@ -73,4 +73,4 @@ Result<> SerialModemPort::set(Line line, bool high)
                                         : failure(ErrorCode::Io, Text::tr("%1: the line did not change").arg(m_path));
 }
 
-}  // namespace boresight::transmit
+}  // namespace boresight::outputs

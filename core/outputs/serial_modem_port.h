@@ -2,11 +2,11 @@
 #pragma once
 
 #include "core/base/file_descriptor.h"
-#include "core/transmit_output/modem_line.h"
+#include "core/outputs/modem_line.h"
 
 // The control lines of a serial port of this computer. QSerialPort is not used: it needs an event loop, and it does not
 // set what the lines do when the program dies.
-namespace boresight::transmit {
+namespace boresight::outputs {
 
 class SerialModemPort final : public ModemPort
 {
@@ -23,4 +23,4 @@ private:
     FileDescriptor m_port;
 };
 
-}  // namespace boresight::transmit
+}  // namespace boresight::outputs

@@ -4,12 +4,12 @@
 #include <QObject>
 #include <QString>
 
-// An output that permits a transmitter to transmit: on or off. Its owner sets it again and again, even to the same
+// An output of this computer: on or off. Its owner sets it again and again, even to the same
 // state, so that a lost output is restored. set() does not block. The destructor leaves the output as it was last set,
 // so set it off before. Station thread.
-namespace boresight::transmit {
+namespace boresight::outputs {
 
-class TransmitOutput : public QObject
+class Output : public QObject
 {
     Q_OBJECT
 
@@ -28,4 +28,4 @@ Q_SIGNALS:
     void failed(const QString& reason);
 };
 
-}  // namespace boresight::transmit
+}  // namespace boresight::outputs

@@ -9,7 +9,7 @@
 
 // A control line of a serial port that keys or permits a transmitter. The port is opened once and stays open, because
 // the kernel raises both lines for a moment whenever a port is opened. Use from one thread at a time. Calls may block.
-namespace boresight::transmit {
+namespace boresight::outputs {
 
 enum class Line
 {
@@ -48,4 +48,4 @@ private:
     bool m_open = false;
 };
 
-}  // namespace boresight::transmit
+}  // namespace boresight::outputs
