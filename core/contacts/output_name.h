@@ -6,9 +6,10 @@
 #include <QString>
 #include <QStringList>
 
+#include <optional>
 #include <string>
 
-// Reads the name of an output in the profile. Pure, any thread.
+// The name of an output in the profile, and what the output answers. Pure, any thread.
 namespace boresight::contacts {
 
 enum class OutputKind
@@ -28,6 +29,15 @@ struct OutputName
     QStringList arguments = {};  // of the program
 
     bool operator==(const OutputName&) const = default;
+};
+
+// What an output answers to the last order.
+struct OutputAnswer
+{
+    std::optional<bool> isOn = {};  // empty: it has not answered yet, or it has failed
+    QString problem = {};           // empty: none
+
+    bool operator==(const OutputAnswer&) const = default;
 };
 
 // "file:/run/transmit", "mqtt:shack/transmit", "command:/usr/local/bin/ptt --line 2", "dtr:/dev/ttyUSB0",

@@ -5,6 +5,7 @@
 #include "core/sim_bus/simulated_link.h"
 #include "core/station/station.h"
 #include "tests/fakes/manual_clock.h"
+#include "tests/fakes/played_output.h"
 #include "tests/fakes/wait_until.h"
 
 #include <QCoreApplication>
@@ -21,6 +22,7 @@
 namespace boresight {
 namespace {
 
+using fakes::PlayedOutput;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -34,35 +36,6 @@ profile::Profile held(const std::string& output)
     profile.transmit.inSimulation = profile::InSimulation::On;
     return profile;
 }
-
-// A transmit output that the test controls: it answers when the test says so.
-class PlayedOutput final : public outputs::Output
-{
-public:
-    explicit PlayedOutput(std::vector<std::string>& calls) : m_calls(calls) {}
-    ~PlayedOutput() override { m_calls.emplace_back("gone"); }
-    PlayedOutput(const PlayedOutput&) = delete;
-    PlayedOutput& operator=(const PlayedOutput&) = delete;
-
-    void set(bool on) override
-    {
-        m_calls.emplace_back(on ? "on" : "off");
-        if (answers && !trouble.isEmpty()) {
-            Q_EMIT failed(trouble);
-        } else if (answers) {
-            Q_EMIT reached(on);
-        }
-    }
-
-    [[nodiscard]] bool isIdle() const override { return idle; }
-
-    bool answers = true;
-    bool idle = true;
-    QString trouble;
-
-private:
-    std::vector<std::string>& m_calls;
-};
 
 // A control that the test plays: the mount is on its target, at 40° elevation.
 class StationTransmitTest : public testing::Test

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The radio: what it receives, and when it may transmit.
-#include "core/profile/power_settings.h"
+// What this computer reads and switches beside the mount: received power, transmit output.
+#include "core/profile/output_settings.h"
 
 #include "core/base/text.h"
 #include "core/contacts/output_name.h"
@@ -13,6 +13,47 @@
 namespace boresight::profile {
 
 using namespace makers;
+
+namespace {
+
+bool isByBroker(const std::string& output)
+{
+    const auto name = contacts::parseOutput(output);
+    return name && name->kind == contacts::OutputKind::Mqtt;
+}
+
+// Boresight would take its own "on" and "off" for a command or a reading, or write over what it publishes.
+void checkTopic(std::vector<Problem>& problems, const Profile& profile, const std::string& key,
+                const std::string& output)
+{
+    if (!isByBroker(output)) {
+        return;
+    }
+    const BrokerSettings& broker = profile.mqtt;
+    const std::string topic = contacts::parseOutput(output)->place.toStdString();
+    const auto isOneOf = [&](std::initializer_list<const char*> names) {
+        return std::ranges::any_of(names, [&](const char* name) { return topic == broker.topic(name); });
+    };
+    const bool takesCommands = broker.commands != BrokerCommands::Off;
+    const bool publishes = broker.publish != Publish::Off;
+    if (takesCommands && isOneOf({"command", "stop"})) {
+        problems.push_back({key, Text::tr("Boresight takes each message of the topic %1 for a command (mqtt.commands). "
+                                          "Choose another topic")
+                                     .arg(toQString(topic))});
+    } else if ((takesCommands && isOneOf({"answer"})) || (publishes && isOneOf({"state", "availability"})) ||
+               takesReadings(profile, topic)) {
+        problems.push_back(
+            {key, Text::tr("Boresight already uses the topic %1. Choose another topic").arg(toQString(topic))});
+    }
+}
+
+}  // namespace
+
+bool isAnotherOutput(const std::string& before, const BrokerSettings& brokerBefore, const std::string& after,
+                     const BrokerSettings& brokerAfter)
+{
+    return before != after || (isByBroker(after) && brokerBefore != brokerAfter);
+}
 
 void addPower(std::vector<Setting>& list)
 {
@@ -75,30 +116,9 @@ void checkPower(std::vector<Problem>& problems, const Profile& profile)
     }
 }
 
-// Boresight would take its own "on" and "off" for a command or a reading, or write over what it publishes.
 void checkTransmit(std::vector<Problem>& problems, const Profile& profile)
 {
-    const auto output = contacts::parseOutput(profile.transmit.output);
-    if (!output || output->kind != contacts::OutputKind::Mqtt) {
-        return;
-    }
-    const BrokerSettings& broker = profile.mqtt;
-    const std::string topic = output->place.toStdString();
-    const auto isOneOf = [&](std::initializer_list<const char*> names) {
-        return std::ranges::any_of(names, [&](const char* name) { return topic == broker.topic(name); });
-    };
-    const bool takesCommands = broker.commands != BrokerCommands::Off;
-    const bool publishes = broker.publish != Publish::Off;
-    if (takesCommands && isOneOf({"command", "stop"})) {
-        problems.push_back(
-            {"transmit.output", Text::tr("Boresight takes each message of the topic %1 for a command (mqtt.commands). "
-                                         "Choose another topic")
-                                    .arg(output->place)});
-    } else if ((takesCommands && isOneOf({"answer"})) || (publishes && isOneOf({"state", "availability"})) ||
-               takesReadings(profile, topic)) {
-        problems.push_back({"transmit.output",
-                            Text::tr("Boresight already uses the topic %1. Choose another topic").arg(output->place)});
-    }
+    checkTopic(problems, profile, "transmit.output", profile.transmit.output);
 }
 
 }  // namespace boresight::profile
