@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What this computer reads and switches beside the mount: received power, transmit output.
+// What this computer reads and switches beside the mount: received power, transmit output, brake.
 #include "core/profile/output_settings.h"
 
 #include "core/base/text.h"
@@ -108,6 +108,35 @@ void addTransmit(std::vector<Setting>& list)
         [](auto& p) -> auto& { return p.transmit.inSimulation; }));
 }
 
+void addBrake(std::vector<Setting>& list)
+{
+    list.push_back(textual(
+        "brake.output", Applies::Now,
+        {QT_TRANSLATE_NOOP("Text", "Output"),
+         QT_TRANSLATE_NOOP(
+             "Text",
+             "An output that is on while the brakes of the axes are released: file:PATH, mqtt:TOPIC, command:PROGRAM "
+             "with its arguments, dtr:PORT or rts:PORT. Nothing moves before it is on. Empty: no brake.")},
+        [](const Profile& p) { return p.brake.output; },
+        [](Profile& p, const std::string& wanted) {
+            return contacts::parseOutput(wanted).map([&](const contacts::OutputName&) { p.brake.output = wanted; });
+        }));
+    list.push_back(number(
+        "brake.switching_s", "s", {0.0, 10.0}, Applies::Now,
+        {QT_TRANSLATE_NOOP("Text", "Time to open or to close"),
+         QT_TRANSLATE_NOOP("Text",
+                           "The time that the brakes need to open or to close. Boresight waits for it before the mount "
+                           "moves, and before it leaves the drives at its end.")},
+        [](auto& p) -> auto& { return p.brake.switching; }));
+    list.push_back(number(
+        "brake.set_after_s", "s", {0.5, 3600.0}, Applies::Now,
+        {QT_TRANSLATE_NOOP("Text", "Set after"),
+         QT_TRANSLATE_NOOP("Text",
+                           "The brakes are set when nothing has moved for this time. After STOP and after a fault they "
+                           "are set as soon as the mount stands still.")},
+        [](auto& p) -> auto& { return p.brake.setAfter; }));
+}
+
 void checkPower(std::vector<Problem>& problems, const Profile& profile)
 {
     if (profile.power.source == PowerSource::Udp && !checkAddress(profile.power.host)) {
@@ -119,6 +148,14 @@ void checkPower(std::vector<Problem>& problems, const Profile& profile)
 void checkTransmit(std::vector<Problem>& problems, const Profile& profile)
 {
     checkTopic(problems, profile, "transmit.output", profile.transmit.output);
+}
+
+void checkBrake(std::vector<Problem>& problems, const Profile& profile)
+{
+    checkTopic(problems, profile, "brake.output", profile.brake.output);
+    if (!profile.brake.output.empty() && profile.brake.output == profile.transmit.output) {
+        problems.push_back({"brake.output", Text::tr("is also the transmit output (transmit.output)")});
+    }
 }
 
 }  // namespace boresight::profile
