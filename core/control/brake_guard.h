@@ -47,6 +47,8 @@ public:
     [[nodiscard]] bool letsMove(SteadyTime now, Seconds step);
     // The brake is open, or there is none.
     [[nodiscard]] bool isOpen() const { return !isUsed() || m_sequence.mayMove(); }
+    // A motion waits until the brake is open.
+    [[nodiscard]] bool opens() const { return isUsed() && m_sequence.state() == brake::BrakeState::Releasing; }
     // The brake is set, or there is none.
     [[nodiscard]] bool isSet() const { return !isUsed() || m_sequence.state() == brake::BrakeState::Set; }
 

@@ -513,7 +513,7 @@ void StationControl::watchCable()
 // Ends the motion when an interlock appears, for example because a drive is not safe any more.
 void StationControl::watchInterlock()
 {
-    if (!m_mount.interlock() && moves() && !m_motion.atRest()) {
+    if (!m_mount.interlock() && moves() && (!m_motion.atRest() || m_brake.opens())) {
         m_log.add(Severity::Warning, QStringLiteral("station"),
                   Text::tr("ends the motion: %1").arg(m_mount.interlock().error().text));
         holdHere(Activity::Holding);

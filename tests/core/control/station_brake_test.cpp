@@ -166,6 +166,21 @@ TEST_F(StationBrakeTest, StopWhileItOpens)
     EXPECT_EQ(fastest, 0.0);
 }
 
+// Story: a random walk had an interlock appear while the brake opened. The set-points stood still, so the motion did
+// not end, and the mount began to move when the brake was open. REQ-BRAKE-29: An interlock that appears while the brake
+// opens ends the motion.
+TEST_F(StationBrakeTest, AnInterlockWhileItOpensEndsTheMotion)
+{
+    ASSERT_TRUE(rig.point(200.0, 60.0, kOperator));
+    run(Seconds(0.3));
+    ASSERT_TRUE(released);
+    rig.mount.setInterlock(failure(ErrorCode::Refused, QStringLiteral("not as it should be")));
+    run(Seconds(10.0));
+    EXPECT_EQ(fastest, 0.0);
+    EXPECT_FALSE(released);
+    EXPECT_EQ(rig.state(), StationState::Hold);
+}
+
 // REQ-BRAKE-14: An output that fails during a motion stops the mount. This is a fault: the brake is set at standstill,
 // the alarm names the output, and the mount moves again only after a re-arm and a request.
 TEST_F(StationBrakeTest, AFailureStopsTheMount)
