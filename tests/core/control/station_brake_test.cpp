@@ -166,9 +166,9 @@ TEST_F(StationBrakeTest, StopWhileItOpens)
     EXPECT_EQ(fastest, 0.0);
 }
 
-// Story: a random walk had an interlock appear while the brake opened. The set-points stood still, so the motion did
-// not end, and the mount began to move when the brake was open. REQ-BRAKE-29: An interlock that appears while the brake
-// opens ends the motion.
+// Story: an interlock appeared while the brake opened. The set-points stood still, so the motion did not end, and the
+// mount began to move when the brake was open.
+// REQ-BRAKE-29: An interlock that appears while the brake opens ends the motion.
 TEST_F(StationBrakeTest, AnInterlockWhileItOpensEndsTheMotion)
 {
     ASSERT_TRUE(rig.point(200.0, 60.0, kOperator));
