@@ -156,6 +156,10 @@ TEST(HeaderBar, ShowsTheBrakeIfThereIsOne)
     status.brake.problem = QStringLiteral("unplugged");
     header.showStatus(status);
     EXPECT_EQ(shown(header, "Brake"), QStringLiteral("Brake failed"));
+    status.transmit = {.output = QStringLiteral("dtr:/dev/ttyUSB0"), .problem = QStringLiteral("unplugged")};
+    status.sensor = {.source = QStringLiteral("mqtt 127.0.0.1:1883"), .open = true};
+    header.showStatus(status);
+    EXPECT_LE(header.minimumSizeHint().width(), 1024) << "with all labels beside the target";
 }
 
 // REQ-GS232-61
