@@ -194,6 +194,19 @@ inline constexpr std::array kStationAlarms{
         .examples = {"file:/run/transmit", "/run/transmit: No space left on device"},
         .identifying = 1},
     AlarmEntry{
+        .id = "brake.output-failed",
+        .source = "brake",
+        .severity = Severity::Alarm,
+        .what = QT_TRANSLATE_NOOP("Text", "The brake output %1 does not work: %2"),
+        .action = QT_TRANSLATE_NOOP("Text", "Boresight stops the mount and refuses every motion"),
+        .remedy = QT_TRANSLATE_NOOP("Text",
+                                    "The brake may be set or released: secure the antenna. Check the output, or choose "
+                                    "another one (brake.output on the page Profile)"),
+        .brief = QT_TRANSLATE_NOOP("Text", "%1 does not work: %2"),
+        .help = AlarmHelp::OpenProfile,
+        .examples = {"rts:/dev/ttyUSB0", "/dev/ttyUSB0: Input/output error"},
+        .identifying = 1},
+    AlarmEntry{
         .id = "wind.parks",
         .source = "wind",
         .severity = Severity::Warning,

@@ -5,6 +5,7 @@
 #include "core/base/clock.h"
 #include "core/control/antenna_choice.h"
 #include "core/control/arming.h"
+#include "core/control/brake_guard.h"
 #include "core/control/cable_guard.h"
 #include "core/control/client_control.h"
 #include "core/control/current_motion.h"
@@ -41,6 +42,7 @@ struct ControlParts
     const SlewWatch& slew;
     const EnergyMeter& energy;
     const WindGuard& wind;
+    const BrakeGuard& brake;
     const AlarmBoard& alarms;
     SteadyTime now;    // of the running or last tick
     SteadyTime asked;  // when the last request came, accepted or refused

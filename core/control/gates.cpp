@@ -28,7 +28,7 @@ Result<> Gates::mayMoveInWind(const Source& source) const
     if (m_of.mount.proofRunning()) {
         return failure(ErrorCode::Refused, Text::tr("The crash-stop test moves the mount. End it first."));
     }
-    const auto commands = [&] { return mayCommand(source); };
+    const auto commands = [&] { return mayCommand(source).and_then([this] { return m_of.brake.admits(); }); };
     return m_of.arming.admits(source).and_then(commands).and_then([&]() -> Result<> {
         for (const Axis axis : kAxes) {
             if (!m_of.mount.measured(axis)) {
@@ -326,7 +326,7 @@ Result<> Gates::mayChangeBoards() const
 
 Result<> Gates::maySwitchOff() const
 {
-    return hasService().and_then([this] { return drivesRest(); }).and_then([this] { return drivesAnswer(); });
+    return mayLeaveBus().and_then([this] { return drivesAnswer(); });
 }
 
 Result<> Gates::maySwitchOff(Axis axis) const
@@ -338,7 +338,7 @@ Result<> Gates::maySwitchOff(Axis axis) const
 
 Result<> Gates::mayLeaveBus() const
 {
-    return hasService().and_then([this] { return drivesRest(); });
+    return hasService().and_then([this] { return drivesRest(); }).and_then([this] { return m_of.brake.admitsOff(); });
 }
 
 Result<> Gates::mayTune(Axis axis) const

@@ -10,14 +10,18 @@ constexpr Seconds kShutDownPatience{5.0};
 // The last command is repeated for this long, so that a lost frame does not matter.
 constexpr std::chrono::milliseconds kLastOrder{150};
 
-// The time to brake from full speed, plus 1 s.
+// Before the brake is set, the axes have to be seen to stand still. Its output may answer late.
+constexpr Seconds kBrakeLooks{3.0};
+
+// The time to brake from full speed, plus 1 s, and the time of the brake.
 Seconds longestStop(const profile::Profile& profile)
 {
     const auto stop = [](const tracking::MotionLimits& limits) {
         return Seconds(limits.speed.radians() / limits.acceleration.radians() +
                        2.0 * limits.acceleration.radians() / limits.jerk.radians() + 1.0);
     };
-    return std::max({kShutDownPatience, stop(profile.azimuth.limits), stop(profile.elevation.limits)});
+    const Seconds brake = profile.brake.isUsed() ? profile.brake.switching + kBrakeLooks : Seconds(0.0);
+    return std::max({kShutDownPatience, stop(profile.azimuth.limits), stop(profile.elevation.limits)}) + brake;
 }
 
 }  // namespace

@@ -48,6 +48,7 @@ StationControl::StationControl(const profile::InForce& profile, const Clock& clo
       m_arming(profile, mount, log),
       m_cable(m_alarms, clock),
       m_wind(profile, clock, alarms),
+      m_brake({.profile = profile, .mount = mount, .motion = m_motion, .standstill = m_standstill, .alarms = alarms}),
       m_sourceLog(log, clock),
       m_heldLog(m_sourceLog),
       m_helm({.motion = m_motion,
@@ -103,6 +104,7 @@ ControlParts StationControl::parts() const
             .slew = m_slew,
             .energy = m_energy,
             .wind = m_wind,
+            .brake = m_brake,
             .alarms = m_alarms,
             .now = m_now,
             .asked = m_asked,
@@ -135,6 +137,7 @@ StationStatus StationControl::status() const
     StationStatus status = report().status();
     status.profile = m_profile.shared();
     status.wind = m_wind.status();
+    status.brake = m_brake.status();
     for (const auto& one : m_sources) {
         one->describe(status);
     }
@@ -291,7 +294,7 @@ Result<> StationControl::handle(const request::UseAntenna& wanted, const Source&
 Result<> StationControl::handle(const request::ApplyProfile& wanted, const Source& source)
 {
     return operatorOnly(source).and_then([&] { return makesSense(wanted.profile); }).and_then([&] {
-        return gates().mayTurnBeam(wanted.profile);
+        return gates().mayTurnBeam(wanted.profile).and_then([&] { return m_brake.mayChange(wanted.profile); });
     });
 }
 
@@ -309,6 +312,7 @@ void StationControl::profileChanged(const profile::Profile& before, const profil
     }
     m_standstill.forget();
     m_wind.profileChanged(before, after);
+    m_brake.profileChanged(before, after);
     m_antenna.profileChanged(before, after);
     m_region.profileChanged(before, after);
     for (const Axis axis : kAxes) {
@@ -410,6 +414,8 @@ void StationControl::tick()
     }
     // Before every source, because an axis that was lost in this tick must not move on.
     superviseMount();
+    // After the supervision: a drive that was lost in this tick may hold its axis no more.
+    watchBrake();
     // After the supervision, because only then it is known which drives are back. A drive that moves in spite of STOP
     // is stopped again. This is before the sources, so that they find the drive stopped.
     keepStopped();
@@ -446,8 +452,9 @@ void StationControl::tick()
     // After all parts that raise or clear an alarm.
     m_alarms.tick();
     // Last: the drives are left when the set-points of this tick stand still.
-    if (m_end.leaves(m_motion.atRest() && !m_mount.changesHands(), m_now)) {
-        m_mount.leave(m_profile->control.onExit);
+    if (m_end.leaves(m_motion.atRest() && !m_mount.changesHands() && m_brake.isSet(), m_now)) {
+        // Without torque and without a brake the antenna would fall.
+        m_mount.leave(m_brake.isSet() ? m_profile->control.onExit : profile::OnExit::Hold);
     }
 }
 
@@ -468,6 +475,17 @@ void StationControl::superviseMount()
     }
 }
 
+// A brake output that fails during a motion is a fault of the mount: the brake may be set or not.
+void StationControl::watchBrake()
+{
+    const bool isUrgent = m_arming.stopLatched() || faultLatched() || m_arming.closing();
+    if (const QString why = m_brake.step(isUrgent, m_now); !why.isEmpty()) {
+        const Axis axis = m_mount.capabilities().has(Axis::Azimuth) ? Axis::Azimuth : Axis::Elevation;
+        m_arming.lost(axis, supervision::LossClass::Motion, why);
+        holdHere(Activity::None);
+    }
+}
+
 // While STOP is latched, commands of another program must not move an axis either. A drive may still have such a
 // command when it is back.
 void StationControl::keepStopped()
@@ -479,7 +497,7 @@ void StationControl::keepStopped()
 
 void StationControl::stepProof()
 {
-    if (!m_mount.proofRunning()) {
+    if (!m_mount.proofRunning() || !m_brake.isOpen()) {
         return;
     }
     const MountService::ProofStep step = m_mount.service()->stepProof();
@@ -506,7 +524,7 @@ void StationControl::watchCable()
 // Ends the motion when an interlock appears, for example because a drive is not safe any more.
 void StationControl::watchInterlock()
 {
-    if (!m_mount.interlock() && moves() && !m_motion.atRest()) {
+    if (!m_mount.interlock() && moves() && (!m_motion.atRest() || m_brake.opens())) {
         m_log.add(Severity::Warning, QStringLiteral("station"),
                   Text::tr("ends the motion: %1").arg(m_mount.interlock().error().text));
         holdHere(Activity::Holding);
@@ -543,13 +561,13 @@ void StationControl::moveOn(Seconds step)
     m_motion.setSeen(m_mount.measured());
     m_motion.setHardBraking(m_arming.stopLatched());
     m_mount.brakeHard(m_arming.stopLatched());
-    if (m_mount.follows() && m_mount.seen()) {
+    if (m_mount.follows() && m_mount.seen() && m_brake.letsMove(m_now, step)) {
         m_motion.advance(m_now, step);
         if (m_motion.stray()) {
             m_mount.retake();
         }
     } else {
-        m_motion.brake(step);  // no motion with one axis alone, or with an axis whose place is unknown
+        m_motion.brake(step);  // no motion with one axis alone, with an unknown place or before the brake is open
     }
     m_motion.setBand(FirstMovesGuard::band(*m_profile, m_antenna.inUse()));
     const auto leeway = m_motion.leeway(m_now);

@@ -8,6 +8,7 @@
 #include "core/control/advice_alarms.h"
 #include "core/control/antenna_choice.h"
 #include "core/control/arming.h"
+#include "core/control/brake_guard.h"
 #include "core/control/cable_guard.h"
 #include "core/control/client_control.h"
 #include "core/control/client_desk.h"
@@ -159,6 +160,9 @@ public:
     void setSensor(const std::optional<Angle>& azimuth, const std::optional<Angle>& elevation);
     // A reading of the anemometer, in m/s.
     void takeWind(double speed) { m_wind.take(speed); }
+    // What the output of the brakes answers, before each tick, and the order to the output after the tick.
+    void takeBrake(const contacts::OutputAnswer& answer) { m_brake.take(answer); }
+    [[nodiscard]] bool releasesBrake() const { return m_brake.releases(); }
     // Why only Park may move the mount because of the wind. Empty: the wind forbids nothing.
     [[nodiscard]] QString windObstacle() const { return m_wind.obstacle(); }
     // Where the target that is tracked by the time is at this time. Empty: none is tracked, or the direction is
@@ -193,6 +197,7 @@ private:
     void tell(Severity severity, const Source& source, const QString& what) { m_sourceLog.add(severity, source, what); }
     void holdHere(Activity left) { m_helm.hold(left); }
     void superviseMount();
+    void watchBrake();
     void keepStopped();
     void stepProof();
     void stepSources();
@@ -220,6 +225,7 @@ private:
     SlewWatch m_slew;
     EnergyMeter m_energy;
     WindGuard m_wind;
+    BrakeGuard m_brake;
     SourceLog m_sourceLog;
     HeldLog m_heldLog;
 

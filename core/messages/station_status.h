@@ -6,6 +6,7 @@
 #include "core/elements/element_set.h"
 #include "core/ephemeris/almanac.h"
 #include "core/messages/azel_status.h"
+#include "core/messages/brake_status.h"
 #include "core/messages/calibration_status.h"
 #include "core/messages/capabilities.h"
 #include "core/messages/drives_status.h"
@@ -319,6 +320,7 @@ struct StationStatus
     std::shared_ptr<const ScheduleStatus> schedule = fresh<ScheduleStatus>();
     RehearsalStatus rehearsal;
     TransmitStatus transmit;
+    BrakeStatus brake;
     ClockStatus clock;
 };
 

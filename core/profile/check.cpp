@@ -273,6 +273,7 @@ std::vector<Problem> crossCheck(const Profile& profile)
     checkSensor(problems, profile);
     checkPower(problems, profile);
     checkTransmit(problems, profile);
+    checkBrake(problems, profile);
     checkPosition(problems, profile);
     checkWind(problems, profile);
     return problems;

@@ -9,6 +9,7 @@
 #include "core/pointing/pointing_model.h"
 #include "core/pointing/region.h"
 #include "core/profile/axis_driver.h"
+#include "core/profile/brake_settings.h"
 #include "core/profile/position_settings.h"
 #include "core/profile/power_settings.h"
 #include "core/profile/sensor_settings.h"
@@ -460,6 +461,7 @@ struct Profile
     BrokerSettings mqtt;
     PowerSettings power;
     TransmitSettings transmit;
+    BrakeSettings brake;
     WindSettings wind;
 
     [[nodiscard]] const AxisSettings& axis(Axis which) const { return which == Axis::Azimuth ? azimuth : elevation; }

@@ -394,6 +394,7 @@ std::vector<Setting> makeSettings()
     addBroker(list);
     addPower(list);
     addTransmit(list);
+    addBrake(list);
     addWind(list);
     return list;
 }

@@ -25,6 +25,7 @@ void addSensor(std::vector<Setting>& list);
 void addBroker(std::vector<Setting>& list);
 void addPower(std::vector<Setting>& list);
 void addTransmit(std::vector<Setting>& list);
+void addBrake(std::vector<Setting>& list);
 void addWind(std::vector<Setting>& list);
 
 // Checks the name or address of this computer or another: "shack.local", "127.0.0.1".
@@ -54,7 +55,7 @@ void checkNumbers(std::vector<Problem>& problems, std::string_view list, const s
 [[nodiscard]] bool takesReadings(const Profile& profile, const std::string& topic);
 
 // Check settings that depend on each other: broker; region, Sun, park position and presets; antennas; source of
-// positions; satellites; watch list; sensor; received power; transmit output; wind.
+// positions; satellites; watch list; sensor; received power; transmit output; brake; wind.
 void checkBroker(std::vector<Problem>& problems, const Profile& profile);
 void checkRegion(std::vector<Problem>& problems, const Profile& profile);
 void checkAntennas(std::vector<Problem>& problems, const Profile& profile);
@@ -64,6 +65,7 @@ void checkSchedule(std::vector<Problem>& problems, const Profile& profile);
 void checkSensor(std::vector<Problem>& problems, const Profile& profile);
 void checkPower(std::vector<Problem>& problems, const Profile& profile);
 void checkTransmit(std::vector<Problem>& problems, const Profile& profile);
+void checkBrake(std::vector<Problem>& problems, const Profile& profile);
 void checkWind(std::vector<Problem>& problems, const Profile& profile);
 
 }  // namespace boresight::profile

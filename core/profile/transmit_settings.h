@@ -14,7 +14,7 @@ enum class InSimulation
 
 struct TransmitSettings
 {
-    std::string output;          // "file:/run/transmit", see transmit/output_name.h; empty: none
+    std::string output;          // "file:/run/transmit", see contacts/output_name.h; empty: none
     double beamFraction = 0.25;  // the largest pointing error at which the output is on, as a part of the beam width
     InSimulation inSimulation = InSimulation::Off;
 

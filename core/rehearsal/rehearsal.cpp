@@ -26,13 +26,14 @@ constexpr std::chrono::milliseconds kLook{500};
 constexpr std::size_t kMostRemarks = 200;
 const Source kRehearser{.kind = SourceKind::Operator, .name = QStringLiteral("operator")};
 
-// The profile in force, without the settings for real drives and for the absence of the operator.
+// The profile in force, without the settings for real drives and their brake, and for the absence of the operator.
 profile::Profile rehearsed(profile::Profile profile)
 {
     profile.control.tickHz = kTickHz;
     profile.control.watchdog = kPatience;
     profile.supervision.replyAge = kPatience;
     profile.schedule.unattended = profile::Unattended::Off;
+    profile.brake = {};
     return profile;
 }
 

@@ -5,6 +5,7 @@
 #include "core/base/text.h"
 #include "core/control/time_effect.h"
 #include "core/north/calibration_gates.h"
+#include "core/outputs/simulated_output.h"
 #include "core/profile/commissioning.h"
 #include "core/profile/profile_diff.h"
 #include "core/sources/motion_sources.h"
@@ -70,6 +71,9 @@ Station::Station(const profile::Profile& profile, const MountMaker& mount, const
       m_tuning(m_control, clock, m_log),
       m_hooks(m_profile, m_mount->simulated(), m_log, m_broker, this),
       m_transmit(m_profile, m_mount->simulated(), clock, m_log, m_alarms, this),
+      m_brake(
+          m_profile, [](const profile::Profile& named) -> const std::string& { return named.brake.output; },
+          QStringLiteral("brake"), clock, this),
       m_reportFile(reportPath(stateDir, toQString(profile.mount.name), m_mount->simulated()), this),
       m_night(
           m_control, m_profile, m_reportFile, m_kept, m_log,
@@ -83,6 +87,9 @@ Station::Station(const profile::Profile& profile, const MountMaker& mount, const
       m_reopenTimer(this),
       m_lateness(std::chrono::round<std::chrono::milliseconds>(profile.control.tickPeriod()))
 {
+    if (m_mount->simulated()) {
+        m_brake.setMaker(outputs::simulatedOutput);  // no drive holds the real antenna
+    }
     m_mount->setParent(this);  // so that it moves to the station thread with the station
     for (const Axis axis : kAxes) {
         if (!m_mount->driver().capabilities().has(axis)) {
@@ -151,6 +158,7 @@ void Station::openAll()
     m_position.open();
     m_wind.open();
     m_transmit.open();
+    m_brake.open();
     m_eventFile.tick();
 }
 
@@ -232,6 +240,8 @@ void Station::tick()
     m_calibration.tick();
     m_tuning.tick();
     m_night.tick();
+    m_brake.order(m_control.releasesBrake());
+    m_control.takeBrake(m_brake.answer());
     m_control.tick();
     m_tables.tick(m_control.motionId(), m_clock.now());
     m_follow.tick();
@@ -283,6 +293,7 @@ void Station::finish()
     m_wind.close();
     m_broker.close();
     m_mount->close();
+    m_brake.close();
     m_screen.want();  // the last update, also to a slow screen: it has the answer to the request to end
     publish();
     qCInfo(lcTick, "ticks %llu, late p50 %.1f ms, p99 %.1f ms, max %.1f ms",
@@ -513,6 +524,9 @@ void Station::profileChanged(const profile::Profile& before)
     m_wind.profileChanged(before, after);
     m_night.profileChanged(before, after);
     m_transmit.profileChanged(before, after);
+    if (m_brake.differs(before, after)) {
+        m_brake.reopen();
+    }
     m_calibration.profileChanged(before, after);
 }
 

@@ -12,6 +12,7 @@
 #include "core/mount/mount_connection.h"
 #include "core/night/night_desk.h"
 #include "core/north/calibration_desk.h"
+#include "core/outputs/named_output.h"
 #include "core/profile/in_force.h"
 #include "core/profile/profile.h"
 #include "core/station/clock_guard.h"
@@ -62,6 +63,9 @@ public:
 
     // Replaces how the orientation sensor is made. Call before start().
     void setSensorMaker(SensorMaker maker) { m_sensor.setMaker(std::move(maker)); }
+
+    // Replaces how the output of the brakes is made. Call before start().
+    void setBrakeMaker(outputs::NamedOutput::Make make) { m_brake.setMaker(std::move(make)); }
 
     // Opens a socket in this folder for the commands of boresightctl that rotctld does not know. If that fails, the log
     // has the reason. Call before start().
@@ -158,6 +162,7 @@ private:
     StationPasses m_passes{this};
     StationHooks m_hooks;
     StationTransmit m_transmit;
+    outputs::NamedOutput m_brake;
     ReportFile m_reportFile;
     NightDesk m_night;
     StationRehearsal m_rehearsal{this};

@@ -6,6 +6,7 @@
 #include "core/base/version.h"
 #include "core/mqtt/ending.h"
 #include "core/mqtt/home_assistant.h"
+#include "core/mqtt/profile_broker.h"
 #include "core/station/state_word.h"
 
 #include <QUuid>
@@ -101,17 +102,6 @@ std::pair<std::string, int> addressOf(const profile::BrokerSettings& settings)
 }
 
 }  // namespace
-
-mqtt::Broker brokerOf(const profile::BrokerSettings& settings, const QString& ownId)
-{
-    return {.host = toQString(settings.host),
-            .port = static_cast<std::uint16_t>(settings.port),
-            .user = toQString(settings.user),
-            .password = toQString(settings.password),
-            .encryption = settings.tls == profile::Tls::On ? mqtt::Encryption::Tls : mqtt::Encryption::None,
-            .caFile = toQString(settings.caFile),
-            .clientId = settings.clientId.empty() ? ownId : toQString(settings.clientId)};
-}
 
 StationBroker::StationBroker(const profile::InForce& profile, EventLog& log, const Clock& clock, QObject* parent)
     : QObject(parent),
@@ -214,7 +204,7 @@ void StationBroker::connectAnew()
         return;
     }
     const QString prefix = toQString(m_profile->mqtt.prefix);
-    m_client.open(brokerOf(m_profile->mqtt, m_ownId),
+    m_client.open(mqtt::brokerOf(m_profile->mqtt, m_ownId),
                   publishes ? std::optional(mqtt::StatePublisher::will(prefix)) : std::nullopt);
     if (publishes && !m_publisher) {
         m_publisher = std::make_unique<mqtt::StatePublisher>(m_client, m_clock, prefix);

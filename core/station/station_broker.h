@@ -23,9 +23,6 @@
 // thread of its own serves the broker.
 namespace boresight {
 
-// The broker of the profile. `ownId` is the name of the connection where the profile has no client id.
-[[nodiscard]] mqtt::Broker brokerOf(const profile::BrokerSettings& settings, const QString& ownId);
-
 class StationBroker : public QObject
 {
     Q_OBJECT

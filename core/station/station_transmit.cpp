@@ -3,43 +3,15 @@
 
 #include "core/alarms/catalogue.h"
 #include "core/base/text.h"
-#include "core/station/station_broker.h"
-#include "core/transmit_output/broker_output.h"
-#include "core/transmit_output/command_output.h"
-#include "core/transmit_output/modem_line.h"
-#include "core/transmit_output/serial_modem_port.h"
-#include "core/transmit_output/state_file.h"
-#include "core/transmit_output/threaded_output.h"
 #include "core/units/degrees_text.h"
-
-#include <QUuid>
-
-#include <algorithm>
-#include <utility>
 
 namespace boresight {
 namespace {
 
 using transmit::Obstacle;
-using transmit::OutputKind;
 
 const QString kTransmitSource = QStringLiteral("transmit");
 constexpr int kTransmitLinesPerSecond = 2;
-
-// A client id of its own: a broker disconnects the first of two clients with the same id.
-mqtt::Broker ownBroker(profile::BrokerSettings settings)
-{
-    if (!settings.clientId.empty()) {
-        settings.clientId += "-transmit";
-    }
-    return brokerOf(settings, QStringLiteral("boresight-") + QUuid::createUuid().toString(QUuid::Id128).left(8));
-}
-
-std::unique_ptr<transmit::TransmitOutput> lineOutput(const QString& port, transmit::Line line)
-{
-    const auto modem = std::make_shared<transmit::ModemLine>(std::make_unique<transmit::SerialModemPort>(port), line);
-    return std::make_unique<transmit::ThreadedOutput>([modem](bool on) { return modem->set(on); });
-}
 
 bool isLive(const AxisStatus& axis)
 {
@@ -104,78 +76,35 @@ StationTransmit::StationTransmit(const profile::InForce& profile, bool simulated
       m_clock(clock),
       m_lines(log, clock, kTransmitLinesPerSecond),
       m_alarms(alarms),
-      m_make([this](const transmit::OutputName& name) { return make(name); })
-{}
+      m_output(
+          profile, [](const profile::Profile& named) -> const std::string& { return named.transmit.output; },
+          QStringLiteral("transmit"), clock, this)
+{
+    connect(&m_output, &outputs::NamedOutput::reached, this, &StationTransmit::reached);
+    connect(&m_output, &outputs::NamedOutput::failed, this, &StationTransmit::fail);
+}
 
 StationTransmit::~StationTransmit()
 {
     close();
 }
 
-std::unique_ptr<transmit::TransmitOutput> StationTransmit::make(const transmit::OutputName& name) const
-{
-    switch (name.kind) {
-        case OutputKind::File:
-            return std::make_unique<transmit::ThreadedOutput>(
-                [path = name.place](bool on) { return transmit::writeState(path, on); });
-        case OutputKind::Mqtt:
-            return std::make_unique<transmit::BrokerOutput>(ownBroker(m_profile->mqtt), name.place, m_clock);
-        case OutputKind::Command:
-            return std::make_unique<transmit::CommandOutput>(name.place, name.arguments);
-        case OutputKind::Dtr:
-            return lineOutput(name.place, transmit::Line::Dtr);
-        case OutputKind::Rts:
-            return lineOutput(name.place, transmit::Line::Rts);
-        case OutputKind::None:
-            break;
-    }
-    return nullptr;
-}
-
 void StationTransmit::open()
 {
-    m_open = true;
-    begin();
+    m_output.open();
 }
 
 void StationTransmit::close()
 {
-    m_open = false;
-    retire();
+    m_output.close();
+    forget();
 }
 
-void StationTransmit::begin()
+void StationTransmit::forget()
 {
-    if (!m_open || m_output || m_former) {
-        return;
-    }
-    m_output = m_make(transmit::parseOutput(m_profile->transmit.output).value_or(transmit::OutputName{}));
-    if (m_output) {
-        connect(m_output.get(), &transmit::TransmitOutput::reached, this, &StationTransmit::reached);
-        connect(m_output.get(), &transmit::TransmitOutput::failed, this, &StationTransmit::fail);
-        order(false);
-    }
-}
-
-// Switches the output off and keeps it until it is off. The next output may need the same port or file, so it begins
-// after that. Nothing waits here: a signal of the output reports its end.
-void StationTransmit::retire()
-{
-    if (m_output) {
-        m_former = std::move(m_output);
-        m_former->disconnect(this);
-        const auto letGo = [this, former = m_former.get()] {
-            if (m_former.get() == former && former->isIdle()) {
-                m_former.reset();
-                begin();
-            }
-        };
-        connect(m_former.get(), &transmit::TransmitOutput::reached, this, letGo, Qt::QueuedConnection);
-        connect(m_former.get(), &transmit::TransmitOutput::failed, this, letGo, Qt::QueuedConnection);
-        m_former->set(false);
-    }
     settleAnew();
-    m_switching = {};
+    m_failedOn.reset();
+    m_problem.clear();
     m_alarms.clear(alarmEntry("transmit.output-failed"));
 }
 
@@ -188,14 +117,12 @@ void StationTransmit::settleAnew()
 // The output goes off, because a change of the profile may have moved the target, the beam or the beam width.
 void StationTransmit::profileChanged(const profile::Profile& before, const profile::Profile& after)
 {
-    const auto name = transmit::parseOutput(after.transmit.output);
-    const bool isByBroker = name && name->kind == OutputKind::Mqtt;
-    if (before.transmit.output != after.transmit.output || (isByBroker && before.mqtt != after.mqtt)) {
-        retire();
-        begin();
-    } else if (m_output) {
+    if (m_output.differs(before, after)) {
+        forget();
+        m_output.reopen();
+    } else if (m_output.isThere()) {
         settleAnew();
-        order(false);
+        m_output.order(false);
     }
 }
 
@@ -211,7 +138,7 @@ transmit::GateInput StationTransmit::inputOf(const StationStatus& status) const
 
 void StationTransmit::tick(const StationStatus& status)
 {
-    if (!m_output) {
+    if (!m_output.isThere()) {
         return;
     }
     const SteadyTime now = m_clock.now();
@@ -221,47 +148,27 @@ void StationTransmit::tick(const StationStatus& status)
     if (m_decision.on() != before) {
         show(m_decision.on());
     }
-    const bool staysOff = m_switching.failedOn && now - *m_switching.failedOn < kStaysOff;
-    order(m_decision.on() && !staysOff);
-    if (m_switching.unanswered && now - *m_switching.unanswered >= kPatience) {
-        fail(Text::tr("no answer for %1 s").arg(kPatience.count()));
-    }
-}
-
-void StationTransmit::order(bool on)
-{
-    const SteadyTime now = m_clock.now();
-    const bool isDue = !m_switching.orderedAt || now - *m_switching.orderedAt >= kRepeat;
-    if (on == m_switching.ordered && !isDue) {
-        return;
-    }
-    m_switching.ordered = on;
-    m_switching.orderedAt = now;
-    m_switching.unanswered = m_switching.unanswered.value_or(now);
-    m_output->set(on);
+    const bool staysOff = m_failedOn && now - *m_failedOn < kStaysOff;
+    m_output.order(m_decision.on() && !staysOff);
 }
 
 // A failure is over when the output is as decided: on again, or off and not needed.
 void StationTransmit::reached(bool on)
 {
-    m_switching.isOn = on;
-    m_switching.unanswered.reset();
     if (on == m_decision.on()) {
-        m_switching.failedOn.reset();
-        m_switching.problem.clear();
+        m_failedOn.reset();
+        m_problem.clear();
         m_alarms.clear(alarmEntry("transmit.output-failed"));
     }
 }
 
 void StationTransmit::fail(const QString& reason)
 {
-    m_switching.isOn = false;
-    m_switching.unanswered.reset();
-    if (m_switching.ordered) {
-        m_switching.failedOn = m_clock.now();
+    if (m_output.ordered()) {
+        m_failedOn = m_clock.now();
     }
-    m_switching.problem = reason;
-    m_alarms.raise(alarmEntry("transmit.output-failed"), {toQString(m_profile->transmit.output), reason});
+    m_problem = reason;
+    m_alarms.raise(alarmEntry("transmit.output-failed"), {m_output.name(), reason});
 }
 
 void StationTransmit::show(bool on)
@@ -273,15 +180,15 @@ void StationTransmit::show(bool on)
 
 TransmitStatus StationTransmit::status() const
 {
-    if (!m_output) {
-        return m_former && m_open ? TransmitStatus{.output = toQString(m_profile->transmit.output),
-                                                   .whyOff = Text::tr("The previous output has not answered yet.")}
-                                  : TransmitStatus{};
+    if (!m_output.isThere()) {
+        return m_output.isAwaited() ? TransmitStatus{.output = m_output.name(),
+                                                     .whyOff = Text::tr("The previous output has not answered yet.")}
+                                    : TransmitStatus{};
     }
-    return {.output = toQString(m_profile->transmit.output),
-            .on = m_switching.isOn,
+    return {.output = m_output.name(),
+            .on = m_output.isOn(),
             .whyOff = whyOff(m_decision, m_within),
-            .problem = m_switching.problem,
+            .problem = m_problem,
             .within = m_within,
             .error = m_decision.error};
 }

@@ -52,6 +52,7 @@ constexpr Title kTitles[] = {{"mount", QT_TRANSLATE_NOOP("SettingWords", "Mount"
                              {"mqtt", QT_TRANSLATE_NOOP("SettingWords", "MQTT broker")},
                              {"power", QT_TRANSLATE_NOOP("SettingWords", "Received power")},
                              {"transmit", QT_TRANSLATE_NOOP("SettingWords", "Transmit on target")},
+                             {"brake", QT_TRANSLATE_NOOP("SettingWords", "Brake")},
                              {"wind", QT_TRANSLATE_NOOP("SettingWords", "Wind")}};
 
 // A setting that has another name on the screen than in the file.

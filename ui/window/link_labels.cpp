@@ -118,6 +118,35 @@ QString transmitHelp(const TransmitStatus& transmit)
     return text;
 }
 
+// Empty without a brake: then the label takes no room.
+Shown brakeShown(const BrakeStatus& brake)
+{
+    if (brake.output.isEmpty()) {
+        return {QString(), Tone::Secondary, Symbol::None};
+    }
+    if (!brake.problem.isEmpty()) {
+        return {LinkLabels::tr("Brake failed"), Tone::Alarm, Symbol::Alarm};
+    }
+    switch (brake.state) {
+        case brake::BrakeState::Set:
+            return {LinkLabels::tr("Brake set"), Tone::Secondary};
+        case brake::BrakeState::Releasing:
+            return {LinkLabels::tr("Brake opens"), Tone::Normal};
+        case brake::BrakeState::Released:
+            return {LinkLabels::tr("Brake open"), Tone::Normal};
+        case brake::BrakeState::Setting:
+            break;
+    }
+    return {LinkLabels::tr("Brake closes"), Tone::Secondary};
+}
+
+QString brakeHelp(const BrakeStatus& brake)
+{
+    const QString text =
+        LinkLabels::tr("The output %1 is on while the brake is open. Nothing moves before.").arg(brake.output);
+    return brake.problem.isEmpty() ? text : brake.problem + QLatin1Char('\n') + text;
+}
+
 QString lineHelp(const StationStatus& status)
 {
     const MountLine& line = status.line;
@@ -156,12 +185,13 @@ LinkLabels::LinkLabels(QWidget* header)
       m_azimuth(new ValueLabel(tr("Azimuth drive"), fonts::label(), widestDrive(tr("AZ")), header)),
       m_elevation(new ValueLabel(tr("Elevation drive"), fonts::label(), widestDrive(tr("EL")), header)),
       m_sensor(new ValueLabel(tr("Orientation sensor"), fonts::label(), tr("Sensor awaited"), header)),
-      m_transmit(new ValueLabel(tr("Transmit output"), fonts::label(), tr("TX off"), header))
+      m_transmit(new ValueLabel(tr("Transmit output"), fonts::label(), tr("TX off"), header)),
+      m_brake(new ValueLabel(tr("Brake"), fonts::label(), tr("Brake closes"), header))
 {
-    for (ValueLabel* const link : {m_line, m_azimuth, m_elevation, m_sensor, m_transmit}) {
+    for (ValueLabel* const link : {m_line, m_azimuth, m_elevation, m_sensor, m_transmit, m_brake}) {
         link->setSymbolRoom(true);
     }
-    for (ValueLabel* const mayBeMissing : {m_line, m_sensor, m_transmit}) {
+    for (ValueLabel* const mayBeMissing : {m_line, m_sensor, m_transmit, m_brake}) {
         mayBeMissing->setCollapsing(true);
     }
 }
@@ -171,9 +201,9 @@ std::array<QWidget*, 3> LinkLabels::ofTheMount() const
     return {m_line, m_azimuth, m_elevation};
 }
 
-std::array<QWidget*, 2> LinkLabels::besideTheTarget() const
+std::array<QWidget*, 3> LinkLabels::besideTheTarget() const
 {
-    return {m_transmit, m_sensor};
+    return {m_brake, m_transmit, m_sensor};
 }
 
 void LinkLabels::showStatus(const StationStatus& status)
@@ -189,6 +219,8 @@ void LinkLabels::showStatus(const StationStatus& status)
     m_sensor->setToolTip(status.sensor.configured() ? sensorHelp(status.sensor) : QString());
     setShown(*m_transmit, transmitShown(status.transmit));
     m_transmit->setToolTip(status.transmit.output.isEmpty() ? QString() : transmitHelp(status.transmit));
+    setShown(*m_brake, brakeShown(status.brake));
+    m_brake->setToolTip(status.brake.output.isEmpty() ? QString() : brakeHelp(status.brake));
 }
 
 }  // namespace boresight::ui

@@ -9,8 +9,8 @@
 
 class QWidget;
 
-// The links of the station in the header: the line to the mount, both drives, the orientation sensor and the transmit
-// output. A line, sensor or output that does not exist takes no room. Gui thread.
+// The links of the station in the header: the line to the mount, both drives, the orientation sensor, the transmit
+// output and the brake. A line, sensor, output or brake that does not exist takes no room. Gui thread.
 namespace boresight::ui {
 
 class ValueLabel;
@@ -26,7 +26,7 @@ public:
     void showStatus(const StationStatus& status);
 
     [[nodiscard]] std::array<QWidget*, 3> ofTheMount() const;
-    [[nodiscard]] std::array<QWidget*, 2> besideTheTarget() const;
+    [[nodiscard]] std::array<QWidget*, 3> besideTheTarget() const;
 
 private:
     ValueLabel* m_line;
@@ -34,6 +34,7 @@ private:
     ValueLabel* m_elevation;
     ValueLabel* m_sensor;
     ValueLabel* m_transmit;
+    ValueLabel* m_brake;
 };
 
 }  // namespace boresight::ui

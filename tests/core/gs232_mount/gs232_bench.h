@@ -46,6 +46,7 @@ public:
     }
 
     StationControl& control() override { return m_control; }
+    profile::InForce& inForce() override { return m_profile; }
     void tick() override
     {
         m_clock.advance(kOneTick);
@@ -62,12 +63,6 @@ public:
     }
     AxisPosition truth() override { return m_box.truth(); }
     void setPace(const std::array<double, 2>& pace) override { m_box.faults().pace = pace; }
-    void edit(const profile::Profile& profile) override
-    {
-        const profile::Profile before = *m_profile;
-        m_profile.apply(profile);
-        m_control.profileChanged(before, *m_profile);
-    }
     bool ordered() override { return m_box.moves() > 0; }
     // Unplugs the cable. The box then goes on to its last target.
     void setLine(bool connected) override { m_connected = connected; }

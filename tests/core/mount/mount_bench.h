@@ -52,20 +52,26 @@ public:
     virtual ~Bench() = default;
 
     virtual StationControl& control() = 0;
+    virtual profile::InForce& inForce() = 0;
     virtual void tick() = 0;
     [[nodiscard]] virtual AxisPosition truth() = 0;  // the true position of the axes
     [[nodiscard]] virtual bool ordered() = 0;        // whether the hardware has received anything but queries so far
     virtual void setLine(bool connected) = 0;
     // The rotator turns more slowly than its profile says: each axis at this part of its speed.
     virtual void setPace(const std::array<double, 2>& /*pace*/) {}
-    // Another profile is applied.
-    virtual void edit(const profile::Profile& /*profile*/) {}
     // The driver finds its hardware unfit or fit for motion. Returns false if such a rotator is always fit.
     [[nodiscard]] virtual bool setFit(bool /*fit*/) { return false; }
     // While the line is off, another device replaces its own. Returns false if such a rotator does not report its
     // identity.
     [[nodiscard]] virtual bool exchangeDevice() { return false; }
 
+    // Another profile is applied.
+    void edit(const profile::Profile& profile)
+    {
+        const profile::Profile before = *inForce();
+        inForce().apply(profile);
+        control().profileChanged(before, *inForce());
+    }
     [[nodiscard]] Capabilities can() { return control().mount().capabilities(); }
     [[nodiscard]] bool has(Axis axis) { return can().has(axis); }
     // The last axis that exists.
@@ -120,6 +126,7 @@ class MoteusBench final : public Bench
 public:
     explicit MoteusBench(const profile::Profile& profile = slowProfile()) : m_rig(profile) {}
     StationControl& control() override { return m_rig.control; }
+    profile::InForce& inForce() override { return m_rig.inForce; }
     [[nodiscard]] StationRig& rig() { return m_rig; }
     void tick() override { m_rig.tick(); }
     AxisPosition truth() override
@@ -155,6 +162,7 @@ public:
         : m_profile(profile), m_mount(m_box, axes)
     {}
     StationControl& control() override { return m_control; }
+    profile::InForce& inForce() override { return m_profile; }
     [[nodiscard]] fakes::ManualClock& clock() { return m_clock; }
     void tick() override
     {
@@ -168,7 +176,7 @@ public:
     [[nodiscard]] const SimpleBox& box() const { return m_box; }
 
 private:
-    const profile::InForce m_profile;
+    profile::InForce m_profile;
     fakes::ManualClock m_clock;
     EventLog m_log{m_clock};
     AlarmBoard m_alarms{m_log, m_clock};
@@ -182,6 +190,7 @@ class PairBench final : public Bench
 {
 public:
     StationControl& control() override { return m_control; }
+    profile::InForce& inForce() override { return m_profile; }
     void tick() override
     {
         m_clock.advance(kOneTick);
@@ -208,7 +217,7 @@ public:
     }
 
 private:
-    const profile::InForce m_profile{slowProfile()};
+    profile::InForce m_profile{slowProfile()};
     fakes::ManualClock m_clock;
     EventLog m_log{m_clock};
     AlarmBoard m_alarms{m_log, m_clock};
@@ -230,6 +239,7 @@ public:
         learn();
     }
     StationControl& control() override { return m_control; }
+    profile::InForce& inForce() override { return m_profile; }
     void tick() override
     {
         m_clock.advance(kOneTick);
@@ -299,7 +309,7 @@ private:
 
     const Axis m_axis;  // the axis of the moteus
     QString m_uuid = QStringLiteral("a0000000-0000-0000-0000-000000000001");
-    const profile::InForce m_profile{
+    profile::InForce m_profile{
         slowProfile(m_axis == Axis::Azimuth ? profile::AxisDriver::Moteus : profile::AxisDriver::Simple,
                     m_axis == Axis::Azimuth ? profile::AxisDriver::Simple : profile::AxisDriver::Moteus)};
     fakes::ManualClock m_clock;

@@ -225,6 +225,38 @@ TEST_P(MountPromises, TheEndOfTheProgramLeavesItStanding)
     EXPECT_TRUE(bench->stands(Seconds(3.0)));
 }
 
+// REQ-BRAKE-31: Every rotator stands still until its brake is open, and before its brake is set.
+TEST_P(MountPromises, MovesOnlyWhileItsBrakeIsOpen)
+{
+    profile::Profile braked = *bench->inForce();
+    braked.brake = {.output = "rts:/dev/ttyUSB0", .switching = Seconds(0.5), .setAfter = Seconds(2.0)};
+    bench->edit(braked);
+    const auto runAs = [this](Seconds time, bool open) {
+        for (Seconds left = time; left > Seconds(0.0); left -= kOneTick) {
+            const bool isReleased = bench->control().releasesBrake();
+            bench->control().takeBrake({.isOn = isReleased});
+            const AxisPosition before = bench->truth();
+            bench->tick();
+            EXPECT_TRUE(isReleased || bench->truth() == before);
+            EXPECT_TRUE(open || bench->truth() == before);
+        }
+    };
+    runAs(Seconds(1.0), false);
+    const AxisPosition before = bench->truth();
+    ASSERT_TRUE(bench->goTo(60.0, 45.0));
+    runAs(Seconds(0.5), false);
+    runAs(Seconds(25.0), true);
+    bench->expectAt({60_deg, 45_deg}, before, bench->resolution());
+    EXPECT_FALSE(bench->control().releasesBrake());
+    ASSERT_TRUE(bench->goTo(30.0, 20.0));
+    runAs(Seconds(4.0), true);
+    EXPECT_TRUE(bench->control().releasesBrake());
+    ASSERT_TRUE(bench->ask(request::Stop{}));
+    runAs(Seconds(5.0), true);
+    EXPECT_FALSE(bench->control().releasesBrake());
+    runAs(Seconds(5.0), false);
+}
+
 TEST_P(MountPromises, AMissingWatchdogIsShownOnceAndCanBeAcknowledged)
 {
     bench->run(Seconds(1.0));

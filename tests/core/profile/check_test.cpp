@@ -415,6 +415,20 @@ TEST(CrossCheck, ATransmitOutputIsNoTopicOfBoresight)
     EXPECT_TRUE(isRefused("mqtt:roof/stop")) << "a prefix without a slash";
 }
 
+// REQ-BRAKE-10: The brake output is neither the transmit output nor a topic that Boresight itself reads or publishes.
+TEST(CrossCheck, TheBrakeHasAnOutputOfItsOwn)
+{
+    Profile profile;
+    profile.transmit.output = "rts:/dev/ttyUSB0";
+    profile.brake.output = "rts:/dev/ttyUSB0";
+    EXPECT_EQ(keysOf(crossCheck(profile)), std::vector<std::string>{"brake.output"});
+    profile.brake.output = "dtr:/dev/ttyUSB1";
+    EXPECT_TRUE(crossCheck(profile).empty());
+    profile.mqtt.commands = BrokerCommands::Stop;
+    profile.brake.output = "mqtt:boresight/stop";
+    EXPECT_EQ(keysOf(crossCheck(profile)), std::vector<std::string>{"brake.output"});
+}
+
 // Sensor and position share one connection to the broker.
 // REQ-PROFILE-04
 TEST(CrossCheck, APositionHasATopicOfItsOwn)

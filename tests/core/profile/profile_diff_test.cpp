@@ -108,6 +108,7 @@ TEST(ProfileDiff, KnowsEveryKey)
                     : setting.key == "gpredict.folder"             ? "/mnt/Gpredict"
                     : setting.key == "azel.file"                   ? "/srv/azel.dat"
                     : setting.key == "transmit.output"             ? "file:/srv/transmit"
+                    : setting.key == "brake.output"                ? "rts:/dev/ttyUSB0"
                     : setting.key == "wind.source"                 ? "udp:4541"
                     : setting.key == "sensor.deviation_unreliable" ? "40.0-80.0"
                                                                    : "::1";

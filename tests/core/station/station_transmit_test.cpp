@@ -5,6 +5,7 @@
 #include "core/sim_bus/simulated_link.h"
 #include "core/station/station.h"
 #include "tests/fakes/manual_clock.h"
+#include "tests/fakes/played_output.h"
 #include "tests/fakes/wait_until.h"
 
 #include <QCoreApplication>
@@ -21,6 +22,7 @@
 namespace boresight {
 namespace {
 
+using fakes::PlayedOutput;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -35,35 +37,6 @@ profile::Profile held(const std::string& output)
     return profile;
 }
 
-// A transmit output that the test controls: it answers when the test says so.
-class PlayedOutput final : public transmit::TransmitOutput
-{
-public:
-    explicit PlayedOutput(std::vector<std::string>& calls) : m_calls(calls) {}
-    ~PlayedOutput() override { m_calls.emplace_back("gone"); }
-    PlayedOutput(const PlayedOutput&) = delete;
-    PlayedOutput& operator=(const PlayedOutput&) = delete;
-
-    void set(bool on) override
-    {
-        m_calls.emplace_back(on ? "on" : "off");
-        if (answers && !trouble.isEmpty()) {
-            Q_EMIT failed(trouble);
-        } else if (answers) {
-            Q_EMIT reached(on);
-        }
-    }
-
-    [[nodiscard]] bool isIdle() const override { return idle; }
-
-    bool answers = true;
-    bool idle = true;
-    QString trouble;
-
-private:
-    std::vector<std::string>& m_calls;
-};
-
 // A control that the test plays: the mount is on its target, at 40° elevation.
 class StationTransmitTest : public testing::Test
 {
@@ -75,8 +48,8 @@ protected:
         status.target = SkyPointing{.azimuth = 120_deg, .elevation = 40_deg};
         status.actual = status.target;
         status.azimuth.age = status.elevation.age = std::chrono::milliseconds(20);
-        transmit.setMaker([this](const transmit::OutputName& name) {
-            auto made = name.kind == transmit::OutputKind::None ? nullptr : std::make_unique<PlayedOutput>(calls);
+        transmit.setMaker([this](const contacts::OutputName& name) {
+            auto made = name.kind == contacts::OutputKind::None ? nullptr : std::make_unique<PlayedOutput>(calls);
             output = made.get();
             return made;
         });
@@ -308,7 +281,7 @@ TEST_F(StationTransmitTest, ASimulatedMountSwitchesNothing)
     next.transmit.inSimulation = profile::InSimulation::Off;
     inForce.apply(next);
     StationTransmit simulated(inForce, true, clock, log, alarms, nullptr);
-    simulated.setMaker([this](const transmit::OutputName&) { return std::make_unique<PlayedOutput>(calls); });
+    simulated.setMaker([this](const contacts::OutputName&) { return std::make_unique<PlayedOutput>(calls); });
     simulated.open();
     for (int i = 0; i < 100; ++i) {
         clock.advance(Seconds(0.02));

@@ -135,6 +135,33 @@ TEST(HeaderBar, ShowsTheTransmitOutputIfThereIsOne)
     EXPECT_EQ(shown(header, "Transmit output"), QStringLiteral("TX output failed"));
 }
 
+// REQ-BRAKE-30: The header shows whether the brake is set. Without a brake nothing is shown.
+TEST(HeaderBar, ShowsTheBrakeIfThereIsOne)
+{
+    RequestDesk desk;
+    ValueLabel notice({}, {}, {});
+    auto* const authority = new AuthorityButton(desk, notice);
+    HeaderBar header(*authority);
+    StationStatus status;
+    header.showStatus(status);
+    EXPECT_EQ(shown(header, "Brake"), QString());
+    status.brake = {.output = QStringLiteral("rts:/dev/ttyUSB0"), .state = brake::BrakeState::Set};
+    header.showStatus(status);
+    EXPECT_EQ(shown(header, "Brake"), QStringLiteral("Brake set"));
+    status.brake.state = brake::BrakeState::Released;
+    header.showStatus(status);
+    EXPECT_EQ(shown(header, "Brake"), QStringLiteral("Brake open"));
+    EXPECT_EQ(findNamed<ValueLabel>(header, "Brake")->toolTip(),
+              QStringLiteral("The output rts:/dev/ttyUSB0 is on while the brake is open. Nothing moves before."));
+    status.brake.problem = QStringLiteral("unplugged");
+    header.showStatus(status);
+    EXPECT_EQ(shown(header, "Brake"), QStringLiteral("Brake failed"));
+    status.transmit = {.output = QStringLiteral("dtr:/dev/ttyUSB0"), .problem = QStringLiteral("unplugged")};
+    status.sensor = {.source = QStringLiteral("mqtt 127.0.0.1:1883"), .open = true};
+    header.showStatus(status);
+    EXPECT_LE(header.minimumSizeHint().width(), 1024) << "with all labels beside the target";
+}
+
 // REQ-GS232-61
 TEST(HeaderBar, ShowsTheMotorStartsUnderThePointer)
 {

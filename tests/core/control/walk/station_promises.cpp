@@ -188,6 +188,7 @@ void StationPromises::ticked(Seconds step)
     watchEnds(now);
     watchFrames(now);
     watchRegion(now);
+    watchBrake(now);
     for (const Axis axis : kAxes) {
         watchPath(axis, now, step);
         watchAxis(axis, now, step);
@@ -283,6 +284,9 @@ void StationPromises::watchSetpoint(Axis axis, double position, double velocity,
         if (!m_permit && m_sinceEnd > kUnseenTicks) {
             fail("a motion began that nobody asked for");
         }
+        if (!m_isBrakeOpen) {
+            fail("a motion began before the brake was open");
+        }
     }
     if (moves && m_sinceEnd > kStopTicks) {
         fail("an axis still moves though its motion was ended");
@@ -317,6 +321,28 @@ void StationPromises::watchBounds(Axis axis, const fakes::IdealDrive::Seen& seen
     if (ignored && ((inside(now) && inside(m_before)) || m_traces[index(axis)].inside > kBoundsTicks)) {
         fail("the drive's own bounds are ignored though the axis is inside them");
     }
+}
+
+bool StationPromises::isHeld(Axis axis) const
+{
+    const fakes::IdealDrive& drive = axis == Axis::Azimuth ? m_rig.azimuth : m_rig.elevation;
+    const bool obeys = drive.mode == moteus::Mode::Position && !drive.silent && !drive.deaf;
+    return obeys && m_rig.mount.report(axis).hand == AxisHand::Follows;
+}
+
+// Only an axis that its drive does not hold may move while the brake is being set.
+void StationPromises::watchBrake(const StationStatus& now)
+{
+    const bool isReleased = m_rig.control.releasesBrake();
+    const bool areHeld = isHeld(Axis::Azimuth) && isHeld(Axis::Elevation);
+    const auto moves = [](const AxisStatus& axis) {
+        return axis.commandedRate.value_or(AngularRate{}) != AngularRate{};
+    };
+    if (m_isBrakeReleased && !isReleased && areHeld && m_wasHeld && (moves(now.azimuth) || moves(now.elevation))) {
+        fail("the brake is set under a moving antenna");
+    }
+    m_isBrakeReleased = isReleased;
+    m_wasHeld = areHeld;
 }
 
 // The real axis, whatever its drive reports.

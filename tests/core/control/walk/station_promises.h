@@ -21,6 +21,8 @@ public:
     void interlock(bool fit) { m_fit = fit; }  // the result of the drive check
     void asked(const Request& request, const Source& source, bool accepted, const StationStatus& before);
     void sourceGone(const Source& source);
+    // Whether the brake is really open in the next tick.
+    void brake(bool isOpen) { m_isBrakeOpen = isOpen; }
     // The test has changed the position of the axis or the count of its drive. A drive under command comes back at
     // once.
     void slipped(Axis axis) { m_traces[index(axis)].sinceSlip = 0; }
@@ -62,6 +64,8 @@ private:
     void watchFrames(const StationStatus& now);
     void watchFrame(Axis axis, const fakes::IdealDrive::Seen& seen, const StationStatus& now);
     void watchSetpoint(Axis axis, double position, double velocity, const StationStatus& now);
+    void watchBrake(const StationStatus& now);
+    [[nodiscard]] bool isHeld(Axis axis) const;
     void watchAxis(Axis axis, const StationStatus& now, Seconds step);
     [[nodiscard]] bool takesOver(Axis axis, const StationStatus& now) const;
     void watchBounds(Axis axis, const fakes::IdealDrive::Seen& seen, const StationStatus& now);
@@ -79,6 +83,9 @@ private:
     int m_sinceEnd = 0;                           // ticks without a permit
     int m_sinceUnknown = 0;                       // ticks since the wraps were known
     bool m_fit = true;
+    bool m_isBrakeOpen = true;
+    bool m_isBrakeReleased = false;  // as last ordered
+    bool m_wasHeld = true;           // both axes, by their drives
     bool m_stopped = false;
     bool m_faulty = false;
     bool m_rearmed = false;  // a re-arm was requested since the fault

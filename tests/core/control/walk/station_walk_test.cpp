@@ -32,6 +32,13 @@ profile::Profile unattended()
     return profile;
 }
 
+profile::Profile braked()
+{
+    profile::Profile profile;
+    profile.brake = {.output = "rts:/dev/ttyUSB0", .switching = Seconds(0.2), .setAfter = Seconds(0.5)};
+    return profile;
+}
+
 class Walk
 {
 public:
@@ -346,17 +353,57 @@ private:
         m_promises.asked(request, source, m_rig.ask(request, source).has_value(), before);
     }
 
+    // The output of the brake answers after up to ten ticks. Now and then it fails for half a second.
+    void switchBrake()
+    {
+        if (!m_rig.profile.brake.isUsed()) {
+            return;
+        }
+        const bool wanted = m_rig.control.releasesBrake();
+        if (wanted != m_brake.ordered) {
+            m_brake.ordered = wanted;
+            m_brake.delay = m_random() % 10;
+        }
+        if (m_random() % 3000 == 0) {
+            m_brake.failing = 25;
+        }
+        m_brake.failing -= m_brake.failing > 0 ? 1 : 0;
+        m_brake.delay -= m_brake.delay > 0 ? 1 : 0;
+        const bool isReached = m_brake.failing == 0 && m_brake.delay == 0;
+        const bool isOn = isReached ? wanted : m_brake.isOn && m_brake.failing == 0;
+        if (isOn != m_brake.isOn) {
+            m_brake.isOn = isOn;
+            m_brake.since = m_rig.clock.now();
+        }
+        m_rig.control.takeBrake({.isOn = isReached ? std::optional(isOn) : std::nullopt,
+                                 .problem = m_brake.failing > 0 ? QStringLiteral("unplugged") : QString()});
+        // The next tick is a step later.
+        const Seconds open = m_rig.clock.now() + StationRig::kTick - m_brake.since;
+        m_promises.brake(isOn && open >= m_rig.profile.brake.switching);
+    }
+
     void tick(Seconds step)
     {
+        switchBrake();
         m_rig.azimuth.seen.clear();
         m_rig.elevation.seen.clear();
         m_rig.tick();
         m_promises.ticked(step);
     }
 
+    struct Brake
+    {
+        bool ordered = false;
+        bool isOn = false;
+        SteadyTime since{};
+        unsigned long delay = 0;  // ticks until the output answers
+        int failing = 0;          // ticks
+    };
+
     std::minstd_rand m_random;
     StationRig m_rig;
     StationPromises m_promises;
+    Brake m_brake;
     std::array<drive_check::DriveFacts, 2> m_facts{m_rig.factsOf(Axis::Azimuth), m_rig.factsOf(Axis::Elevation)};
 };
 
@@ -404,7 +451,18 @@ TEST_P(StationWalk, PromisesHoldWhereNobodyRearms)
     go(unattended());
 }
 
+class BrakeWalk : public StationWalk
+{};
+
+// REQ-BRAKE-26 (BrakeWalk.*): Whatever happens, no motion begins before the brake is open, and the brake is not set
+// under a moving antenna while the drives hold it.
+TEST_P(BrakeWalk, PromisesHoldWithABrake)
+{
+    go(braked());
+}
+
 INSTANTIATE_TEST_SUITE_P(Seeds, StationWalk, testing::Range(1U, 9U));
+INSTANTIATE_TEST_SUITE_P(Seeds, BrakeWalk, testing::Range(2U, 10U));
 
 }  // namespace
 }  // namespace boresight

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What this computer reads and switches beside the mount: received power, transmit output, brake.
+#include "core/profile/output_settings.h"
+
+#include "core/base/text.h"
+#include "core/contacts/output_name.h"
+#include "core/profile/setting_groups.h"
+#include "core/profile/setting_makers.h"
+
+#include <algorithm>
+#include <initializer_list>
+
+namespace boresight::profile {
+
+using namespace makers;
+
+namespace {
+
+bool isByBroker(const std::string& output)
+{
+    const auto name = contacts::parseOutput(output);
+    return name && name->kind == contacts::OutputKind::Mqtt;
+}
+
+// Boresight would take its own "on" and "off" for a command or a reading, or write over what it publishes.
+void checkTopic(std::vector<Problem>& problems, const Profile& profile, const std::string& key,
+                const std::string& output)
+{
+    if (!isByBroker(output)) {
+        return;
+    }
+    const BrokerSettings& broker = profile.mqtt;
+    const std::string topic = contacts::parseOutput(output)->place.toStdString();
+    const auto isOneOf = [&](std::initializer_list<const char*> names) {
+        return std::ranges::any_of(names, [&](const char* name) { return topic == broker.topic(name); });
+    };
+    const bool takesCommands = broker.commands != BrokerCommands::Off;
+    const bool publishes = broker.publish != Publish::Off;
+    if (takesCommands && isOneOf({"command", "stop"})) {
+        problems.push_back({key, Text::tr("Boresight takes each message of the topic %1 for a command (mqtt.commands). "
+                                          "Choose another topic")
+                                     .arg(toQString(topic))});
+    } else if ((takesCommands && isOneOf({"answer"})) || (publishes && isOneOf({"state", "availability"})) ||
+               takesReadings(profile, topic)) {
+        problems.push_back(
+            {key, Text::tr("Boresight already uses the topic %1. Choose another topic").arg(toQString(topic))});
+    }
+}
+
+}  // namespace
+
+bool isAnotherOutput(const std::string& before, const BrokerSettings& brokerBefore, const std::string& after,
+                     const BrokerSettings& brokerAfter)
+{
+    return before != after || (isByBroker(after) && brokerBefore != brokerAfter);
+}
+
+void addPower(std::vector<Setting>& list)
+{
+    list.push_back(choice(
+        "power.source", {"none", "udp", "tcp"}, Applies::Now,
+        {QT_TRANSLATE_NOOP("Text", "Source"),
+         QT_TRANSLATE_NOOP("Text",
+                           "Whether a receiver reports the received power for the cross scan, one number in dB per "
+                           "line. \"udp\" listens for it, \"tcp\" connects to it.")},
+        [](auto& p) -> auto& { return p.power.source; }));
+    list.push_back(textual(
+        "power.host", Applies::Now,
+        {QT_TRANSLATE_NOOP("Text", "Host"),
+         QT_TRANSLATE_NOOP(
+             "Text",
+             "UDP: the address of this computer to listen on. 127.0.0.1 receives from this computer only, 0.0.0.0 from "
+             "all computers. TCP: name or address of the computer with the receiver.")},
+        [](const Profile& p) { return p.power.host; },
+        [](Profile& p, const std::string& wanted) { return checkHost(wanted).map([&] { p.power.host = wanted; }); }));
+    list.push_back(integer(
+        "power.port", "", {1, 65535}, Applies::Now,
+        {QT_TRANSLATE_NOOP("Text", "Port"), QT_TRANSLATE_NOOP("Text", "UDP or TCP port of the received power.")},
+        [](auto& p) -> auto& { return p.power.port; }));
+}
+
+void addTransmit(std::vector<Setting>& list)
+{
+    list.push_back(textual(
+        "transmit.output", Applies::Now,
+        {QT_TRANSLATE_NOOP("Text", "Output"),
+         QT_TRANSLATE_NOOP(
+             "Text",
+             "An output that is on only while the beam is on its target: file:PATH, mqtt:TOPIC, command:PROGRAM with "
+             "its arguments, dtr:PORT or rts:PORT. Use it as the interlock of the transmitter. Empty: none.")},
+        [](const Profile& p) { return p.transmit.output; },
+        [](Profile& p, const std::string& wanted) {
+            return contacts::parseOutput(wanted).map([&](const contacts::OutputName&) { p.transmit.output = wanted; });
+        }));
+    list.push_back(number(
+        "transmit.beam_fraction", "", {0.01, 1.0}, Applies::Now,
+        {QT_TRANSLATE_NOOP("Text", "Part of the beam width"),
+         QT_TRANSLATE_NOOP("Text",
+                           "The output is on while the beam is nearer to the target than this part of the beam width. "
+                           "At 0.5 the antenna sends half of its best power to the target.")},
+        [](auto& p) -> auto& { return p.transmit.beamFraction; }));
+    list.push_back(choice(
+        "transmit.in_simulation", {"off", "on"}, Applies::Now,
+        {QT_TRANSLATE_NOOP("Text", "Also with a simulated mount"),
+         QT_TRANSLATE_NOOP("Text",
+                           "With \"off\" the output stays off while the mount is simulated, because the real antenna "
+                           "points elsewhere.")},
+        [](auto& p) -> auto& { return p.transmit.inSimulation; }));
+}
+
+void addBrake(std::vector<Setting>& list)
+{
+    list.push_back(textual(
+        "brake.output", Applies::Now,
+        {QT_TRANSLATE_NOOP("Text", "Output"),
+         QT_TRANSLATE_NOOP(
+             "Text",
+             "An output that is on while the brakes of the axes are released: file:PATH, mqtt:TOPIC, command:PROGRAM "
+             "with its arguments, dtr:PORT or rts:PORT. Nothing moves before it is on. Empty: no brake.")},
+        [](const Profile& p) { return p.brake.output; },
+        [](Profile& p, const std::string& wanted) {
+            return contacts::parseOutput(wanted).map([&](const contacts::OutputName&) { p.brake.output = wanted; });
+        }));
+    list.push_back(number(
+        "brake.switching_s", "s", {0.0, 10.0}, Applies::Now,
+        {QT_TRANSLATE_NOOP("Text", "Time to open or to close"),
+         QT_TRANSLATE_NOOP("Text",
+                           "The time that the brakes need to open or to close. Boresight waits for it before the mount "
+                           "moves, and before it leaves the drives at its end.")},
+        [](auto& p) -> auto& { return p.brake.switching; }));
+    list.push_back(number(
+        "brake.set_after_s", "s", {0.5, 3600.0}, Applies::Now,
+        {QT_TRANSLATE_NOOP("Text", "Set after"),
+         QT_TRANSLATE_NOOP("Text",
+                           "The brakes are set when nothing has moved for this time. After STOP and after a fault they "
+                           "are set as soon as the mount stands still.")},
+        [](auto& p) -> auto& { return p.brake.setAfter; }));
+}
+
+void checkPower(std::vector<Problem>& problems, const Profile& profile)
+{
+    if (profile.power.source == PowerSource::Udp && !checkAddress(profile.power.host)) {
+        problems.push_back(
+            {"power.host", Text::tr("an address of this computer is expected while power.source is \"udp\"")});
+    }
+}
+
+void checkTransmit(std::vector<Problem>& problems, const Profile& profile)
+{
+    checkTopic(problems, profile, "transmit.output", profile.transmit.output);
+}
+
+void checkBrake(std::vector<Problem>& problems, const Profile& profile)
+{
+    checkTopic(problems, profile, "brake.output", profile.brake.output);
+    if (!profile.brake.output.empty() && profile.brake.output == profile.transmit.output) {
+        problems.push_back({"brake.output", Text::tr("is also the transmit output (transmit.output)")});
+    }
+}
+
+}  // namespace boresight::profile
