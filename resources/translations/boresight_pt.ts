@@ -622,6 +622,34 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
         <source>Transmit output</source>
         <translation>Saída de emissão</translation>
     </message>
+    <message>
+        <source>Brake failed</source>
+        <translation>Travão falhou</translation>
+    </message>
+    <message>
+        <source>Brake set</source>
+        <translation>Travão aplicado</translation>
+    </message>
+    <message>
+        <source>Brake opens</source>
+        <translation>Travão a abrir</translation>
+    </message>
+    <message>
+        <source>Brake open</source>
+        <translation>Travão aberto</translation>
+    </message>
+    <message>
+        <source>Brake closes</source>
+        <translation>Travão a fechar</translation>
+    </message>
+    <message>
+        <source>The output %1 is on while the brake is open. Nothing moves before.</source>
+        <translation>A saída %1 está ligada enquanto o travão está aberto. Nada se move antes.</translation>
+    </message>
+    <message>
+        <source>Brake</source>
+        <translation>Travão</translation>
+    </message>
 </context>
 <context>
     <name>MotorWords</name>
@@ -1039,6 +1067,10 @@ até %1</translation>
     <message>
         <source>Switched motors</source>
         <translation>Motores ligados e desligados</translation>
+    </message>
+    <message>
+        <source>Brake</source>
+        <translation>Travão</translation>
     </message>
 </context>
 <context>
@@ -10395,6 +10427,58 @@ até %1</translation>
     <message>
         <source>Boresight does not support the offset of an antenna. Set the offset to 0 in N1MM, and enter it in Boresight as the direction of the beam.</source>
         <translation>O Boresight não suporta o desvio de uma antena. Ponha o desvio a 0 no N1MM e introduza-o no Boresight como direção do feixe.</translation>
+    </message>
+    <message>
+        <source>The brake output %1 does not work: %2</source>
+        <translation>A saída do travão %1 não funciona: %2</translation>
+    </message>
+    <message>
+        <source>Boresight stops the mount and refuses every motion</source>
+        <translation>O Boresight para a montagem e recusa todo o movimento</translation>
+    </message>
+    <message>
+        <source>The brake may be set or released: secure the antenna. Check the output, or choose another one (brake.output on the page Profile)</source>
+        <translation>O travão pode estar aplicado ou solto: segure a antena. Verifique a saída, ou escolha outra (brake.output na página Perfil)</translation>
+    </message>
+    <message>
+        <source>brake output: %1</source>
+        <translation>saída do travão: %1</translation>
+    </message>
+    <message>
+        <source>The brake output does not work: %1. Check the output.</source>
+        <translation>A saída do travão não funciona: %1. Verifique a saída.</translation>
+    </message>
+    <message>
+        <source>The brake is not set yet. Wait until nothing has moved for %1 s.</source>
+        <translation>O travão ainda não está aplicado. Espere até nada se mover durante %1 s.</translation>
+    </message>
+    <message>
+        <source>The brake output (brake.output) can only be changed while the brake is set. Hold the mount, and wait until it stands still and the brake is set.</source>
+        <translation>A saída do travão (brake.output) só pode ser mudada com o travão aplicado. Mantenha a montagem na posição e espere até que esteja parada e o travão aplicado.</translation>
+    </message>
+    <message>
+        <source>An output that is on while the brakes of the axes are released: file:PATH, mqtt:TOPIC, command:PROGRAM with its arguments, dtr:PORT or rts:PORT. Nothing moves before it is on. Empty: no brake.</source>
+        <translation>Uma saída que está ligada enquanto os travões dos eixos estão soltos: file:CAMINHO, mqtt:TÓPICO, command:PROGRAMA com os seus argumentos, dtr:PORTA ou rts:PORTA. Nada se move antes de ela estar ligada. Vazio: sem travão.</translation>
+    </message>
+    <message>
+        <source>Time to open or to close</source>
+        <translation>Tempo para abrir ou fechar</translation>
+    </message>
+    <message>
+        <source>The time that the brakes need to open or to close. Boresight waits for it before the mount moves, and before it leaves the drives at its end.</source>
+        <translation>O tempo de que os travões precisam para abrir ou fechar. O Boresight espera por ele antes de a montagem se mover, e antes de deixar os acionamentos no fim.</translation>
+    </message>
+    <message>
+        <source>Set after</source>
+        <translation>Aplicar após</translation>
+    </message>
+    <message>
+        <source>The brakes are set when nothing has moved for this time. After STOP and after a fault they are set as soon as the mount stands still.</source>
+        <translation>Os travões são aplicados quando nada se moveu durante este tempo. Depois de STOP e depois de uma falha são aplicados assim que a montagem estiver parada.</translation>
+    </message>
+    <message>
+        <source>is also the transmit output (transmit.output)</source>
+        <translation>é também a saída de transmissão (transmit.output)</translation>
     </message>
 </context>
 <context>
