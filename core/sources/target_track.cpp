@@ -239,6 +239,10 @@ void TargetTrack::step(SteadyTime)
     }
     const UtcTime utc = m_utc.now(helm().view().clock);
     watchClock();
+    if (const Result<> may = m_utc.jump() != Seconds(0.0) ? planAgain(utc) : Result<>{}; !may) {
+        end(Severity::Warning, Text::tr("ends the tracking, because the clock was set: %1").arg(may.error().text));
+        return;
+    }
     renewWay(utc);
     m_tracked->isUp = utc > m_tracked->up.rises;
     if (m_tracked->up.sets && utc > *m_tracked->up.sets) {
@@ -271,6 +275,19 @@ void TargetTrack::renewWay(UtcTime utc)
         m_tracked->path.setRule(rule);
         setWay(*m_tracked, std::max(utc, m_tracked->up.rises));
     }
+}
+
+// After the clock was set. A pass that had begun may be ahead again, or over.
+Result<> TargetTrack::planAgain(UtcTime utc)
+{
+    return permits(m_tracked->target, utc)
+        .and_then([&] { return m_tracked->path.nextUp(utc); })
+        .and_then([&](const targets::UpTime& up) {
+            return targets::isSoon(m_tracked->target.name, up.rises, utc).map([&] {
+                m_tracked->up = up;
+                setWay(*m_tracked, std::max(utc, up.rises));
+            });
+        });
 }
 
 void TargetTrack::watchClock()

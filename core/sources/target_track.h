@@ -54,6 +54,7 @@ private:
     Result<AxisPosition> follow(Tracked& tracked, UtcTime utc);
     void followOn(UtcTime utc);
     void renewWay(UtcTime utc);
+    [[nodiscard]] Result<> planAgain(UtcTime utc);
     void watchClock();
     void forget();
     void end(Severity severity, const QString& why);

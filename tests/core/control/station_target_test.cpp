@@ -126,6 +126,29 @@ TEST_F(StationTarget, TheDirectionAtAnotherTimeIsKnown)
     EXPECT_FALSE(rig.control.targetAt(now()));
 }
 
+// Story: after a step back by an hour, the mount waited for an hour where the tracking had begun.
+// REQ-TRACK-929: After the clock was set, rise and set of the tracked target are searched again. If it would rise in
+// more than half an hour, the tracking ends with the reason.
+TEST_F(StationTarget, AClockThatIsSetMeansAnotherPass)
+{
+    ASSERT_EQ(ask("cas a"), "");
+    rig.run(Seconds(30.0));
+    for (const auto step : {std::chrono::hours(-1), std::chrono::hours(3)}) {
+        rig.clock.stepUtc(step);
+        rig.run(Seconds(60.0));
+        ASSERT_TRUE(tracked());
+        EXPECT_EQ(rig.state(), StationState::Track);
+        EXPECT_LT(distance(pathOf("cas a")), 0.01_deg);
+        EXPECT_LE(tracked()->way->front().utc, now());
+    }
+    goTo(*pathOf("moon").nextUp(now()).value().sets - std::chrono::minutes(10));
+    ASSERT_EQ(ask("moon"), "");
+    rig.clock.stepUtc(std::chrono::hours(1));
+    rig.run(Seconds(1.0));
+    EXPECT_FALSE(tracked());
+    EXPECT_TRUE(logged(QStringLiteral("ends the tracking, because the clock was set: Moon rises at")));
+}
+
 // REQ-TRACK-921: A body below the horizon is refused with the time of its next rise, or because it does not rise within
 // a day. In the last half hour before the rise the mount waits where the body rises, and tracks it from there.
 TEST_F(StationTarget, WaitsForABodyToRise)
