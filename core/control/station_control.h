@@ -161,7 +161,7 @@ public:
     void takeWind(double speed) { m_wind.take(speed); }
     // Why only Park may move the mount because of the wind. Empty: the wind forbids nothing.
     [[nodiscard]] QString windObstacle() const { return m_wind.obstacle(); }
-    // Passes a report to the source of motion that waits for it. The error says why the report is not believed.
+    // Passes a report to the source of motion that waits for it. The error explains why the report is not believed.
     Result<> receive(const SourceReport& received);
 
 private:
