@@ -1350,14 +1350,6 @@ até %1</translation>
         <translation>o adaptador não confirma os nossos quadros (nenhum OK em %1 ms). Esta porta é um fdcanusb? Se for, desconecte-o e conecte-o de novo</translation>
     </message>
     <message>
-        <source>the adapter is gone: plug it in again</source>
-        <translation>o adaptador desapareceu: conecte-o de novo</translation>
-    </message>
-    <message>
-        <source>the adapter is gone: plug it in again, in any socket. Boresight finds it as %1</source>
-        <translation>o adaptador desapareceu: conecte-o de novo, em qualquer porta. O Boresight encontra-o como %1</translation>
-    </message>
-    <message>
         <source>the kernel&apos;s description of the interface cannot be read</source>
         <translation>não é possível ler a descrição que o kernel dá da interface</translation>
     </message>
@@ -1984,10 +1976,6 @@ até %1</translation>
     <message>
         <source>How long a following error may last.</source>
         <translation>Quanto tempo pode durar um erro de seguimento.</translation>
-    </message>
-    <message>
-        <source>%1: is larger than 4 MB</source>
-        <translation>%1: é maior que 4 MB</translation>
     </message>
     <message>
         <source>an argument is longer than %1 characters</source>
@@ -7709,10 +7697,6 @@ até %1</translation>
         <translation>nenhuma placa confirma as tramas: verifique a alimentação dos acionamentos, o cabo, os 120 ohm nas duas pontas e a taxa de bits</translation>
     </message>
     <message>
-        <source>the interface was removed: plug the adapter in again</source>
-        <translation>a interface foi removida: conecte de novo o adaptador</translation>
-    </message>
-    <message>
         <source>%1: &quot;%2&quot; is not a catalogue number.</source>
         <translation>%1: &quot;%2&quot; não é um número de catálogo.</translation>
     </message>
@@ -7879,10 +7863,6 @@ até %1</translation>
     <message>
         <source>Mode 0 switches the motor off. Without commands the axis is free.</source>
         <translation>O modo 0 desliga o motor. Sem comandos, o eixo fica solto.</translation>
-    </message>
-    <message>
-        <source>The gearbox of the profile locks itself, so the profile asks for brake (15).</source>
-        <translation>O redutor do perfil é irreversível, por isso o perfil pede travar (15).</translation>
     </message>
     <message>
         <source>This mode is not safe for a drive without commands.</source>
@@ -9321,10 +9301,6 @@ até %1</translation>
         <translation>Durante quanto tempo o operador pode mover a montagem com vento forte depois de Mover mesmo assim. Depois ela volta a estacionar.</translation>
     </message>
     <message>
-        <source>the topic is read for the sensor or for positions already</source>
-        <translation>o tópico já é lido para o sensor ou para posições</translation>
-    </message>
-    <message>
         <source>%1 is above wind.stow_above_m_s (%2)</source>
         <translation>%1 está acima de wind.stow_above_m_s (%2)</translation>
     </message>
@@ -10479,6 +10455,34 @@ até %1</translation>
     <message>
         <source>is also the transmit output (transmit.output)</source>
         <translation>é também a saída de transmissão (transmit.output)</translation>
+    </message>
+    <message>
+        <source>the adapter is gone. Plug it in again</source>
+        <translation>o adaptador desapareceu. Ligue-o de novo</translation>
+    </message>
+    <message>
+        <source>the adapter is gone. Plug it in again, in any socket. Boresight finds it as %1</source>
+        <translation>o adaptador desapareceu. Ligue-o de novo, em qualquer tomada. O Boresight encontra-o como %1</translation>
+    </message>
+    <message>
+        <source>the interface was removed. Plug the adapter in again</source>
+        <translation>a interface foi retirada. Ligue o adaptador de novo</translation>
+    </message>
+    <message>
+        <source>The profile has a self-locking gearbox, so it asks for brake (15).</source>
+        <translation>O perfil tem uma caixa redutora autobloqueante, por isso pede travão (15).</translation>
+    </message>
+    <message>
+        <source>%1: The file is larger than 4 MB</source>
+        <translation>%1: O ficheiro tem mais de 4 MB</translation>
+    </message>
+    <message>
+        <source>the sensor or the positions already use this topic</source>
+        <translation>o sensor ou as posições já usam este tópico</translation>
+    </message>
+    <message>
+        <source>ends the tracking, because the clock was set: %1</source>
+        <translation>termina o seguimento, porque o relógio foi acertado: %1</translation>
     </message>
 </context>
 <context>
