@@ -166,7 +166,8 @@ TEST_F(CommandTalkTest, MovesNothingRightAfterAShortSleep)
 }
 
 // Story: a program that was stopped (SIGSTOP) for an hour obeyed the commands that waited in its socket. The message
-// may be read before the next tick, or after it. REQ-MQTTCOMMANDS-04
+// may be read before the next tick, or after it.
+// REQ-MQTTCOMMANDS-04
 TEST_F(CommandTalkTest, MovesNothingRightAfterTheProgramWasStopped)
 {
     for (const bool ticksFirst : {false, true}) {
