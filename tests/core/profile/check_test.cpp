@@ -121,13 +121,14 @@ TEST(CrossCheck, AWatchedBoardHasAnIdOfItsOwn)
 
 // REQ-PROFILE-963: A setting of Hamlib is NAME=VALUE, without blanks and commas, and each name is there once. The port
 // and its speed have keys of their own and are refused here, with the reason. A limit must be a number, because rotctld
-// uses 0 for a word.
+// uses 0 for a word. Numbers in place of names are refused, too.
 TEST(CrossCheck, ASettingOfHamlibHasANameAndAValue)
 {
     Profile profile;
     const Setting& setting = *findSetting("bus.hamlib_settings");
-    for (const char* const bad : {"", "min_az", "min_az=", "=5", "min az=5", "MIN_AZ=5", "stop_bits=2,retry=1",
-                                  "stop_bits=2 ", "a=b=c", "timeout=1\n", "-C=1", "min_az=abc", "max_el=9O"}) {
+    for (const char* const bad :
+         {"", "min_az", "min_az=", "=5", "min az=5", "MIN_AZ=5", "stop_bits=2,retry=1", "stop_bits=2 ", "a=b=c",
+          "timeout=1\n", "-C=1", "min_az=abc", "max_el=9O", "1073741834=/tmp/xyz", "_az=5"}) {
         EXPECT_FALSE(setting.set(profile, TextList{bad})) << bad;
     }
     EXPECT_FALSE(setting.set(profile, TextList{"timeout=" + std::string(100, '1')}));
