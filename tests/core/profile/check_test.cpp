@@ -121,7 +121,8 @@ TEST(CrossCheck, AWatchedBoardHasAnIdOfItsOwn)
 
 // REQ-PROFILE-963: A setting of Hamlib is NAME=VALUE, without blanks and commas, and each name is there once. The port
 // and its speed have keys of their own and are refused here, with the reason. A limit must be a number, because rotctld
-// uses 0 for a word. Numbers in place of names are refused, too.
+// uses 0 for a word. Numbers in place of names are refused, too. All settings together have at most 1000 bytes, with a
+// comma between two, because rotctld accepts no more.
 TEST(CrossCheck, ASettingOfHamlibHasANameAndAValue)
 {
     Profile profile;
@@ -142,6 +143,25 @@ TEST(CrossCheck, ASettingOfHamlibHasANameAndAValue)
     EXPECT_TRUE(crossCheck(profile).empty());
     ASSERT_TRUE(setting.set(profile, TextList{"min_az=-90", "stop_bits=2", "min_az=0"}));
     EXPECT_EQ(keysOf(crossCheck(profile)), std::vector<std::string>{"bus.hamlib_settings"});
+}
+
+// Story: rotctld ended at once, and no alarm gave the reason.
+// REQ-PROFILE-963
+TEST(CrossCheck, TheSettingsOfHamlibTogetherFitIntoRotctld)
+{
+    Profile profile;
+    const Setting& setting = *findSetting("bus.hamlib_settings");
+    TextList list;
+    for (int i = 0; i < 10; ++i) {
+        list.push_back("name_" + std::to_string(i) + "=" + std::string(93, '1'));
+    }
+    list.back().resize(list.back().size() - 9);  // 9 commas
+    ASSERT_TRUE(setting.set(profile, list));
+    EXPECT_TRUE(crossCheck(profile).empty()) << "1000 bytes";
+    list.back() += '1';
+    ASSERT_TRUE(setting.set(profile, list));
+    ASSERT_EQ(keysOf(crossCheck(profile)), std::vector<std::string>{"bus.hamlib_settings"});
+    EXPECT_TRUE(crossCheck(profile).front().text.contains(QStringLiteral("has 1001 bytes")));
 }
 
 // REQ-PROFILE-04
