@@ -48,7 +48,8 @@ public:
 
 private:
     [[nodiscard]] std::optional<QByteArray> latch(std::string_view line, Retain retain);
-    [[nodiscard]] rotctld::LineOutcome run(std::string_view line, Retain retain);
+    [[nodiscard]] rotctld::LineOutcome run(std::string_view line, bool isHold, Retain retain);
+    [[nodiscard]] rotctld::LineOutcome refuseOld(std::string_view line);
     [[nodiscard]] rotctld::LineOutcome refuse(std::string_view line, ErrorCode code, const QString& reason);
     [[nodiscard]] Result<> admits(const pairs::Command& command) const;
     [[nodiscard]] bool isFlood();
