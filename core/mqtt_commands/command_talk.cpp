@@ -79,10 +79,13 @@ std::optional<QByteArray> CommandTalk::obey(const QByteArray& message, Retain re
     return flood ? std::nullopt : std::optional(text);
 }
 
-bool CommandTalk::isUrgent(const QByteArray& message)
+Urgency CommandTalk::urgencyOf(const QByteArray& message)
 {
     const std::string_view line = trimmed(textOf(message));
-    return asksForStop(line) || asksForHold(line);
+    if (asksForStop(line)) {
+        return Urgency::Stop;
+    }
+    return asksForHold(line) ? Urgency::Hold : Urgency::None;
 }
 
 std::optional<QByteArray> CommandTalk::stop(const QByteArray& /*message*/, Retain retain)

@@ -267,13 +267,16 @@ TEST_F(CommandTalkTest, ObeysAHoldInAFlood)
 TEST_F(CommandTalkTest, KnowsWhatIsUrgent)
 {
     for (const QByteArray& message :
-         {QByteArray("stop"), QByteArray(" HOLD\r\n"), QByteArray("10 20\nstop"), QByteArray(300, 'x') + " stop"}) {
-        EXPECT_TRUE(CommandTalk::isUrgent(message)) << message.toStdString();
+         {QByteArray("stop"), QByteArray("10 20\nstop"), QByteArray(300, 'x') + " stop", QByteArray("hold stop")}) {
+        EXPECT_EQ(CommandTalk::urgencyOf(message), Urgency::Stop) << message.toStdString();
+    }
+    for (const QByteArray& message : {QByteArray("hold"), QByteArray(" HOLD\r\n"), "hold" + QByteArray(300, ' ')}) {
+        EXPECT_EQ(CommandTalk::urgencyOf(message), Urgency::Hold) << message.toStdString();
     }
     for (const QByteArray& message :
          {QByteArray(), QByteArray("10 20"), QByteArray("hold on"), QByteArray("?"), QByteArray("park"),
           QByteArray("nonstop"), QByteArray(300, ' ') + QByteArray("?")}) {
-        EXPECT_FALSE(CommandTalk::isUrgent(message)) << message.toStdString();
+        EXPECT_EQ(CommandTalk::urgencyOf(message), Urgency::None) << message.toStdString();
     }
 }
 
