@@ -3,7 +3,7 @@
 
 #include "core/alarms/catalogue.h"
 #include "core/base/text.h"
-#include "core/control/time_effect.h"
+#include "core/computer_clock/time_effect.h"
 #include "core/north/calibration_gates.h"
 #include "core/outputs/simulated_output.h"
 #include "core/profile/commissioning.h"
