@@ -22,10 +22,16 @@ TableContent::State stateOf(const QString& path)
                : TableContent::State{};
 }
 
+// A folder that failed once may answer the next time, while the file has not changed.
+bool isFinal(const Result<targets::Target>& table)
+{
+    return table || table.error().code == ErrorCode::InvalidInput;
+}
+
 SharedTableContent contentOf(const QString& path, const SharedTableContent& known, const TableFileReader::Read& read)
 {
     const TableContent::State state = stateOf(path);
-    if (known && known->path == path && known->state == state) {
+    if (known && known->path == path && known->state == state && isFinal(known->table)) {
         return known;
     }
     return std::make_shared<const TableContent>(
