@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace boresight::calibration {
 namespace {
@@ -232,6 +233,48 @@ TEST(CompassSwing, ASectorMayLieAcrossNorth)
     EXPECT_NEAR(swing.curve.unreliable.front().from.degrees(), 347.4, 10.0);
     EXPECT_NEAR(swing.curve.unreliable.front().to.degrees(), 17.4, 10.0);
     EXPECT_NEAR(swing.curve.unreliable.front().residual.degrees(), -15.0, 1.5);
+}
+
+// A swing with noise of 2° and steel over these azimuths of the axis.
+CompassSwing noisyWithSteel(const std::vector<std::pair<double, double>>& arcs, unsigned seed)
+{
+    SwungMount mount = hidden();
+    mount.noise = 2.0;
+    std::mt19937_64 random(seed);
+    std::vector<SwingSample> samples = fakes::swing(mount, random).samples;
+    for (SwingSample& sample : samples) {
+        const double azimuth = sample.axisAzimuth.degrees();
+        if (std::ranges::any_of(arcs, [&](const auto& arc) { return azimuth >= arc.first && azimuth < arc.second; })) {
+            sample.heading = SensorHeading::folded(sample.heading.angle() + 15_deg);
+        }
+    }
+    return fitCompassSwing(samples).value_or(CompassSwing{});
+}
+
+// Story: the room beyond the edges of steel counted as unreliable, and twice where two arcs met. A mount beside 80° of
+// steel got no proposal.
+// REQ-CALIBRATION-06: Beyond an edge of steel the sector ends at the first good readings, and sectors that meet are
+// one. Whether the place is hopeless is judged without the room beyond the edges.
+TEST(CompassSwing, NoiseDoesNotMakeSteelLarger)
+{
+    for (unsigned seed = 1; seed <= 10; ++seed) {
+        for (const auto& [arcs, most] : {std::pair(std::vector{std::pair(200.0, 280.0)}, 100.0),
+                                         std::pair(std::vector{std::pair(40.0, 50.0), std::pair(120.0, 130.0),
+                                                               std::pair(200.0, 210.0), std::pair(225.0, 235.0)},
+                                                   90.0)}) {
+            const CompassSwing swing = noisyWithSteel(arcs, seed);
+            EXPECT_THAT(swing.hopeless, ::testing::Not(Contains(mentions("of the circle is unreliable")))) << seed;
+            Angle sum;
+            for (const UnreliableSector& sector : swing.curve.unreliable) {
+                sum += sector.width();
+            }
+            EXPECT_LE(sum.degrees(), most) << seed;
+            const auto& all = swing.curve.unreliable;
+            for (std::size_t i = 1; i < all.size(); ++i) {
+                EXPECT_FALSE(all[i - 1].contains(all[i].from)) << seed;
+            }
+        }
+    }
 }
 
 // REQ-CALIBRATION-07: At a place where a compass is of no use, the swing says so with plain reasons.
