@@ -346,6 +346,26 @@ TEST_F(TableOfAFileTest, IsOfferedOnlyIfTheStationTracksIt)
     EXPECT_EQ(whyNot(), "STOP is latched.");
 }
 
+// Story: each change of the file erased what the station had refused.
+// REQ-TARGETS-964: The reason does not replace what the station refused.
+TEST_F(TableOfAFileTest, ItsReasonKeepsTheRefusalOfAnotherTarget)
+{
+    type();
+    answer(failure(ErrorCode::InvalidInput, QStringLiteral("/tmp/way.csv:2: The elevation is 200°.")));
+    QTest::mouseClick(named<CommandButton>("Track selected"), Qt::LeftButton);
+    ASSERT_EQ(asked<request::Track>().size(), 1U);
+    StationUpdate refused = samples::update(status);
+    refused.answers.push_back({.requestId = requests.back().id,
+                               .error = Error{ErrorCode::Refused, QStringLiteral("It is behind the mast.")}});
+    give(refused);
+    const QString refusal = QStringLiteral("Track selected: It is behind the mast.");
+    ASSERT_TRUE(isTold(refusal));
+    answer(failure(ErrorCode::InvalidInput, QStringLiteral("/tmp/way.csv:3: The elevation is 300°.")));
+    EXPECT_TRUE(isTold(refusal));
+    answer(rows(std::chrono::minutes(0), std::chrono::minutes(3)));
+    EXPECT_TRUE(isTold(refusal));
+}
+
 // REQ-TARGETS-964
 TEST_F(TableOfAFileTest, AnotherTextEndsItsReason)
 {
