@@ -119,6 +119,7 @@ public:
                 ++m_inside;
                 m_gate.acquire();
                 --m_inside;
+                ++m_left;
             }
             return failure(ErrorCode::NoDevice, path);
         };
@@ -126,30 +127,54 @@ public:
     void release()
     {
         const int inside = m_inside;
+        const int all = m_left + inside;
         m_gate.release(inside);
-        EXPECT_TRUE(fakes::waitUntil([this] { return m_inside == 0; }));
+        EXPECT_TRUE(fakes::waitUntil([&] { return m_left == all; }));
     }
     [[nodiscard]] int inside() const { return m_inside; }
 
 private:
     std::atomic<int> m_inside = 0;
+    std::atomic<int> m_left = 0;
     std::counting_semaphore<> m_gate{0};
 };
 
-// REQ-APP-62: A file that does not answer does not keep others from being read. When too many do not answer, the newest
-// question is answered as soon as one of them does.
-TEST_F(TableFileReaderTest, ABlockedFileKeepsNoOtherWaiting)
+// Story: each file that was typed in a dead folder held another thread, until no file of any folder was read.
+// REQ-APP-62: A folder that does not answer does not keep files of others from being read. It holds one reader. The
+// newest question for it is answered as soon as it answers.
+TEST_F(TableFileReaderTest, ABlockedFolderHoldsOneReader)
 {
     BlockedFiles files;
     TableFileReader reader(files.reader());
     listen(reader);
-    reader.read(QStringLiteral("/blocked"), nullptr);
-    EXPECT_TRUE(next(reader, QStringLiteral("/good")));
-    for (std::size_t i = 1; i < TableFileReader::kMostThreads; ++i) {
-        reader.read(QStringLiteral("/blocked"), nullptr);
+    reader.read(QStringLiteral("/blocked/a"), nullptr);
+    ASSERT_TRUE(fakes::waitUntil([&] { return files.inside() == 1; }));
+    for (std::size_t i = 0; i < TableFileReader::kMostThreads; ++i) {
+        reader.read(QStringLiteral("/blocked/ab"), nullptr);
+    }
+    EXPECT_TRUE(next(reader, QStringLiteral("/good/way.csv")));
+    EXPECT_EQ(files.inside(), 1);
+    reader.read(QStringLiteral("/blocked/older"), nullptr);
+    reader.read(QStringLiteral("/blocked/newest"), nullptr);
+    answers.clear();
+    files.release();
+    ASSERT_TRUE(fakes::waitUntil([&] { return files.inside() == 1; }));
+    files.release();
+    ASSERT_TRUE(fakes::waitUntil([&] { return answers.size() == 2; }));
+    EXPECT_EQ(answers[0]->path, QStringLiteral("/blocked/a"));
+    EXPECT_EQ(answers[1]->path, QStringLiteral("/blocked/newest"));
+}
+
+// REQ-APP-64: When too many folders do not answer, the newest question is answered as soon as one of them does.
+TEST_F(TableFileReaderTest, TheNewestQuestionWaitsForAReader)
+{
+    BlockedFiles files;
+    TableFileReader reader(files.reader());
+    listen(reader);
+    for (std::size_t i = 0; i < TableFileReader::kMostThreads; ++i) {
+        reader.read(QStringLiteral("/blocked%1/a").arg(i), nullptr);
     }
     ASSERT_TRUE(fakes::waitUntil([&] { return files.inside() == int{TableFileReader::kMostThreads}; }));
-    answers.clear();
     reader.read(QStringLiteral("/older"), nullptr);
     reader.read(QStringLiteral("/newest"), nullptr);
     files.release();

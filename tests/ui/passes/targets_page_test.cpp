@@ -366,6 +366,28 @@ TEST_F(TableOfAFileTest, ItsReasonKeepsTheRefusalOfAnotherTarget)
     EXPECT_TRUE(isTold(refusal));
 }
 
+// REQ-TARGETS-967
+TEST_F(TableOfAFileTest, TheStationDecidesWhenItIsNotRead)
+{
+    type();
+    elapseShown(kLongestTableReading);
+    EXPECT_TRUE(isTold(QStringLiteral("/tmp/way.csv was not read within 30 s.")));
+    QTest::mouseClick(&track(), Qt::LeftButton);
+    EXPECT_EQ(asked<request::TrackFile>().size(), 1U);
+}
+
+// Also where an earlier answer would not have been tracked.
+// REQ-TARGETS-967
+TEST_F(TableOfAFileTest, AnEarlierTableDoesNotCountWhenItIsNotReadAgain)
+{
+    type();
+    answer(rows(std::chrono::minutes(-9), std::chrono::minutes(-1)));
+    elapseShown(std::chrono::seconds(2));
+    EXPECT_NE(whyNot(), "");
+    elapseShown(kLongestTableReading);
+    EXPECT_EQ(whyNot(), "");
+}
+
 // REQ-TARGETS-964
 TEST_F(TableOfAFileTest, AnotherTextEndsItsReason)
 {
