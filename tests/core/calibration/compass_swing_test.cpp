@@ -187,7 +187,9 @@ TEST(CompassSwing, ALatencyIsSeenAsHysteresisAndDoesNotMoveNorth)
     EXPECT_NEAR(oneWay.systematic.degrees(), std::hypot(std::hypot(1.0, softIron), std::hypot(0.5, latency)), 1e-9);
 }
 
-// REQ-CALIBRATION-06: A sector in which steel deflects the needle is shown, and left out of the fit.
+// REQ-CALIBRATION-06: A sector in which steel deflects the needle is shown, and left out of the fit. It reaches to the
+// first good readings beyond the steel. Sectors that meet are one. Whether the place is hopeless is judged without the
+// room beyond the steel.
 TEST(CompassSwing, PaintsASectorWhereSteelIs)
 {
     SwungMount mount = hidden();
@@ -253,8 +255,7 @@ CompassSwing noisyWithSteel(const std::vector<std::pair<double, double>>& arcs, 
 
 // Story: the room beyond the edges of steel counted as unreliable, and twice where two arcs met. A mount beside 80° of
 // steel got no proposal.
-// REQ-CALIBRATION-06: Beyond an edge of steel the sector ends at the first good readings, and sectors that meet are
-// one. Whether the place is hopeless is judged without the room beyond the edges.
+// REQ-CALIBRATION-06
 TEST(CompassSwing, NoiseDoesNotMakeSteelLarger)
 {
     for (unsigned seed = 1; seed <= 10; ++seed) {

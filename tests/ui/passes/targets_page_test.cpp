@@ -307,7 +307,7 @@ TEST_F(TableOfAFileTest, IsChosenThenTracked)
 // Story: a table that was over, or had a mistake, was refused only after Track was pressed.
 // REQ-TARGETS-964: Track is offered for the table of a file only while the station would track it. The file is read
 // beside the window. The reason is beside the field: the file and the line of a mistake, a path that is over or far
-// off, a site that is missing.
+// off, a site that is missing. It does not replace what the station refused.
 TEST_F(TableOfAFileTest, IsOfferedOnlyIfTheStationTracksIt)
 {
     type();
@@ -347,7 +347,7 @@ TEST_F(TableOfAFileTest, IsOfferedOnlyIfTheStationTracksIt)
 }
 
 // Story: each change of the file erased what the station had refused.
-// REQ-TARGETS-964: The reason does not replace what the station refused.
+// REQ-TARGETS-964
 TEST_F(TableOfAFileTest, ItsReasonKeepsTheRefusalOfAnotherTarget)
 {
     type();
