@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/compass_swing.h"
 
+#include "core/calibration/swing_samples.h"
 #include "tests/core/calibration/mentions.h"
 #include "tests/fakes/swung_mount.h"
 #include "tests/fakes/text_of.h"
@@ -9,8 +10,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <utility>
+#include <random>
+#include <vector>
 
 namespace boresight::calibration {
 namespace {
@@ -237,45 +240,83 @@ TEST(CompassSwing, ASectorMayLieAcrossNorth)
     EXPECT_NEAR(swing.curve.unreliable.front().residual.degrees(), -15.0, 1.5);
 }
 
-// A swing with noise of 2° and steel over these azimuths of the axis.
-CompassSwing noisyWithSteel(const std::vector<std::pair<double, double>>& arcs, unsigned seed)
+Angle sumOf(const std::vector<UnreliableSector>& sectors)
 {
-    SwungMount mount = hidden();
-    mount.noise = 2.0;
-    std::mt19937_64 random(seed);
-    std::vector<SwingSample> samples = fakes::swing(mount, random).samples;
-    for (SwingSample& sample : samples) {
-        const double azimuth = sample.axisAzimuth.degrees();
-        if (std::ranges::any_of(arcs, [&](const auto& arc) { return azimuth >= arc.first && azimuth < arc.second; })) {
-            sample.heading = SensorHeading::folded(sample.heading.angle() + 15_deg);
-        }
+    Angle sum;
+    for (const UnreliableSector& sector : sectors) {
+        sum += sector.width();
     }
-    return fitCompassSwing(samples).value_or(CompassSwing{});
+    return sum;
 }
 
-// Story: the room beyond the edges of steel counted as unreliable, and twice where two arcs met. A mount beside 80° of
-// steel got no proposal.
+// Story: the room beyond the edges of steel counted as unreliable, and twice where two arcs met. A mount beside four
+// arcs of 10° got no proposal.
 // REQ-CALIBRATION-06
-TEST(CompassSwing, NoiseDoesNotMakeSteelLarger)
+TEST(CompassSwing, NoiseDoesNotMakeThePlaceHopeless)
 {
     for (unsigned seed = 1; seed <= 10; ++seed) {
-        for (const auto& [arcs, most] : {std::pair(std::vector{std::pair(200.0, 280.0)}, 100.0),
-                                         std::pair(std::vector{std::pair(40.0, 50.0), std::pair(120.0, 130.0),
-                                                               std::pair(200.0, 210.0), std::pair(225.0, 235.0)},
-                                                   90.0)}) {
-            const CompassSwing swing = noisyWithSteel(arcs, seed);
-            EXPECT_THAT(swing.hopeless, ::testing::Not(Contains(mentions("of the circle is unreliable")))) << seed;
-            Angle sum;
-            for (const UnreliableSector& sector : swing.curve.unreliable) {
-                sum += sector.width();
-            }
-            EXPECT_LE(sum.degrees(), most) << seed;
-            const auto& all = swing.curve.unreliable;
-            for (std::size_t i = 1; i < all.size(); ++i) {
-                EXPECT_FALSE(all[i - 1].contains(all[i].from)) << seed;
-            }
+        SwungMount mount = hidden();
+        mount.noise = 2.0;
+        std::mt19937_64 random(seed);
+        std::vector<SwingSample> samples = fakes::swing(mount, random).samples;
+        for (SwingSample& sample : samples) {
+            const bool isBesideSteel = std::ranges::any_of(
+                std::array{40_deg, 120_deg, 200_deg, 225_deg},
+                [&](Angle from) { return sample.axisAzimuth >= from && sample.axisAzimuth < from + 10_deg; });
+            sample.heading = SensorHeading::folded(sample.heading.angle() + (isBesideSteel ? 15_deg : 0_deg));
         }
+        const auto swing = fitCompassSwing(samples);
+        ASSERT_TRUE(swing.has_value()) << seed;
+        EXPECT_TRUE(swing->isUsable()) << seed;
+        EXPECT_LE(sumOf(swing->curve.unreliable), 90_deg) << seed;
     }
+}
+
+// One reading in each degree, with noise of 2°. Steel from 200° to 280°.
+std::vector<SwingResidual> noisyResiduals(unsigned seed)
+{
+    std::mt19937_64 random(seed);
+    std::normal_distribution<double> noise(0.0, 2.0);
+    std::vector<SwingResidual> residuals;
+    for (double heading = 0.5; heading < 360.0; heading += 1.0) {
+        const double steel = heading > 200.0 && heading < 280.0 ? 15.0 : 0.0;
+        residuals.push_back(
+            {.heading = Angle::fromDegrees(heading), .residual = Angle::fromDegrees(steel + noise(random))});
+    }
+    return residuals;
+}
+
+// REQ-CALIBRATION-06
+TEST(CompassSwing, ASectorEndsAtTheFirstGoodReadings)
+{
+    for (unsigned seed = 1; seed <= 20; ++seed) {
+        const std::vector<SwingResidual> residuals = noisyResiduals(seed);
+        const std::vector<UnreliableSector> steps = unreliableSectors(residuals, 3_deg);
+        EXPECT_NEAR(sumOf(steps).degrees(), 80.0, 1e-9) << seed;
+        const std::vector<UnreliableSector> whole = widened(steps, residuals, 3_deg);
+        ASSERT_EQ(whole.size(), 1U) << seed;
+        EXPECT_GE(whole[0].width(), 79.99_deg) << seed;
+        EXPECT_LE(whole[0].width(), 88_deg) << seed;
+    }
+}
+
+// REQ-CALIBRATION-06
+TEST(CompassSwing, SectorsThatMeetAreOne)
+{
+    const std::vector<UnreliableSector> apart{{.from = 20_deg, .to = 100_deg, .residual = 5_deg},
+                                              {.from = 110_deg, .to = 200_deg, .residual = -9_deg},
+                                              {.from = 350_deg, .to = 10_deg, .residual = 4_deg}};
+    const std::vector<UnreliableSector> one = widened(apart, {}, 3_deg);  // no reading is good
+    ASSERT_EQ(one.size(), 1U);
+    EXPECT_NEAR(one[0].from.degrees(), 340.0, 1e-9);
+    EXPECT_NEAR(one[0].to.degrees(), 210.0, 1e-9);
+    EXPECT_EQ(one[0].residual, -9_deg);
+    const std::vector<UnreliableSector> nearlyAll{{.from = 0_deg, .to = 100_deg}, {.from = 110_deg, .to = 350_deg}};
+    const std::vector<UnreliableSector> circle = widened(nearlyAll, {}, 3_deg);
+    ASSERT_EQ(circle.size(), 1U);
+    EXPECT_EQ(circle[0].width(), 360_deg);
+    const std::vector<UnreliableSector> alone{{.from = 0_deg, .to = 350_deg}};
+    EXPECT_EQ(widened(alone, {}, 3_deg)[0].width(), 360_deg) << "not the arc without its room";
 }
 
 // REQ-CALIBRATION-07: At a place where a compass is of no use, the swing says so with plain reasons.
