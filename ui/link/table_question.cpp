@@ -73,18 +73,23 @@ std::optional<targets::Target> TableQuestion::table() const
 
 QString TableQuestion::whyNot() const
 {
-    if (!isOpen()) {
+    if (!isOpen() || isBlocked()) {
         return {};
-    }
-    if (isBlocked()) {
-        return tr("%1 was not read within %2 s. Check whether its folder answers.")
-            .arg(m_path)
-            .arg(kLongestTableReading.count());
     }
     if (!m_content) {
         return tr("Boresight is reading the file. Wait a moment.");
     }
     return m_content->table ? QString() : m_content->table.error().text;
+}
+
+QString TableQuestion::doubt() const
+{
+    return isBlocked()
+               ? tr("%1 was not read within %2 s. Perhaps its folder does not answer, or another that was asked "
+                    "before. Track tries to read it all the same.")
+                     .arg(m_path)
+                     .arg(kLongestTableReading.count())
+               : QString();
 }
 
 }  // namespace boresight::ui
