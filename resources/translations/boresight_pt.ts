@@ -10484,6 +10484,10 @@ até %1</translation>
         <source>ends the tracking, because the clock was set: %1</source>
         <translation>termina o seguimento, porque o relógio foi acertado: %1</translation>
     </message>
+    <message>
+        <source>has %1 bytes, with a comma between two settings. rotctld accepts at most %2 bytes. Remove a setting.</source>
+        <translation>tem %1 bytes, com uma vírgula entre duas definições. O rotctld aceita no máximo %2 bytes. Retire uma definição.</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>
@@ -18018,12 +18022,12 @@ Em comparação com a montagem em uso:
 <context>
     <name>boresight::ui::TableQuestion</name>
     <message>
-        <source>%1 was not read within %2 s. Check whether its folder answers.</source>
-        <translation>%1 não foi lido em %2 s. Verifique se a sua pasta responde.</translation>
-    </message>
-    <message>
         <source>Boresight is reading the file. Wait a moment.</source>
         <translation>O Boresight está a ler o ficheiro. Espere um momento.</translation>
+    </message>
+    <message>
+        <source>%1 was not read within %2 s. Perhaps its folder does not answer, or another that was asked before. Track tries to read it all the same.</source>
+        <translation>%1 não foi lido em %2 s. Talvez a sua pasta não responda, ou outra que foi lida antes. Seguir tenta lê-lo mesmo assim.</translation>
     </message>
 </context>
 <context>
