@@ -10488,6 +10488,18 @@ até %1</translation>
         <source>has %1 bytes, with a comma between two settings. rotctld accepts at most %2 bytes. Remove a setting.</source>
         <translation>tem %1 bytes, com uma vírgula entre duas definições. O rotctld aceita no máximo %2 bytes. Retire uma definição.</translation>
     </message>
+    <message>
+        <source>The brake output does not work: %1. The brake may be open. Secure the antenna, then empty brake.output on the page Profile.</source>
+        <translation>A saída do travão não funciona: %1. O travão pode estar aberto. Segure a antena e depois esvazie brake.output na página Perfil.</translation>
+    </message>
+    <message>
+        <source>the output before it has not answered for %1 s</source>
+        <translation>a saída anterior não responde há %1 s</translation>
+    </message>
+    <message>
+        <source>uses the port of the transmit output (transmit.output)</source>
+        <translation>usa a porta da saída de transmissão (transmit.output)</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>

@@ -443,6 +443,8 @@ TEST(CrossCheck, TheBrakeHasAnOutputOfItsOwn)
     profile.transmit.output = "rts:/dev/ttyUSB0";
     profile.brake.output = "rts:/dev/ttyUSB0";
     EXPECT_EQ(keysOf(crossCheck(profile)), std::vector<std::string>{"brake.output"});
+    profile.brake.output = "dtr:/dev/ttyUSB0";
+    EXPECT_EQ(keysOf(crossCheck(profile)), std::vector<std::string>{"brake.output"}) << "one program has the port";
     profile.brake.output = "dtr:/dev/ttyUSB1";
     EXPECT_TRUE(crossCheck(profile).empty());
     profile.mqtt.commands = BrokerCommands::Stop;
