@@ -53,8 +53,9 @@ brake::BrakeTimes BrakeGuard::times() const
                             .setAfter = m_of.profile->brake.setAfter,
                             .urgent = Seconds(0.0),
                             .blind = kWatchdogStop};
+    const Capabilities mount = m_of.mount.capabilities();
     for (const Axis axis : kAxes) {
-        if (const auto& capabilities = m_of.mount.capabilities().axes[index(axis)]) {
+        if (const auto& capabilities = mount.axes[index(axis)]) {
             const profile::AxisSettings& settings = m_of.profile->axis(axis);
             const Angle travel = settings.geometry.travel.max - settings.geometry.travel.min;
             const Seconds longest{2.0 * travel.radians() / settings.limits.speed.radians()};
