@@ -24,7 +24,7 @@ profile::Profile braked()
 class StationBrakeTest : public testing::Test
 {
 protected:
-    StationBrakeTest() { run(Seconds(0.6)); }
+    StationBrakeTest() { run(Seconds(1.6)); }
 
     void tick()
     {
