@@ -20,8 +20,10 @@ void BrakeSequence::step(const BrakeInput& input, const BrakeTimes& times, Stead
     if (m_releases) {
         const bool isOpen = isDone || (m_state == BrakeState::Released && m_reached);
         m_state = isOpen ? BrakeState::Released : BrakeState::Releasing;
+        m_wasOpen = m_wasOpen || isOpen;
     } else {
         m_state = isDone ? BrakeState::Set : BrakeState::Setting;
+        m_wasOpen = false;
     }
 }
 
@@ -32,6 +34,9 @@ bool BrakeSequence::decide(const BrakeInput& input, const BrakeTimes& times, Ste
     }
     if (!m_releases) {
         return input.wanted;
+    }
+    if (input.isUrgent && !m_wasOpen) {
+        return false;  // nothing has moved since the order
     }
     const Seconds patience = input.isBlind ? times.blind : input.isUrgent ? times.urgent : times.setAfter;
     return !m_still || now - *m_still < patience;

@@ -51,6 +51,7 @@ private:
 
     BrakeState m_state = BrakeState::Setting;
     bool m_releases = false;
+    bool m_wasOpen = false;               // since the order to release
     std::optional<SteadyTime> m_still;    // since when nothing moves or wants to
     std::optional<SteadyTime> m_reached;  // since when the output is as ordered
 };
