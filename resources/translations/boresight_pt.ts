@@ -18038,8 +18038,8 @@ Em comparação com a montagem em uso:
         <translation>O Boresight está a ler o ficheiro. Espere um momento.</translation>
     </message>
     <message>
-        <source>%1 was not read within %2 s. Perhaps its folder does not answer, or another that was asked before. Track tries to read it all the same.</source>
-        <translation>%1 não foi lido em %2 s. Talvez a sua pasta não responda, ou outra que foi lida antes. Seguir tenta lê-lo mesmo assim.</translation>
+        <source>%1 was not read within %2 s. Its folder or that of an earlier file may not answer. Track tries to read the file all the same.</source>
+        <translation>%1 não foi lido em %2 s. A sua pasta, ou a de um ficheiro anterior, pode não responder. Seguir tenta ler o ficheiro mesmo assim.</translation>
     </message>
 </context>
 <context>

@@ -84,12 +84,11 @@ QString TableQuestion::whyNot() const
 
 QString TableQuestion::doubt() const
 {
-    return isBlocked()
-               ? tr("%1 was not read within %2 s. Perhaps its folder does not answer, or another that was asked "
-                    "before. Track tries to read it all the same.")
-                     .arg(m_path)
-                     .arg(kLongestTableReading.count())
-               : QString();
+    return isBlocked() ? tr("%1 was not read within %2 s. Its folder or that of an earlier file may not answer. "
+                            "Track tries to read the file all the same.")
+                             .arg(m_path)
+                             .arg(kLongestTableReading.count())
+                       : QString();
 }
 
 }  // namespace boresight::ui
