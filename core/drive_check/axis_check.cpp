@@ -103,7 +103,7 @@ void AxisCheck::fix()
     m_written.clear();
     std::vector<std::string> sets{"tel stop"};
     std::vector<std::string> gets;
-    for (std::size_t i = 0; i < lines().size(); ++i) {
+    for (qsizetype i = 0; i < lines().size(); ++i) {
         const Protection& protection = m_protections.wanted()[i];
         if (lines()[i].fix.isEmpty()) {
             continue;

@@ -8,7 +8,6 @@
 #include "core/moteus/count_origin.h"
 
 #include <optional>
-#include <span>
 #include <string_view>
 #include <vector>
 
@@ -47,7 +46,7 @@ public:
     [[nodiscard]] QString progress() const;                                   // "reading servo.timeout_mode of azimuth"
     [[nodiscard]] const QString& trouble() const { return m_trouble; }        // why there is no complete reading
     [[nodiscard]] const QString& fixTrouble() const { return m_fixTrouble; }  // why the settings are not stored
-    [[nodiscard]] std::span<const ProtectionLine> lines() const { return m_protections.lines(); }
+    [[nodiscard]] const QList<ProtectionLine>& lines() const { return m_protections.lines(); }
     [[nodiscard]] std::optional<double> value(std::string_view key) const { return m_protections.value(key); }
     [[nodiscard]] const OriginReading& origin() const { return m_origin; }
     [[nodiscard]] const Heartbeat& heartbeat() const { return m_heartbeat; }

@@ -8,6 +8,7 @@
 #include <QStringList>
 
 #include <algorithm>
+#include <utility>
 
 namespace boresight::drive_check {
 namespace {
@@ -133,8 +134,7 @@ bool DriveCheck::isFixable() const
 
 void DriveCheck::setKnownBoards(const KnownBoards& known)
 {
-    m_known = known;
-    if (m_state == DriveCheckState::Done) {
+    if (std::exchange(m_known, known) != known && m_state == DriveCheckState::Done) {
         collectFindings();
     }
 }
@@ -284,7 +284,7 @@ void DriveCheck::collectFindings()
 // One finding for all lines of a kind. It names the first line, because the lines are sorted by importance.
 void DriveCheck::addProtectionFinding(const Side& side, Verdict verdict)
 {
-    const auto lines = side.drive.lines();
+    const auto& lines = side.drive.lines();
     const auto count = std::ranges::count(lines, verdict, &ProtectionLine::verdict);
     if (count == 0) {
         return;

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <span>
 #include <vector>
 
 // Checks before anything moves which drives are there and whether their own protections are right. Scans the bus,
@@ -67,7 +66,7 @@ public:
     [[nodiscard]] bool isAsking(Axis axis) const { return side(axis).drive.isBusy(); }
     [[nodiscard]] QString progress() const;  // what the check does, or why it is not done; may be empty
     [[nodiscard]] const std::optional<DriveFacts>& facts(Axis axis) const { return side(axis).facts; }
-    [[nodiscard]] std::span<const ProtectionLine> protections(Axis axis) const { return side(axis).drive.lines(); }
+    [[nodiscard]] const QList<ProtectionLine>& protections(Axis axis) const { return side(axis).drive.lines(); }
     // All boards of the last finished scan, in the order of their ids.
     [[nodiscard]] const std::vector<FoundController>& boards() const { return m_boards; }
     // The boards of the last finished scan that the profile does not know.

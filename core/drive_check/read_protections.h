@@ -3,8 +3,9 @@
 
 #include "core/drive_check/protections.h"
 
+#include <QList>
+
 #include <optional>
-#include <span>
 #include <string_view>
 #include <vector>
 
@@ -24,7 +25,7 @@ public:
 
     [[nodiscard]] const std::vector<Protection>& wanted() const { return m_wanted; }
     [[nodiscard]] const std::vector<Reading>& readings() const { return m_readings; }
-    [[nodiscard]] std::span<const ProtectionLine> lines() const { return m_lines; }
+    [[nodiscard]] const QList<ProtectionLine>& lines() const { return m_lines; }
     [[nodiscard]] bool isAnyFixable() const;
     [[nodiscard]] std::optional<double> value(std::string_view key) const;
 
@@ -33,7 +34,7 @@ private:
 
     std::vector<Protection> m_wanted;
     std::vector<Reading> m_readings;
-    std::vector<ProtectionLine> m_lines;
+    QList<ProtectionLine> m_lines;
 };
 
 }  // namespace boresight::drive_check

@@ -7,6 +7,7 @@
 #include "core/messages/protection_line.h"
 #include "core/messages/turn_question.h"
 
+#include <QList>
 #include <QString>
 
 #include <chrono>
@@ -60,8 +61,8 @@ struct DriveStatus
     int id = 0;           // on the bus; 0 until the drive has answered
     DriveIdentity identity;
     DriveReadings readings;
-    QString registers;  // mode and fault in the words of the drive; may be empty
-    std::vector<ProtectionLine> protections;
+    QString registers;                         // mode and fault in the words of the drive; may be empty
+    QList<ProtectionLine> protections;         // a list that copies share: a status is copied many times a second
     std::optional<TurnQuestion> turnQuestion;  // waits for the operator
     std::optional<CrashStop> crashStop;        // of the last crash-stop test
     DriveGains gains;

@@ -196,7 +196,7 @@ std::optional<GearCorrection> BoardDesk::gear(Axis axis) const
     if (!hasDrive(axis)) {
         return std::nullopt;
     }
-    const auto lines = m_driveCheck.protections(axis);
+    const auto& lines = m_driveCheck.protections(axis);
     const auto line = std::ranges::find(lines, QLatin1String(kRatioKey), &ProtectionLine::key);
     const auto& facts = m_driveCheck.facts(axis);
     if (line == lines.end() || line->verdict != Verdict::Dangerous || !facts) {

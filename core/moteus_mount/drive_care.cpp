@@ -436,8 +436,7 @@ void DriveCare::fill(Axis axis, DriveStatus& drive) const
     if (const auto& facts = m_driveCheck.facts(axis)) {
         drive.identity = facts->identity;
     }
-    const auto lines = m_driveCheck.protections(axis);
-    drive.protections.assign(lines.begin(), lines.end());
+    drive.protections = m_driveCheck.protections(axis);
     drive.gains = m_gains[index(axis)].status();
 }
 

@@ -15,6 +15,14 @@ double fraction(double turns)
     return turns - std::floor(turns);
 }
 
+// 0…1. A servo reads its encoder many thousand times a second, and std::uniform_real_distribution works out two
+// logarithms for each number.
+double fractionOfOne(std::minstd_rand& random)
+{
+    constexpr double range = double(std::minstd_rand::max()) - double(std::minstd_rand::min());
+    return double(random() - std::minstd_rand::min()) / range;
+}
+
 }  // namespace
 
 void RotorEncoder::sample(double rotorTurns, double rotorVelocity, double outputTurns)
@@ -108,7 +116,7 @@ double RotorEncoder::toCounted(double position) const
 
 double RotorEncoder::noise(double amplitude)
 {
-    return m_noise.enabled ? std::uniform_real_distribution<double>(-amplitude, amplitude)(m_random) : 0.0;
+    return m_noise.enabled ? amplitude * (2.0 * fractionOfOne(m_random) - 1.0) : 0.0;
 }
 
 }  // namespace boresight::sim

@@ -79,9 +79,9 @@ QString briefOf(const QString& text)
     return found == std::end(kBriefs) ? text : QString::fromUtf8(found->angle);
 }
 
-std::vector<ProtectionLine> protections(Axis axis, bool factory)
+QList<ProtectionLine> protections(Axis axis, bool factory)
 {
-    std::vector<ProtectionLine> lines;
+    QList<ProtectionLine> lines;
     for (const Setting& setting : kSettings) {
         const bool own = axis == Axis::Elevation && setting.wantedElevation != nullptr;
         const QString wanted = QString::fromUtf8(own ? setting.wantedElevation : setting.wanted);

@@ -45,7 +45,7 @@ protected:
     [[nodiscard]] std::size_t rows() const override { return m_rows.size(); }
 
 private:
-    using Lines = std::array<std::vector<ProtectionLine>, 2>;
+    using Lines = std::array<QList<ProtectionLine>, 2>;
 
     struct Row
     {
