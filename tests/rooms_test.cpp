@@ -182,7 +182,7 @@ TEST(Rooms, TheControlKnowsNoKindOfRotator)
     for (const char* const room :
          {"core/moteus", "core/moteus_mount", "core/gs232", "core/gs232_mount", "core/rotctl", "core/rotctld_mount",
           "core/rotator_box", "core/simple_mount", "core/drive_check", "core/journal", "core/can", "core/sim",
-          "core/sim_bus", "core/station", "core/perfect_mount"}) {
+          "core/sim_bus", "core/inputs", "core/clients", "core/station", "core/perfect_mount"}) {
         permitted.erase(room);
     }
     EXPECT_THAT(wrong(kAboveTheDriver, permitted), IsEmpty());
