@@ -297,9 +297,9 @@ TEST(Rooms, NobodyIsHandedTheProfileOrKeepsIt)
     auto parts = linesWith("Settings m_");
     std::erase_if(parts, [](const std::string& line) { return line.find("profile::") == std::string::npos; });
     EXPECT_THAT(parts, IsEmpty());
-    // The station restarts with this profile.
+    // The next station has this profile.
     EXPECT_THAT(linesWith("profile::Profile> m_"),
-                testing::ElementsAre(testing::StartsWith("core/station/station.h:    std::optional")));
+                testing::ElementsAre(testing::StartsWith("core/station/profile_desk.h:    std::optional")));
     // These classes know no profile. Their settings are computed from it: in the units of a drive, for a stream of
     // values, for a mounting in effect and a proposed one.
     EXPECT_THAT(linesWith("void setSettings("),

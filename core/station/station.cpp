@@ -6,8 +6,6 @@
 #include "core/computer_clock/time_effect.h"
 #include "core/north/calibration_gates.h"
 #include "core/outputs/simulated_output.h"
-#include "core/profile/commissioning.h"
-#include "core/profile/profile_diff.h"
 #include "core/sources/motion_sources.h"
 
 #include <QLoggingCategory>
@@ -81,6 +79,11 @@ Station::Station(const profile::Profile& profile, const MountMaker& mount, const
               m_passes.search(std::move(searches), std::move(found));
           },
           [this](const schedule::PassMoment& moment) { m_hooks.tell(moment); }),
+      m_profileDesk(m_profile, m_mount->simulated(), m_log,
+                    [this](const profile::Profile& before, const profile::Profile& wanted) {
+                        profileChanged(before);
+                        Q_EMIT profileApplied(wanted);
+                    }),
       m_eventFile(stateDir, m_log, clock, this),
       m_tickTimer(this),
       m_updateTimer(this),
@@ -302,8 +305,8 @@ void Station::finish()
     qCInfo(lcTick, "ticks %llu, late p50 %.1f ms, p99 %.1f ms, max %.1f ms",
            static_cast<unsigned long long>(m_lateness.count()), m_lateness.percentile(0.5).count() * 1e3,
            m_lateness.percentile(0.99).count() * 1e3, m_lateness.percentile(1.0).count() * 1e3);
-    if (m_next) {
-        Q_EMIT reconnectWanted(*m_next);
+    if (const auto& next = m_profileDesk.next()) {
+        Q_EMIT reconnectWanted(*next);
     } else {
         Q_EMIT finished();
     }
@@ -390,21 +393,8 @@ Result<> Station::obey(const Request& request, const Source& by)
 
 void Station::reload(const Result<profile::Profile>& read)
 {
-    const QString source = QStringLiteral("station");
-    const Result<> taken = read.and_then(
-        [this](const profile::Profile& profile) { return obey(request::ApplyProfile{profile}, operatorSource()); });
-    if (!taken) {
-        m_log.add(Severity::Warning, source,
-                  Text::tr("the profile was not applied, so the previous profile stays in force: %1")
-                      .arg(taken.error().text));
-        return;
-    }
-    QStringList waiting;
-    std::ranges::transform(m_profile.waitingKeys(), std::back_inserter(waiting), toQString);
-    m_log.add(waiting.isEmpty() ? Severity::Advisory : Severity::Warning, source,
-              waiting.isEmpty() ? Text::tr("the profile was read again and is in force")
-                                : Text::tr("the profile was read again. These settings wait for a restart: %1")
-                                      .arg(waiting.join(QStringLiteral(", "))));
+    m_profileDesk.reportReading(read.and_then(
+        [this](const profile::Profile& profile) { return obey(request::ApplyProfile{profile}, operatorSource()); }));
 }
 
 // Carries out the requests that StationControl has accepted but leaves to the station.
@@ -416,10 +406,14 @@ Result<> Station::carryOut(const Request& request, const Source& by)
                                                                : m_server.disconnect(wanted->clientId, reason);
     }
     if (const auto* const applying = std::get_if<request::ApplyProfile>(&request)) {
-        return fits(applying->profile).map([&] { apply(applying->profile); });
+        return m_profileDesk.carryOut(*applying);
     }
     if (const auto* const wanted = std::get_if<CalibrationRequest>(&request)) {
-        return m_calibration.carryOut(*wanted).map([this] { applyCalibration(); });
+        return m_calibration.carryOut(*wanted).map([this] {
+            if (const auto change = m_calibration.takeChange()) {
+                m_profileDesk.apply(*change);
+            }
+        });
     }
     if (const auto* const wanted = std::get_if<TuningRequest>(&request)) {
         return m_tuning.carryOut(*wanted, drives(), m_calibration.moves());
@@ -434,7 +428,7 @@ Result<> Station::carryOut(const Request& request, const Source& by)
         return m_clockGuard.useNewTime(by);
     }
     if (const auto* const wanted = std::get_if<request::Reconnect>(&request)) {
-        return mayConnect(wanted->profile).map([&] { reconnect(wanted->profile); });
+        return m_profileDesk.carryOut(*wanted).map([this] { leave(); });
     }
     return m_mount->carryOut(request);
 }
@@ -467,49 +461,6 @@ std::optional<DrivesStatus> Station::drives() const
     return status.drives;
 }
 
-// Whether the connected mount permits this profile in place of the one in force. The error has the reason.
-Result<> Station::fits(const profile::Profile& wanted) const
-{
-    if (profile::namesNoBus(wanted) != profile::namesNoBus(*m_profile)) {
-        return failure(ErrorCode::Refused,
-                       Text::tr("The bus cannot change between simulated and real while the mount is connected. "
-                                "Press Reconnect, or restart Boresight."));
-    }
-    return m_mount->simulated() ? Result<>{} : profile::fitsRealMount(wanted);
-}
-
-// After a simulation the program itself provides a profile for the real mount, so nothing is checked then.
-Result<> Station::mayConnect(const profile::Profile& next) const
-{
-    return m_mount->simulated() || profile::namesNoBus(next) ? Result<>{} : profile::fitsRealMount(next);
-}
-
-void Station::reconnect(const profile::Profile& next)
-{
-    m_log.add(Severity::Advisory, QStringLiteral("operator"),
-              Text::tr("reconnects to the mount \"%1\"").arg(QString::fromStdString(next.mount.name)));
-    m_next = next;
-    m_tables.forget();
-    m_follow.close();
-    m_transmit.close();
-    m_control.shutDown();
-}
-
-void Station::apply(const profile::Profile& wanted)
-{
-    for (const profile::Change& change : profile::changesBetween(m_profile.wanted(), wanted)) {
-        m_log.add(
-            Severity::Advisory, QStringLiteral("operator"),
-            (change.applies == profile::Applies::Now ? Text::tr("changes %1 from %2 to %3")
-                                                     : Text::tr("changes %1 from %2 to %3, in force after Reconnect"))
-                .arg(toQString(change.key), change.before, change.after));
-    }
-    const std::shared_ptr<const profile::Profile> before = m_profile.shared();
-    m_profile.apply(wanted);
-    profileChanged(*before);
-    Q_EMIT profileApplied(wanted);
-}
-
 // The order matters: first the control with its limits, then the mount, then the parts that send commands and the other
 // inputs. The calibrations come last, because they ask the control, which must have its new limits by then.
 void Station::profileChanged(const profile::Profile& before)
@@ -533,16 +484,6 @@ void Station::profileChanged(const profile::Profile& before)
     m_calibration.profileChanged(before, after);
 }
 
-// Applies the result of a calibration like a change of the profile by the operator.
-void Station::applyCalibration()
-{
-    if (const auto change = m_calibration.takeChange()) {
-        profile::Profile wanted = m_profile.wanted();
-        change->applyTo(wanted);
-        apply(wanted);
-    }
-}
-
 void Station::updateTaken()
 {
     m_screen.want();
@@ -561,7 +502,13 @@ void Station::publish()
 void Station::shutDown()
 {
     m_log.add(Severity::Advisory, QStringLiteral("station"), Text::tr("Boresight is closing. It stops the mount"));
+    leave();
+}
+
+void Station::leave()
+{
     m_tables.forget();
+    m_follow.close();
     m_transmit.close();
     m_control.shutDown();
 }

@@ -28,6 +28,7 @@
 #include "core/outputs/named_output.h"
 #include "core/profile/in_force.h"
 #include "core/profile/profile.h"
+#include "core/station/profile_desk.h"
 #include "core/station/real_time.h"
 #include "core/station/screen_feed.h"
 #include "core/station/station_hooks.h"
@@ -112,12 +113,8 @@ Q_SIGNALS:
     void reconnectWanted(const boresight::profile::Profile& profile);
 
 private:
-    [[nodiscard]] Result<> fits(const profile::Profile& wanted) const;
-    void apply(const profile::Profile& wanted);
-    [[nodiscard]] Result<> mayConnect(const profile::Profile& next) const;
-    void reconnect(const profile::Profile& next);
     void profileChanged(const profile::Profile& before);
-    void applyCalibration();
+    void leave();
     void answer(const NumberedRequest& asked, const Result<>& outcome);
     [[nodiscard]] Result<> obey(const Request& request, const Source& by);
     [[nodiscard]] Result<> askNow(const Request& request, const Source& by);
@@ -166,6 +163,7 @@ private:
     ReportFile m_reportFile;
     NightDesk m_night;
     StationRehearsal m_rehearsal{this};
+    ProfileDesk m_profileDesk;
     EventFile m_eventFile;
     QTimer m_tickTimer;
     QTimer m_updateTimer;
@@ -177,7 +175,6 @@ private:
     SteadyTime m_opened{};
     bool m_startTold = false;
     bool m_finished = false;
-    std::optional<profile::Profile> m_next;  // the profile for the reconnect; empty: no reconnect is wanted
 };
 
 }  // namespace boresight
