@@ -11,15 +11,7 @@
 #include "core/clients/station_shell.h"
 #include "core/computer_clock/clock_guard.h"
 #include "core/control/station_control.h"
-#include "core/inputs/station_azel.h"
-#include "core/inputs/station_broker.h"
-#include "core/inputs/station_elements.h"
-#include "core/inputs/station_follow.h"
-#include "core/inputs/station_position.h"
-#include "core/inputs/station_power.h"
-#include "core/inputs/station_sensor.h"
-#include "core/inputs/station_tables.h"
-#include "core/inputs/station_wind.h"
+#include "core/inputs/station_inputs.h"
 #include "core/messages/request.h"
 #include "core/messages/station_status.h"
 #include "core/mount/mount_connection.h"
@@ -63,7 +55,7 @@ public:
     ~Station() override;
 
     // Replaces how the orientation sensor is made. Call before start().
-    void setSensorMaker(SensorMaker maker) { m_sensor.setMaker(std::move(maker)); }
+    void setSensorMaker(SensorMaker maker) { m_inputs.sensor().setMaker(std::move(maker)); }
 
     // Replaces how the output of the brakes is made. Call before start().
     void setBrakeMaker(outputs::NamedOutput::Make make) { m_brake.setMaker(std::move(make)); }
@@ -120,8 +112,6 @@ private:
     [[nodiscard]] Result<> askNow(const Request& request, const Source& by);
     void hurry(const Request& request);
     [[nodiscard]] Result<> carryOut(const Request& request, const Source& by);
-    void readTable(const QString& path, StationTables::Then then);
-    void findRotator(const QString& name, StationFollow::Then then);
     [[nodiscard]] TimeEffect effectOf(Seconds clockSet);
     [[nodiscard]] Result<> rehearse(const request::Rehearse& wanted);
     [[nodiscard]] std::optional<DrivesStatus> drives() const;
@@ -143,16 +133,8 @@ private:
     ClockGuard m_clockGuard;
     StationServer m_server;
     StationShell m_shell;
-    StationBroker m_broker;
+    StationInputs m_inputs;
     MessageCommands m_commands;
-    StationSensor m_sensor;
-    StationPower m_power;
-    StationElements m_elements;
-    StationFollow m_follow;
-    StationAzel m_azel;
-    StationTables m_tables{this};
-    StationPosition m_position;
-    StationWind m_wind;
     CalibrationFile m_calibrationFile;
     CalibrationDesk m_calibration;
     TuningDesk m_tuning;
