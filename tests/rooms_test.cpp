@@ -91,8 +91,8 @@ Rooms joined(Rooms one, const Rooms& other)
 const Rooms kSeenByTheWindow{"core/base",   "core/units",    "core/pointing", "core/profile",
                              "core/alarms", "core/messages", "core/elements", "core/orbit",
                              "core/passes", "core/gpredict", "core/schedule", "core/targets"};
-const Rooms kAboveTheDriver{"core/control", "core/sources", "core/motion", "core/mount",
-                            "core/north",   "core/tuning",  "core/night",  "core/cross_check"};
+const Rooms kAboveTheDriver{"core/control", "core/guards", "core/sources", "core/motion",     "core/mount",
+                            "core/north",   "core/tuning", "core/night",   "core/cross_check"};
 const Rooms kBelowPanels{"ui/kit", "ui/look", "ui/link", "ui/hold", "ui/sky"};
 
 TEST(Rooms, NoTwoKnowEachOther)
@@ -188,14 +188,15 @@ TEST(Rooms, TheControlKnowsNoKindOfRotator)
     EXPECT_THAT(wrong(kAboveTheDriver, permitted), IsEmpty());
 }
 
-// Only the control commands a driver. Apart from it only the drivers and the code that makes them include the port.
+// Only the control commands a driver. Apart from it and its guards, only the drivers and the code that makes them
+// include the port.
 TEST(Rooms, OnlyTheControlKnowsThePortOfTheMount)
 {
     std::vector<std::string> found;
     for (const std::string& path : sourcesBelow("core")) {
         const std::string room = roomOf(path);
-        if (room == "core/control" || room == "core/mount" || room == "core/rotator_box" || room == "core/station" ||
-            room.ends_with("_mount")) {
+        if (room == "core/control" || room == "core/guards" || room == "core/mount" || room == "core/rotator_box" ||
+            room == "core/station" || room.ends_with("_mount")) {
             continue;
         }
         std::ifstream file(std::filesystem::path(BORESIGHT_SOURCES) / path);

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/base/clock.h"
-#include "core/control/clock_trust.h"
 #include "core/ephemeris/almanac.h"
+#include "core/guards/clock_trust.h"
 #include "core/pointing/region.h"
 #include "core/profile/in_force.h"
 

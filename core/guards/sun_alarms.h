@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/alarms/alarm_board.h"
-#include "core/control/sun_watch.h"
+#include "core/guards/sun_watch.h"
 
 #include <optional>
 

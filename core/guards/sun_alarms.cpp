@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/control/sun_alarms.h"
+#include "core/guards/sun_alarms.h"
 
 #include "core/alarms/catalogue.h"
 #include "core/base/numbers.h"

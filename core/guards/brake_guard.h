@@ -6,7 +6,7 @@
 #include "core/base/result.h"
 #include "core/brake/brake_sequence.h"
 #include "core/contacts/output_name.h"
-#include "core/control/standstill_watch.h"
+#include "core/guards/standstill_watch.h"
 #include "core/messages/brake_status.h"
 #include "core/motion/motion.h"
 #include "core/mount/mount_driver.h"

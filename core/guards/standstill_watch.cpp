@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/control/standstill_watch.h"
+#include "core/guards/standstill_watch.h"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/control/wind_guard.h"
+#include "core/guards/wind_guard.h"
 
 #include "core/alarms/catalogue.h"
 #include "core/base/numbers.h"

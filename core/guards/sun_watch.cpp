@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/control/sun_watch.h"
+#include "core/guards/sun_watch.h"
 
 #include "core/ephemeris/refraction.h"
 #include "core/pointing/missing_axis.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/control/clock_trust.h"
+#include "core/guards/clock_trust.h"
 
 namespace boresight {
 
