@@ -91,8 +91,8 @@ Rooms joined(Rooms one, const Rooms& other)
 const Rooms kSeenByTheWindow{"core/base",   "core/units",    "core/pointing", "core/profile",
                              "core/alarms", "core/messages", "core/elements", "core/orbit",
                              "core/passes", "core/gpredict", "core/schedule", "core/targets"};
-const Rooms kAboveTheDriver{"core/control", "core/sources", "core/motion", "core/mount",
-                            "core/north",   "core/tuning",  "core/night",  "core/cross_check"};
+const Rooms kAboveTheDriver{"core/control", "core/guards", "core/sources", "core/motion",     "core/mount",
+                            "core/north",   "core/tuning", "core/night",   "core/cross_check"};
 const Rooms kBelowPanels{"ui/kit", "ui/look", "ui/link", "ui/hold", "ui/sky"};
 
 TEST(Rooms, NoTwoKnowEachOther)
@@ -182,20 +182,21 @@ TEST(Rooms, TheControlKnowsNoKindOfRotator)
     for (const char* const room :
          {"core/moteus", "core/moteus_mount", "core/gs232", "core/gs232_mount", "core/rotctl", "core/rotctld_mount",
           "core/rotator_box", "core/simple_mount", "core/drive_check", "core/journal", "core/can", "core/sim",
-          "core/sim_bus", "core/station", "core/perfect_mount"}) {
+          "core/sim_bus", "core/inputs", "core/clients", "core/station", "core/perfect_mount"}) {
         permitted.erase(room);
     }
     EXPECT_THAT(wrong(kAboveTheDriver, permitted), IsEmpty());
 }
 
-// Only the control commands a driver. Apart from it only the drivers and the code that makes them include the port.
+// Only the control commands a driver. Apart from it and its guards, only the drivers and the code that makes them
+// include the port.
 TEST(Rooms, OnlyTheControlKnowsThePortOfTheMount)
 {
     std::vector<std::string> found;
     for (const std::string& path : sourcesBelow("core")) {
         const std::string room = roomOf(path);
-        if (room == "core/control" || room == "core/mount" || room == "core/rotator_box" || room == "core/station" ||
-            room.ends_with("_mount")) {
+        if (room == "core/control" || room == "core/guards" || room == "core/mount" || room == "core/rotator_box" ||
+            room == "core/station" || room.ends_with("_mount")) {
             continue;
         }
         std::ifstream file(std::filesystem::path(BORESIGHT_SOURCES) / path);
@@ -297,9 +298,9 @@ TEST(Rooms, NobodyIsHandedTheProfileOrKeepsIt)
     auto parts = linesWith("Settings m_");
     std::erase_if(parts, [](const std::string& line) { return line.find("profile::") == std::string::npos; });
     EXPECT_THAT(parts, IsEmpty());
-    // The station restarts with this profile.
+    // The next station has this profile.
     EXPECT_THAT(linesWith("profile::Profile> m_"),
-                testing::ElementsAre(testing::StartsWith("core/station/station.h:    std::optional")));
+                testing::ElementsAre(testing::StartsWith("core/station/profile_desk.h:    std::optional")));
     // These classes know no profile. Their settings are computed from it: in the units of a drive, for a stream of
     // values, for a mounting in effect and a proposed one.
     EXPECT_THAT(linesWith("void setSettings("),

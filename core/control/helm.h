@@ -2,11 +2,11 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/control/cable_guard.h"
 #include "core/control/control_parts.h"
 #include "core/control/first_moves_guard.h"
 #include "core/control/gates.h"
 #include "core/control/source_log.h"
+#include "core/guards/cable_guard.h"
 
 #include <QString>
 

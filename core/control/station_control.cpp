@@ -2,10 +2,8 @@
 #include "core/control/station_control.h"
 
 #include "core/base/text.h"
-#include "core/base/time_of_day.h"
 #include "core/mount/mount_service.h"
 #include "core/pointing/nearest_permitted.h"
-#include "core/profile/setting.h"
 
 #include <algorithm>
 #include <type_traits>
@@ -23,15 +21,6 @@ constexpr bool kIsCarriedOutAbove =
     std::is_same_v<Wanted, ScheduleRequest> || std::is_same_v<Wanted, request::Rehearse> ||
     std::is_same_v<Wanted, request::JudgeDirection> || std::is_same_v<Wanted, request::TrackFile> ||
     std::is_same_v<Wanted, request::UseNewTime>;
-
-Result<> makesSense(const profile::Profile& profile)
-{
-    const auto problems = profile::problemsOf(profile);
-    if (!problems.empty()) {
-        return failure(ErrorCode::InvalidInput, profile::toText(problems.front()));
-    }
-    return {};
-}
 
 }  // namespace
 
@@ -72,6 +61,13 @@ StationControl::StationControl(const profile::InForce& profile, const Clock& clo
                 .log = log}),
       m_clientDesk(m_helm, m_arming, m_clientControl, log),
       m_mountDesk(mount, m_helm, log),
+      m_operatorDesk({.helm = m_helm,
+                      .antenna = m_antenna,
+                      .wind = m_wind,
+                      .brake = m_brake,
+                      .clock = clock,
+                      .alarms = alarms,
+                      .log = log}),
       m_targetAlarm(m_alarms),
       m_adviceAlarms(m_alarms),
       m_now(clock.now()),
@@ -118,6 +114,8 @@ Result<> StationControl::request(const Request& request, const Source& source)
             return askSources(request, source);
         } else if constexpr (requires { m_clientDesk.ask(wanted, source); }) {
             return m_clientDesk.ask(wanted, source);
+        } else if constexpr (requires { m_operatorDesk.ask(wanted, source); }) {
+            return m_operatorDesk.ask(wanted, source);
         } else if constexpr (requires { m_mountDesk.ask(wanted, source); }) {
             return m_mountDesk.ask(wanted, source);
         } else if constexpr (kIsCarriedOutAbove<Wanted>) {
@@ -138,9 +136,7 @@ StationStatus StationControl::status() const
     status.profile = m_profile.shared();
     status.wind = m_wind.status();
     status.brake = m_brake.status();
-    for (const auto& one : m_sources) {
-        one->describe(status);
-    }
+    m_sources.describe(status);
     return status;
 }
 
@@ -149,54 +145,19 @@ Result<> StationControl::askSources(const Request& request, const Source& source
     if (source.kind == SourceKind::Client) {
         clientAsked(source);
     }
-    for (const auto& one : m_sources) {
-        if (auto answer = one->take(request, source)) {
-            return *std::move(answer);
-        }
-    }
-    return failure(ErrorCode::NotAvailable, Text::tr("no source of motion accepts this request"));
-}
-
-void StationControl::stepSources()
-{
-    for (const auto& one : m_sources) {
-        one->step(m_now);
-    }
-}
-
-Result<> StationControl::receive(const SourceReport& received)
-{
-    Result<> believed;
-    for (const auto& one : m_sources) {
-        believed = believed.and_then([&] { return one->receive(received); });
-    }
-    return believed;
-}
-
-std::optional<SkyPointing> StationControl::targetAt(UtcTime utc)
-{
-    for (const auto& one : m_sources) {
-        if (const auto direction = one->targetAt(utc)) {
-            return direction;
-        }
-    }
-    return std::nullopt;
+    return m_sources.ask(request, source);
 }
 
 void StationControl::sourceGone(const Source& source)
 {
     m_clientControl.gone(source);
-    for (const auto& one : m_sources) {
-        one->gone(source);
-    }
+    m_sources.gone(source);
 }
 
 void StationControl::positionRead(std::uint64_t clientId)
 {
     m_clientControl.read(clientId, m_now);
-    for (const auto& one : m_sources) {
-        one->positionRead(clientId);
-    }
+    m_sources.positionRead(clientId);
 }
 
 Result<> StationControl::handle(const request::Hold&, const Source& source)
@@ -247,64 +208,6 @@ Result<> StationControl::handle(const request::Rearm&, const Source& source)
     });
 }
 
-Result<> StationControl::handle(const request::ClearTrim&, const Source& source)
-{
-    return operatorOnly(source).map([&] {
-        if (gates().mayClearTrim()) {
-            m_helm.setTrim({}, source);
-        }
-    });
-}
-
-Result<> StationControl::handle(const request::HoldAtEnd&, const Source& source)
-{
-    return operatorOnly(source).and_then([&] { return gates().mayHoldAtEnd(); }).map([&] { m_helm.keepWrap(source); });
-}
-
-Result<> StationControl::handle(const request::AcknowledgeAlarms&, const Source&)
-{
-    m_alarms.acknowledgeAll();
-    return {};
-}
-
-Result<> StationControl::handle(const request::AcknowledgeAlarm& wanted, const Source&)
-{
-    m_alarms.acknowledge(wanted.alarmId);
-    return {};
-}
-
-Result<> StationControl::handle(const request::OverrideWind&, const Source& source)
-{
-    return operatorOnly(source).and_then([this] { return m_wind.mayOverride(); }).map([&] {
-        m_wind.override();
-        m_log.add(Severity::Warning, source.name,
-                  Text::tr("lets the mount move in the wind until %1")
-                      .arg(timeOfDayText(m_wind.status().overriddenUntil.value_or(m_clock.utc()))));
-    });
-}
-
-Result<> StationControl::handle(const request::UseAntenna& wanted, const Source& source)
-{
-    return operatorOnly(source).and_then([&] { return gates().mayUseAntenna(); }).and_then([&] {
-        return m_antenna.choose(wanted.name);
-    });
-}
-
-// Only judges the profile. The station applies it and calls profileChanged().
-Result<> StationControl::handle(const request::ApplyProfile& wanted, const Source& source)
-{
-    return operatorOnly(source).and_then([&] { return makesSense(wanted.profile); }).and_then([&] {
-        return gates().mayTurnBeam(wanted.profile).and_then([&] { return m_brake.mayChange(wanted.profile); });
-    });
-}
-
-Result<> StationControl::handle(const request::Reconnect& wanted, const Source& source)
-{
-    return operatorOnly(source).and_then([this] { return gates().drivesRest(); }).and_then([&] {
-        return makesSense(wanted.profile);
-    });
-}
-
 void StationControl::profileChanged(const profile::Profile& before, const profile::Profile& after)
 {
     if (before.mount.directions != after.mount.directions) {
@@ -321,9 +224,7 @@ void StationControl::profileChanged(const profile::Profile& before, const profil
     m_motion.setArrival(after.control.arrival);
     m_slew.lookAgain();
     m_adviceAlarms.update(after);
-    for (const auto& one : m_sources) {
-        one->profileChanged(before, after);
-    }
+    m_sources.profileChanged(before, after);
 }
 
 // Returns to the chosen antenna when the mount rests. A place of the axes does not depend on the antenna.
@@ -422,7 +323,7 @@ void StationControl::tick()
     // Before the sources: in a strong wind one source parks the mount, and the others are refused.
     m_wind.step();
     // After STOP and faults are known, so that no source begins a motion which they forbid.
-    stepSources();
+    m_sources.step(m_now);
     // After the sources, because a source may have ended its tracking.
     releaseAntenna();
     // After the sources: a motion that they have just begun ends here if it is not permitted.

@@ -8,8 +8,6 @@
 #include "core/control/advice_alarms.h"
 #include "core/control/antenna_choice.h"
 #include "core/control/arming.h"
-#include "core/control/brake_guard.h"
-#include "core/control/cable_guard.h"
 #include "core/control/client_control.h"
 #include "core/control/client_desk.h"
 #include "core/control/current_motion.h"
@@ -17,16 +15,19 @@
 #include "core/control/gates.h"
 #include "core/control/held_log.h"
 #include "core/control/helm.h"
-#include "core/control/motion_source.h"
 #include "core/control/mount_desk.h"
+#include "core/control/operator_desk.h"
 #include "core/control/orderly_end.h"
 #include "core/control/region_keeper.h"
 #include "core/control/slew_watch.h"
+#include "core/control/source_list.h"
 #include "core/control/source_log.h"
-#include "core/control/standstill_watch.h"
 #include "core/control/status_report.h"
 #include "core/control/target_alarm.h"
-#include "core/control/wind_guard.h"
+#include "core/guards/brake_guard.h"
+#include "core/guards/cable_guard.h"
+#include "core/guards/standstill_watch.h"
+#include "core/guards/wind_guard.h"
 #include "core/messages/request.h"
 #include "core/messages/station_status.h"
 #include "core/motion/motion.h"
@@ -167,23 +168,15 @@ public:
     [[nodiscard]] QString windObstacle() const { return m_wind.obstacle(); }
     // Where the target that is tracked by the time is at this time. Empty: none is tracked, or the direction is
     // unknown.
-    [[nodiscard]] std::optional<SkyPointing> targetAt(UtcTime utc);
+    [[nodiscard]] std::optional<SkyPointing> targetAt(UtcTime utc) { return m_sources.targetAt(utc); }
     // Passes a report to the source of motion that waits for it. The error explains why the report is not believed.
-    Result<> receive(const SourceReport& received);
+    Result<> receive(const SourceReport& received) { return m_sources.receive(received); }
 
 private:
     Result<> handle(const request::Hold& wanted, const Source& source);
     Result<> handle(const request::Stop& wanted, const Source& source);
     Result<> handle(const request::ResetStop& wanted, const Source& source);
     Result<> handle(const request::Rearm& wanted, const Source& source);
-    Result<> handle(const request::AcknowledgeAlarms& wanted, const Source& source);
-    Result<> handle(const request::ClearTrim& wanted, const Source& source);
-    Result<> handle(const request::HoldAtEnd& wanted, const Source& source);
-    Result<> handle(const request::AcknowledgeAlarm& wanted, const Source& source);
-    Result<> handle(const request::OverrideWind& wanted, const Source& source);
-    Result<> handle(const request::UseAntenna& wanted, const Source& source);
-    Result<> handle(const request::ApplyProfile& wanted, const Source& source);
-    Result<> handle(const request::Reconnect& wanted, const Source& source);
 
     Result<> askSources(const Request& request, const Source& source);
 
@@ -200,7 +193,6 @@ private:
     void watchBrake();
     void keepStopped();
     void stepProof();
-    void stepSources();
     void releaseAntenna();
     void watchInterlock();
     void watchRegion();
@@ -235,13 +227,14 @@ private:
     RegionKeeper m_region;
     ClientDesk m_clientDesk;
     MountDesk m_mountDesk;
+    OperatorDesk m_operatorDesk;
     TargetAlarm m_targetAlarm;
     AdviceAlarms m_adviceAlarms;
     OrderlyEnd m_end;
     SteadyTime m_now{};    // time of the running or last tick
     SteadyTime m_asked{};  // time of the last request
     std::uint64_t m_tick = 0;
-    MotionSources m_sources;
+    SourceList m_sources;
 };
 
 }  // namespace boresight

@@ -2,11 +2,11 @@
 #pragma once
 
 #include "core/base/clock.h"
+#include "core/inputs/sensor_factory.h"
 #include "core/messages/rotator_models.h"
 #include "core/messages/rotator_offer.h"
 #include "core/mount/mount_kind.h"
 #include "core/profile/profile.h"
-#include "core/station/sensor_factory.h"
 
 #include <map>
 #include <memory>

@@ -6,8 +6,6 @@
 #include "core/computer_clock/time_effect.h"
 #include "core/north/calibration_gates.h"
 #include "core/outputs/simulated_output.h"
-#include "core/profile/commissioning.h"
-#include "core/profile/profile_diff.h"
 #include "core/sources/motion_sources.h"
 
 #include <QLoggingCategory>
@@ -43,33 +41,27 @@ Station::Station(const profile::Profile& profile, const MountMaker& mount, const
       m_control(m_profile, m_kept, m_log, m_alarms, m_mount->driver(), motionSources),
       m_clockGuard(m_kept, m_log, m_alarms, [this](Seconds by) { return effectOf(by); }),
       m_server(m_control, m_profile, m_log, clock, this),
-      m_shell(
-          {.ask = [this](const Request& request, const Source& by) { return askNow(request, by); },
-           .mayShellCommand = [this] { return m_control.mayShellCommand(); },
-           .readTable = [this](const QString& path, StationTables::Then then) { readTable(path, std::move(then)); },
-           .findRotator = [this](const QString& name, StationFollow::Then then) { findRotator(name, std::move(then)); },
-           .satellites = [this] { return m_elements.satellites(); },
-           .antennas = [this] { return knownAntennas(); },
-           .schedule = [this] { return m_night.status(); },
-           .rehearsal = [this] { return m_rehearsal.status(); },
-           .status = [this] { return status(); },
-           .transmit = [this] { return m_transmit.status(); }},
-          m_log, clock, this),
-      m_broker(m_profile, m_log, clock, this),
+      m_shell({.ask = [this](const Request& request, const Source& by) { return askNow(request, by); },
+               .mayShellCommand = [this] { return m_control.mayShellCommand(); },
+               .readTable = [this](const QString& path,
+                                   StationTables::Then then) { m_inputs.readTable(path, std::move(then)); },
+               .findRotator = [this](const QString& name,
+                                     StationFollow::Then then) { m_inputs.findRotator(name, std::move(then)); },
+               .satellites = [this] { return m_inputs.elements().satellites(); },
+               .antennas = [this] { return knownAntennas(); },
+               .schedule = [this] { return m_night.status(); },
+               .rehearsal = [this] { return m_rehearsal.status(); },
+               .status = [this] { return status(); },
+               .transmit = [this] { return m_transmit.status(); }},
+              m_log, clock, this),
+      m_inputs(m_control, m_profile, clock, m_log, this),
       m_commands(
-          m_control.alarms(), m_profile, m_log, clock, m_broker, m_server.rotator(), m_server.newestClient(),
+          m_control.alarms(), m_profile, m_log, clock, m_inputs.broker(), m_server.rotator(), m_server.newestClient(),
           [this](const rotctld::Client& client) { return askNow(request::Stop{}, clientSource(client)); }, this),
-      m_sensor(m_profile, clock, m_log, m_control.alarms(), m_broker, this),
-      m_power(m_profile, clock, m_log, this),
-      m_elements(m_profile, m_log, clock, this),
-      m_follow(m_control, m_profile, clock, this),
-      m_azel(m_profile, this),
-      m_position(m_profile, m_log, clock, m_broker, this),
-      m_wind(m_profile, m_log, clock, m_broker, this),
       m_calibrationFile(calibrationPath(stateDir, toQString(profile.mount.name), m_mount->simulated()), this),
       m_calibration(m_control, m_profile, m_calibrationFile, m_kept, m_log),
       m_tuning(m_control, clock, m_log),
-      m_hooks(m_profile, m_mount->simulated(), m_log, m_broker, this),
+      m_hooks(m_profile, m_mount->simulated(), m_log, m_inputs.broker(), this),
       m_transmit(m_profile, m_mount->simulated(), clock, m_log, m_alarms, this),
       m_brake(
           m_profile, [](const profile::Profile& named) -> const std::string& { return named.brake.output; },
@@ -81,6 +73,11 @@ Station::Station(const profile::Profile& profile, const MountMaker& mount, const
               m_passes.search(std::move(searches), std::move(found));
           },
           [this](const schedule::PassMoment& moment) { m_hooks.tell(moment); }),
+      m_profileDesk(m_profile, m_mount->simulated(), m_log,
+                    [this](const profile::Profile& before, const profile::Profile& wanted) {
+                        profileChanged(before);
+                        Q_EMIT profileApplied(wanted);
+                    }),
       m_eventFile(stateDir, m_log, clock, this),
       m_tickTimer(this),
       m_updateTimer(this),
@@ -91,11 +88,6 @@ Station::Station(const profile::Profile& profile, const MountMaker& mount, const
         m_brake.setMaker(outputs::simulatedOutput);  // no drive holds the real antenna
     }
     m_mount->setParent(this);  // so that it moves to the station thread with the station
-    for (const Axis axis : kAxes) {
-        if (!m_mount->driver().capabilities().has(axis)) {
-            m_sensor.watch().leaveOut(axis);
-        }
-    }
     m_tickTimer.setTimerType(Qt::PreciseTimer);
     m_tickTimer.setInterval(std::chrono::round<std::chrono::milliseconds>(profile.control.tickPeriod()));
     m_updateTimer.setInterval(kUpdatePeriod);
@@ -106,16 +98,10 @@ Station::Station(const profile::Profile& profile, const MountMaker& mount, const
     });
     connect(&m_updateTimer, &QTimer::timeout, this, &Station::publish);
     connect(&m_reopenTimer, &QTimer::timeout, this, &Station::openMount);
-    connect(&m_elements, &StationElements::changed, this, [this] { m_night.setSatellites(m_elements.satellites()); });
-    connect(&m_power, &StationPower::received, this, [this](const power::Value& value) { m_calibration.take(value); });
-    connect(&m_azel, &StationAzel::looked, this,
-            [this](const azel::AzelReading& reading) { (void)m_control.receive(reading); });
-    connect(&m_position, &StationPosition::received, this, [this](const Result<position::PositionText>& read) {
-        if (const Result<> taken = m_control.receive(read); !taken) {
-            m_position.tellRefused(taken.error());
-        }
-    });
-    connect(&m_wind, &StationWind::measured, this, [this](double speed) { m_control.takeWind(speed); });
+    connect(&m_inputs.elements(), &StationElements::changed, this,
+            [this] { m_night.setSatellites(m_inputs.elements().satellites()); });
+    connect(&m_inputs.power(), &StationPower::received, this,
+            [this](const power::Value& value) { m_calibration.take(value); });
     connect(&m_eventFile, &EventFile::failed, this,
             [this](const QString& reason) { m_control.alarms().raise(alarmEntry("log.not-stored"), {reason}); });
     connect(&m_eventFile, &EventFile::written, this,
@@ -149,14 +135,8 @@ void Station::openAll()
     tellDirections();
     openMount();
     openServer();
-    m_broker.open();
+    m_inputs.open();
     m_commands.open();
-    m_sensor.open();
-    m_power.open();
-    m_elements.open();
-    m_azel.open();
-    m_position.open();
-    m_wind.open();
     m_transmit.open();
     m_brake.open();
     m_eventFile.tick();
@@ -236,7 +216,7 @@ void Station::tick()
     }
     m_server.tick();
     m_commands.tick();
-    m_calibration.show(m_power.tick());
+    m_calibration.show(m_inputs.power().tick());
     m_calibration.tick();
     m_tuning.tick();
     m_night.tick();
@@ -246,8 +226,7 @@ void Station::tick()
     if (!m_control.releasesBrake() || m_brake.answer().problem.isEmpty()) {
         m_brake.order(m_control.releasesBrake());
     }
-    m_tables.tick(m_control.motionId(), m_clock.now());
-    m_follow.tick();
+    m_inputs.tick();
     if (m_transmit.isWanted()) {
         m_transmit.tick(m_control.status());
     }
@@ -271,11 +250,12 @@ void Station::witness()
         }
     }
     const auto proposed = m_calibration.proposedOfSensor();
-    m_sensor.watch().setProposed(proposed ? proposed->sensor : std::nullopt);
-    m_sensor.watch().tick(m_control.directionBy(m_profile->pointing), amperes,
-                          proposed ? m_control.directionBy(proposed->terms) : std::nullopt);
-    m_calibration.take(m_sensor.status());
-    const SensorEvidence evidence = m_sensor.evidence();
+    StationSensor& sensor = m_inputs.sensor();
+    sensor.watch().setProposed(proposed ? proposed->sensor : std::nullopt);
+    sensor.watch().tick(m_control.directionBy(m_profile->pointing), amperes,
+                        proposed ? m_control.directionBy(proposed->terms) : std::nullopt);
+    m_calibration.take(sensor.status());
+    const SensorEvidence evidence = sensor.evidence();
     m_control.setSensor(evidence.azimuth, evidence.elevation);
     m_mount->setCourse(evidence.course);
 }
@@ -289,12 +269,7 @@ void Station::finish()
     m_shell.close();
     m_server.close();
     m_commands.close();
-    m_sensor.close();
-    m_power.close();
-    m_azel.close();
-    m_position.close();
-    m_wind.close();
-    m_broker.close();
+    m_inputs.close();
     m_mount->close();
     m_brake.close();
     m_screen.want();  // the last update, also to a slow screen: it has the answer to the request to end
@@ -302,8 +277,8 @@ void Station::finish()
     qCInfo(lcTick, "ticks %llu, late p50 %.1f ms, p99 %.1f ms, max %.1f ms",
            static_cast<unsigned long long>(m_lateness.count()), m_lateness.percentile(0.5).count() * 1e3,
            m_lateness.percentile(0.99).count() * 1e3, m_lateness.percentile(1.0).count() * 1e3);
-    if (m_next) {
-        Q_EMIT reconnectWanted(*m_next);
+    if (const auto& next = m_profileDesk.next()) {
+        Q_EMIT reconnectWanted(*next);
     } else {
         Q_EMIT finished();
     }
@@ -312,14 +287,14 @@ void Station::finish()
 void Station::request(const NumberedRequest& numbered)
 {
     if (const auto* const file = std::get_if<request::TrackFile>(&numbered.request)) {
-        readTable(file->path, [this, numbered](const Result<targets::Target>& table) {
+        m_inputs.readTable(file->path, [this, numbered](const Result<targets::Target>& table) {
             const auto track = [this](const auto& target) { return obey(request::Track{target}, operatorSource()); };
             answer(numbered, table.and_then(track));
         });
         return;
     }
     if (const auto* const other = std::get_if<request::FollowRotator>(&numbered.request)) {
-        findRotator(other->name, [this, numbered](const Result<QString>& found) {
+        m_inputs.findRotator(other->name, [this, numbered](const Result<QString>& found) {
             const Result<> followed = found.and_then(
                 [this](const QString& name) { return obey(request::FollowRotator{name}, operatorSource()); });
             answer(numbered, followed);
@@ -329,19 +304,6 @@ void Station::request(const NumberedRequest& numbered)
     }
     answer(numbered, obey(numbered.request, operatorSource()));
     hurry(numbered.request);
-}
-
-// Only the newest request waits: a table ends the waiting for a rotator, and the other way round.
-void Station::readTable(const QString& path, StationTables::Then then)
-{
-    m_follow.forget();
-    m_tables.read(path, std::move(then));
-}
-
-void Station::findRotator(const QString& name, StationFollow::Then then)
-{
-    m_tables.forget();
-    m_follow.find(name, std::move(then));
 }
 
 void Station::answer(const NumberedRequest& asked, const Result<>& outcome)
@@ -381,30 +343,14 @@ Result<> Station::obey(const Request& request, const Source& by)
         .and_then([&] { return carryOut(request, by); })
         .map([&] {
             m_night.noticed(request, by);
-            m_tables.noticed(request);
-            if (!leavesTheMount(request)) {
-                m_follow.forget();
-            }
+            m_inputs.noticed(request);
         });
 }
 
 void Station::reload(const Result<profile::Profile>& read)
 {
-    const QString source = QStringLiteral("station");
-    const Result<> taken = read.and_then(
-        [this](const profile::Profile& profile) { return obey(request::ApplyProfile{profile}, operatorSource()); });
-    if (!taken) {
-        m_log.add(Severity::Warning, source,
-                  Text::tr("the profile was not applied, so the previous profile stays in force: %1")
-                      .arg(taken.error().text));
-        return;
-    }
-    QStringList waiting;
-    std::ranges::transform(m_profile.waitingKeys(), std::back_inserter(waiting), toQString);
-    m_log.add(waiting.isEmpty() ? Severity::Advisory : Severity::Warning, source,
-              waiting.isEmpty() ? Text::tr("the profile was read again and is in force")
-                                : Text::tr("the profile was read again. These settings wait for a restart: %1")
-                                      .arg(waiting.join(QStringLiteral(", "))));
+    m_profileDesk.reportReading(read.and_then(
+        [this](const profile::Profile& profile) { return obey(request::ApplyProfile{profile}, operatorSource()); }));
 }
 
 // Carries out the requests that StationControl has accepted but leaves to the station.
@@ -416,10 +362,14 @@ Result<> Station::carryOut(const Request& request, const Source& by)
                                                                : m_server.disconnect(wanted->clientId, reason);
     }
     if (const auto* const applying = std::get_if<request::ApplyProfile>(&request)) {
-        return fits(applying->profile).map([&] { apply(applying->profile); });
+        return m_profileDesk.carryOut(*applying);
     }
     if (const auto* const wanted = std::get_if<CalibrationRequest>(&request)) {
-        return m_calibration.carryOut(*wanted).map([this] { applyCalibration(); });
+        return m_calibration.carryOut(*wanted).map([this] {
+            if (const auto change = m_calibration.takeChange()) {
+                m_profileDesk.apply(*change);
+            }
+        });
     }
     if (const auto* const wanted = std::get_if<TuningRequest>(&request)) {
         return m_tuning.carryOut(*wanted, drives(), m_calibration.moves());
@@ -434,7 +384,7 @@ Result<> Station::carryOut(const Request& request, const Source& by)
         return m_clockGuard.useNewTime(by);
     }
     if (const auto* const wanted = std::get_if<request::Reconnect>(&request)) {
-        return mayConnect(wanted->profile).map([&] { reconnect(wanted->profile); });
+        return m_profileDesk.carryOut(*wanted).map([this] { leave(); });
     }
     return m_mount->carryOut(request);
 }
@@ -454,7 +404,7 @@ Result<> Station::rehearse(const request::Rehearse& wanted)
         return {};
     }
     return m_rehearsal.begin({.profile = *m_profile,
-                              .satellites = m_elements.satellites(),
+                              .satellites = m_inputs.elements().satellites(),
                               .antenna = m_control.chosenAntenna().name,
                               .standing = m_control.measured().value_or(m_profile->park),
                               .from = m_kept.utc()});
@@ -467,49 +417,6 @@ std::optional<DrivesStatus> Station::drives() const
     return status.drives;
 }
 
-// Whether the connected mount permits this profile in place of the one in force. The error has the reason.
-Result<> Station::fits(const profile::Profile& wanted) const
-{
-    if (profile::namesNoBus(wanted) != profile::namesNoBus(*m_profile)) {
-        return failure(ErrorCode::Refused,
-                       Text::tr("The bus cannot change between simulated and real while the mount is connected. "
-                                "Press Reconnect, or restart Boresight."));
-    }
-    return m_mount->simulated() ? Result<>{} : profile::fitsRealMount(wanted);
-}
-
-// After a simulation the program itself provides a profile for the real mount, so nothing is checked then.
-Result<> Station::mayConnect(const profile::Profile& next) const
-{
-    return m_mount->simulated() || profile::namesNoBus(next) ? Result<>{} : profile::fitsRealMount(next);
-}
-
-void Station::reconnect(const profile::Profile& next)
-{
-    m_log.add(Severity::Advisory, QStringLiteral("operator"),
-              Text::tr("reconnects to the mount \"%1\"").arg(QString::fromStdString(next.mount.name)));
-    m_next = next;
-    m_tables.forget();
-    m_follow.close();
-    m_transmit.close();
-    m_control.shutDown();
-}
-
-void Station::apply(const profile::Profile& wanted)
-{
-    for (const profile::Change& change : profile::changesBetween(m_profile.wanted(), wanted)) {
-        m_log.add(
-            Severity::Advisory, QStringLiteral("operator"),
-            (change.applies == profile::Applies::Now ? Text::tr("changes %1 from %2 to %3")
-                                                     : Text::tr("changes %1 from %2 to %3, in force after Reconnect"))
-                .arg(toQString(change.key), change.before, change.after));
-    }
-    const std::shared_ptr<const profile::Profile> before = m_profile.shared();
-    m_profile.apply(wanted);
-    profileChanged(*before);
-    Q_EMIT profileApplied(wanted);
-}
-
 // The order matters: first the control with its limits, then the mount, then the parts that send commands and the other
 // inputs. The calibrations come last, because they ask the control, which must have its new limits by then.
 void Station::profileChanged(const profile::Profile& before)
@@ -518,29 +425,14 @@ void Station::profileChanged(const profile::Profile& before)
     m_control.profileChanged(before, after);
     m_mount->profileChanged(before, after);
     m_server.profileChanged();
-    m_broker.profileChanged(before, after);
+    m_inputs.profileChanged(before, after);
     m_commands.profileChanged(before, after);
-    m_sensor.profileChanged(before, after);
-    m_power.profileChanged(before, after);
-    m_elements.profileChanged(before, after);
-    m_position.profileChanged(before, after);
-    m_wind.profileChanged(before, after);
     m_night.profileChanged(before, after);
     m_transmit.profileChanged(before, after);
     if (m_brake.differs(before, after)) {
         m_brake.reopen();
     }
     m_calibration.profileChanged(before, after);
-}
-
-// Applies the result of a calibration like a change of the profile by the operator.
-void Station::applyCalibration()
-{
-    if (const auto change = m_calibration.takeChange()) {
-        profile::Profile wanted = m_profile.wanted();
-        change->applyTo(wanted);
-        apply(wanted);
-    }
 }
 
 void Station::updateTaken()
@@ -550,8 +442,8 @@ void Station::updateTaken()
 
 void Station::publish()
 {
-    if (m_broker.isPublishing()) {
-        m_broker.show(status());
+    if (m_inputs.broker().isPublishing()) {
+        m_inputs.broker().show(status());
     }
     if (m_screen.isWanted()) {
         Q_EMIT updated(m_screen.take(status(), m_log));
@@ -561,7 +453,12 @@ void Station::publish()
 void Station::shutDown()
 {
     m_log.add(Severity::Advisory, QStringLiteral("station"), Text::tr("Boresight is closing. It stops the mount"));
-    m_tables.forget();
+    leave();
+}
+
+void Station::leave()
+{
+    m_inputs.forget();
     m_transmit.close();
     m_control.shutDown();
 }
@@ -578,12 +475,7 @@ StationStatus Station::status() const
                      .lateP99 = m_lateness.percentile(0.99),
                      .lateWorst = m_lateness.percentile(1.0),
                      .scheduling = m_realTime.text()};
-    status.broker = m_broker.status();
-    status.sensor = m_sensor.status();
-    m_position.describe(status.position);
-    m_wind.describe(status.wind);
-    status.satellites = m_elements.satellites();
-    status.elementProblems = m_elements.problems();
+    m_inputs.fill(status);
     m_calibration.fill(status);
     judgeCalibration(status);
     m_tuning.fill(status, m_calibration.moves());

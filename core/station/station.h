@@ -6,8 +6,12 @@
 #include "core/alarms/event_log.h"
 #include "core/base/clock.h"
 #include "core/base/kept_clock.h"
+#include "core/clients/message_commands.h"
+#include "core/clients/station_server.h"
+#include "core/clients/station_shell.h"
 #include "core/computer_clock/clock_guard.h"
 #include "core/control/station_control.h"
+#include "core/inputs/station_inputs.h"
 #include "core/messages/request.h"
 #include "core/messages/station_status.h"
 #include "core/mount/mount_connection.h"
@@ -16,24 +20,13 @@
 #include "core/outputs/named_output.h"
 #include "core/profile/in_force.h"
 #include "core/profile/profile.h"
-#include "core/station/message_commands.h"
+#include "core/station/profile_desk.h"
 #include "core/station/real_time.h"
 #include "core/station/screen_feed.h"
-#include "core/station/station_azel.h"
-#include "core/station/station_broker.h"
-#include "core/station/station_elements.h"
-#include "core/station/station_follow.h"
 #include "core/station/station_hooks.h"
 #include "core/station/station_passes.h"
-#include "core/station/station_position.h"
-#include "core/station/station_power.h"
 #include "core/station/station_rehearsal.h"
-#include "core/station/station_sensor.h"
-#include "core/station/station_server.h"
-#include "core/station/station_shell.h"
-#include "core/station/station_tables.h"
 #include "core/station/station_transmit.h"
-#include "core/station/station_wind.h"
 #include "core/station/tick_lateness.h"
 #include "core/tuning/tuning_desk.h"
 
@@ -62,7 +55,7 @@ public:
     ~Station() override;
 
     // Replaces how the orientation sensor is made. Call before start().
-    void setSensorMaker(SensorMaker maker) { m_sensor.setMaker(std::move(maker)); }
+    void setSensorMaker(SensorMaker maker) { m_inputs.sensor().setMaker(std::move(maker)); }
 
     // Replaces how the output of the brakes is made. Call before start().
     void setBrakeMaker(outputs::NamedOutput::Make make) { m_brake.setMaker(std::move(make)); }
@@ -112,19 +105,13 @@ Q_SIGNALS:
     void reconnectWanted(const boresight::profile::Profile& profile);
 
 private:
-    [[nodiscard]] Result<> fits(const profile::Profile& wanted) const;
-    void apply(const profile::Profile& wanted);
-    [[nodiscard]] Result<> mayConnect(const profile::Profile& next) const;
-    void reconnect(const profile::Profile& next);
     void profileChanged(const profile::Profile& before);
-    void applyCalibration();
+    void leave();
     void answer(const NumberedRequest& asked, const Result<>& outcome);
     [[nodiscard]] Result<> obey(const Request& request, const Source& by);
     [[nodiscard]] Result<> askNow(const Request& request, const Source& by);
     void hurry(const Request& request);
     [[nodiscard]] Result<> carryOut(const Request& request, const Source& by);
-    void readTable(const QString& path, StationTables::Then then);
-    void findRotator(const QString& name, StationFollow::Then then);
     [[nodiscard]] TimeEffect effectOf(Seconds clockSet);
     [[nodiscard]] Result<> rehearse(const request::Rehearse& wanted);
     [[nodiscard]] std::optional<DrivesStatus> drives() const;
@@ -146,16 +133,8 @@ private:
     ClockGuard m_clockGuard;
     StationServer m_server;
     StationShell m_shell;
-    StationBroker m_broker;
+    StationInputs m_inputs;
     MessageCommands m_commands;
-    StationSensor m_sensor;
-    StationPower m_power;
-    StationElements m_elements;
-    StationFollow m_follow;
-    StationAzel m_azel;
-    StationTables m_tables{this};
-    StationPosition m_position;
-    StationWind m_wind;
     CalibrationFile m_calibrationFile;
     CalibrationDesk m_calibration;
     TuningDesk m_tuning;
@@ -166,6 +145,7 @@ private:
     ReportFile m_reportFile;
     NightDesk m_night;
     StationRehearsal m_rehearsal{this};
+    ProfileDesk m_profileDesk;
     EventFile m_eventFile;
     QTimer m_tickTimer;
     QTimer m_updateTimer;
@@ -177,7 +157,6 @@ private:
     SteadyTime m_opened{};
     bool m_startTold = false;
     bool m_finished = false;
-    std::optional<profile::Profile> m_next;  // the profile for the reconnect; empty: no reconnect is wanted
 };
 
 }  // namespace boresight

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "core/alarms/event_log.h"
+#include "core/inputs/station_broker.h"
 #include "core/profile/in_force.h"
 #include "core/programs/program_runner.h"
 #include "core/schedule/pass_moment.h"
-#include "core/station/station_broker.h"
 
 #include <QObject>
 

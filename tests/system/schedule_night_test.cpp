@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Nights with the schedule on the simulated mount: every pass from its rise to its set, with the elements from a file.
 #include "core/elements/julian_date.h"
+#include "core/inputs/station_elements.h"
 #include "core/night/tracked_pass.h"
-#include "core/station/station_elements.h"
 #include "tests/fakes/hand_turned_timers.h"
 #include "tests/fakes/low_orbit.h"
 #include "tests/fakes/random_region.h"

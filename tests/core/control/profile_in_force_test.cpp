@@ -3,7 +3,7 @@
 // of the station reacts to a change: the region and the Sun (station_sun_test), the drive check (drive_care_test), the
 // sensor (sensor_disagreement_test), the calibrations (calibration_follow_test, calibration_points_test), broker and
 // server (station_broker_test, station_test).
-#include "core/station/station_rotator.h"
+#include "core/clients/station_rotator.h"
 #include "tests/core/control/station_rig.h"
 #include "tests/fakes/text_of.h"
 

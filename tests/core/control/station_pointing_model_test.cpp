@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A mount that does not know north. Targets and reported positions are true directions. The axes are driven by axis
 // angles.
-#include "core/station/station_rotator.h"
+#include "core/clients/station_rotator.h"
 #include "tests/core/control/station_rig.h"
 #include "tests/fakes/random_pointing.h"
 #include "tests/fakes/text_of.h"

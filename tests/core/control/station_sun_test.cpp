@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The beam stays away from the Sun for every source of motion. A mount that stands still while the Sun passes stays
 // where it is.
-#include "core/control/clock_trust.h"
-#include "core/control/sun_watch.h"
 #include "core/ephemeris/almanac.h"
 #include "core/ephemeris/refraction.h"
+#include "core/guards/clock_trust.h"
+#include "core/guards/sun_watch.h"
 #include "core/units/angle_between.h"
 #include "tests/core/control/station_rig.h"
 #include "tests/fakes/text_of.h"

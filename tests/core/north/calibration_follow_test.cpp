@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Sun and Moon are tracked as long as the operator asks for it, and a change of the model moves nothing.
 #include "core/alarms/catalogue.h"
-#include "core/station/station_rotator.h"
+#include "core/clients/station_rotator.h"
 #include "core/units/angle_between.h"
 #include "tests/core/north/calibration_sun.h"
 #include "tests/fakes/text_of.h"

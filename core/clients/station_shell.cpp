@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/clients/station_shell.h"
+
+#include "core/base/text.h"
+#include "core/base/time_of_day.h"
+#include "core/elements/julian_date.h"
+#include "core/messages/state_word.h"
+#include "core/night/schedule_json.h"
+#include "core/targets/target_text.h"
+
+#include <QJsonDocument>
+#include <QJsonObject>
+
+namespace boresight {
+namespace {
+
+constexpr int kShellLinesPerSecond = 4;
+// Words that a shell can send in place of a target.
+const QByteArray kPositionWord = "position";
+const QByteArray kAzelWord = "azel.dat";
+
+Source shellSource()
+{
+    return {.kind = SourceKind::Operator, .name = QStringLiteral("shell")};
+}
+
+Request requestOf(const local::LocalRequest& asked)
+{
+    switch (asked.command) {
+        case local::LocalCommand::Take:
+            return request::TakeAuthority{};
+        case local::LocalCommand::Release:
+            return request::GiveAuthority{};
+        case local::LocalCommand::ResetStop:
+            return request::ResetStop{};
+        case local::LocalCommand::OverrideWind:
+            return request::OverrideWind{};
+        case local::LocalCommand::UseNewTime:
+            return request::UseNewTime{};
+        case local::LocalCommand::ScheduleArm:
+            return request::ArmSchedule{};
+        case local::LocalCommand::ScheduleDisarm:
+            return request::DisarmSchedule{};
+        case local::LocalCommand::ScheduleRehearse:
+            return request::Rehearse{};
+        case local::LocalCommand::UseAntenna:
+            return request::UseAntenna{asked.target.toStdString()};
+        case local::LocalCommand::Stop:
+        case local::LocalCommand::Track:
+        case local::LocalCommand::Satellites:
+        case local::LocalCommand::Antennas:
+        case local::LocalCommand::ScheduleList:
+        case local::LocalCommand::ScheduleReport:
+        case local::LocalCommand::ScheduleRehearsal:
+        case local::LocalCommand::Status:
+        case local::LocalCommand::Transmit:
+            break;
+    }
+    return request::Stop{};
+}
+
+QJsonObject windObject(const WindStatus& wind)
+{
+    return {{QStringLiteral("speed"), wind.speed ? QJsonValue(*wind.speed) : QJsonValue()},
+            {QStringLiteral("age"), wind.age.count()},
+            {QStringLiteral("silent"), wind.isSilent},
+            {QStringLiteral("obstacle"), wind.obstacle},
+            {QStringLiteral("overriddenUntil"),
+             wind.overriddenUntil ? QJsonValue(timeOfDayText(*wind.overriddenUntil)) : QJsonValue()}};
+}
+
+// The state as the header of the window shows it. `motion` is what the mount does now.
+QByteArray statusJson(const StationStatus& status)
+{
+    const QString reason = status.stateReason == status.targetText ? QString() : status.stateReason;
+    QJsonObject all{{QStringLiteral("state"), protocolWord(status.state)},
+                    {QStringLiteral("reason"), reason},
+                    {QStringLiteral("motion"), status.targetText}};
+    if (!status.wind.source.isEmpty()) {
+        all[QStringLiteral("wind")] = windObject(status.wind);
+    }
+    if (status.clock.ahead) {
+        all[QStringLiteral("clockSetBy")] = status.clock.ahead->count();
+    }
+    return QJsonDocument(all).toJson(QJsonDocument::Compact);
+}
+
+// An object without fields means that the profile names no output.
+QByteArray transmitJson(const TransmitStatus& transmit)
+{
+    QJsonObject all;
+    if (!transmit.output.isEmpty()) {
+        all = {{QStringLiteral("output"), transmit.output},
+               {QStringLiteral("on"), transmit.on},
+               {QStringLiteral("whyOff"), transmit.whyOff},
+               {QStringLiteral("problem"), transmit.problem},
+               {QStringLiteral("within"), transmit.within.degrees()},
+               {QStringLiteral("error"), transmit.error ? QJsonValue(transmit.error->degrees()) : QJsonValue()}};
+    }
+    return QJsonDocument(all).toJson(QJsonDocument::Compact);
+}
+
+}  // namespace
+
+StationShell::StationShell(Station station, EventLog& log, const Clock& clock, QObject* parent)
+    : m_station(std::move(station)),
+      m_lines(log, clock, kShellLinesPerSecond),
+      m_server([this](const local::LocalRequest& asked, const local::Reply& reply) { obey(asked, reply); }, parent)
+{}
+
+void StationShell::open(std::uint16_t port)
+{
+    if (!m_runtimeFolder) {
+        return;
+    }
+    const Result<> listening = m_server.listen(*m_runtimeFolder, port);
+    if (listening) {
+        m_lines.insist(Severity::Advisory, shellSource().name, Text::tr("listening on %1").arg(m_server.path()));
+        return;
+    }
+    // NotAvailable is usual: a program outside a user session has no folder for sockets.
+    const bool isUsual = listening.error().code == ErrorCode::NotAvailable;
+    m_lines.insist(isUsual ? Severity::Advisory : Severity::Warning, shellSource().name,
+                   Text::tr("The local socket did not open: %1. Commands of the shell that need it do not reach this "
+                            "station.")
+                       .arg(listening.error().text));
+}
+
+void StationShell::obey(const local::LocalRequest& asked, const local::Reply& reply)
+{
+    if (asked.command == local::LocalCommand::Track) {
+        track(asked.target, [=, this](const local::LocalAnswer& answer) { reply(told(asked, answer)); });
+    } else {
+        reply(answerNow(asked));
+    }
+}
+
+local::LocalAnswer StationShell::answerNow(const local::LocalRequest& asked)
+{
+    if (asked.command == local::LocalCommand::Satellites) {
+        return satelliteLines();
+    }
+    if (asked.command == local::LocalCommand::Antennas) {
+        return antennaLines();
+    }
+    if (asked.command == local::LocalCommand::ScheduleList) {
+        return planJson(*m_station.schedule()) + '\n';
+    }
+    if (asked.command == local::LocalCommand::ScheduleReport) {
+        return reportJson(m_station.schedule()->report) + '\n';
+    }
+    if (asked.command == local::LocalCommand::ScheduleRehearsal) {
+        return rehearsalJson(m_station.rehearsal()) + '\n';
+    }
+    if (asked.command == local::LocalCommand::Status) {
+        return statusJson(m_station.status()) + '\n';
+    }
+    if (asked.command == local::LocalCommand::Transmit) {
+        return transmitJson(m_station.transmit()) + '\n';
+    }
+    return told(asked, m_station.ask(requestOf(asked), shellSource()).map([] { return QByteArray(); }));
+}
+
+// Returns the answer and logs a refusal.
+local::LocalAnswer StationShell::told(const local::LocalRequest& asked, local::LocalAnswer answer)
+{
+    if (!answer) {
+        m_lines.add(
+            Severity::Warning, shellSource().name,
+            Text::tr("%1 refused: %2").arg(QString::fromLatin1(local::wordOf(asked.command)), answer.error().text));
+    }
+    return answer;
+}
+
+Result<> StationShell::mayTrack() const
+{
+    return m_station.mayShellCommand().map_error([](const Error& error) {
+        return Error{error.code, Text::tr("%1 Take the control first.").arg(error.text)};
+    });
+}
+
+// Reading a file or asking another rotator takes time, so the permission to track is checked again afterwards.
+void StationShell::track(const QByteArray& text, const local::Reply& reply)
+{
+    const Result<> may = mayTrack();
+    if (!may) {
+        reply(tl::unexpected(may.error()));
+        return;
+    }
+    if (text == kPositionWord) {
+        reply(m_station.ask(request::FollowPosition{}, shellSource()).map([] { return QByteArray("position\n"); }));
+        return;
+    }
+    if (text == kAzelWord) {
+        reply(m_station.ask(request::FollowAzel{}, shellSource()).map([] { return QByteArray("azel.dat\n"); }));
+        return;
+    }
+    if (const auto file = targets::tableFile(text.toStdString())) {
+        m_station.readTable(*file, [this, reply](const Result<targets::Target>& table) {
+            reply(table.and_then([this](const targets::Target& target) { return track(target); }));
+        });
+        return;
+    }
+    if (const auto other = targets::otherRotator(text.toStdString())) {
+        m_station.findRotator(*other, [this, reply](const Result<QString>& found) {
+            const local::LocalAnswer answer = found.and_then([this](const QString& name) { return follow(name); });
+            reply(answer);
+            return answer.map([](const QByteArray&) {});
+        });
+        return;
+    }
+    reply(targets::parseTarget(text.toStdString(), *m_station.satellites())
+              .and_then([this](const targets::Target& target) { return track(target); }));
+}
+
+// The answer is the name of the target.
+local::LocalAnswer StationShell::track(const targets::Target& target)
+{
+    return mayTrack().and_then([&] { return m_station.ask(request::Track{target}, shellSource()); }).map([&] {
+        return QByteArray(target.name.simplified().toUtf8() + '\n');
+    });
+}
+
+local::LocalAnswer StationShell::follow(const QString& rotator)
+{
+    return mayTrack().and_then([&] { return m_station.ask(request::FollowRotator{rotator}, shellSource()); }).map([&] {
+        return QByteArray(rotator.toUtf8() + '\n');
+    });
+}
+
+QByteArray StationShell::satelliteLines() const
+{
+    QByteArray lines;
+    for (const orbit::ElementSet& one : *m_station.satellites()) {
+        lines += local::satelliteLine(
+            {.number = one.number, .epoch = orbit::utcTime(one.epoch), .name = toQString(one.name)});
+    }
+    return lines;
+}
+
+QByteArray StationShell::antennaLines() const
+{
+    QByteArray lines;
+    for (const local::KnownAntenna& one : m_station.antennas()) {
+        lines += local::antennaLine(one);
+    }
+    return lines;
+}
+
+}  // namespace boresight

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/guards/cable_guard.h"
+
+#include "core/alarms/catalogue.h"
+#include "core/base/text.h"
+#include "core/base/time_of_day.h"
+#include "core/tracking/cable_room.h"
+#include "core/units/degrees_text.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace boresight {
+namespace {
+
+// The alarm is raised when the first of these two limits is met. The limits for clearing it are 1.3 times as wide, so
+// that the alarm does not come and go when the predicted path varies a little.
+constexpr Seconds kWarnTime{60.0};
+constexpr Angle kWarnAngle = Angle::fromDegrees(30.0);
+constexpr double kKeep = 1.3;
+constexpr std::uint64_t kTicksBetween = 10;
+// The predicted time varies with the bends of the path. A change smaller than this leaves the alarm text as it is.
+constexpr Seconds kTimeOff{2.0};
+// Two targets of one stream are no farther apart than this. A target farther away is a different one.
+constexpr Angle kNextOfStream = Angle::fromDegrees(10.0);
+constexpr Angle kTurnedBack = Angle::fromDegrees(1.0);
+constexpr Angle kSameWay = Angle::fromDegrees(1e-6);
+
+QString timeText(Seconds time)
+{
+    return time < Seconds(100.0) ? QStringLiteral("%1 s").arg(std::lround(time.count()))
+                                 : QStringLiteral("%1 min").arg(std::lround(time.count() / 60.0));
+}
+
+}  // namespace
+
+std::optional<AxisPosition> CableGuard::leastWound(const AxisPosition& place, const TravelRange& range)
+{
+    std::optional<AxisPosition> best;
+    Angle least = abs(place.azimuth);
+    const int most = static_cast<int>(std::floor((range.max - place.azimuth).turns()));
+    for (int turns = static_cast<int>(std::ceil((range.min - place.azimuth).turns())); turns <= most; ++turns) {
+        const AxisPosition other{.azimuth = place.azimuth + Angle::fromTurns(turns), .elevation = place.elevation};
+        if (turns != 0 && abs(other.azimuth) < least) {
+            least = abs(other.azimuth);
+            best = other;
+        }
+    }
+    return best;
+}
+
+// Judges from where the axis is going and from where it is. Only if both ways lead beyond the end, the mount unwraps.
+std::optional<CableGuard::TurnBack> CableGuard::turnBackTo(Angle azimuth, const Way& way, const TravelRange& range)
+{
+    const auto leadsBeyond = [&](Angle from) {
+        const Angle near = azimuth.nearestTo(from);
+        const bool bothAsNear = abs(abs(near - from) - 180_deg) < kSameWay;
+        return !bothAsNear && abs(near - azimuth) > 180_deg && !range.contains(near);
+    };
+    if (!leadsBeyond(way.heading) || !leadsBeyond(way.here)) {
+        return std::nullopt;
+    }
+    const Angle near = azimuth.nearestTo(way.here);
+    const bool follows = way.follows && abs(near - way.here) < kNextOfStream;
+    return TurnBack{.by = azimuth - (follows ? near : way.here),
+                    .end = near > range.max ? range.max : range.min,
+                    .follows = follows};
+}
+
+QString CableGuard::begin(const TurnBack& back, const tracking::MotionLimits& limits)
+{
+    m_turnBack = back;
+    const QString what = Text::tr("turns back by %1 because the cable ends at axis %2")
+                             .arg(degreesText(abs(back.by), 0), degreesText(back.end, 1));
+    return back.follows
+               ? Text::tr("%1, and the target is lost for about %2").arg(what, timeText(tracking::fullTurnTime(limits)))
+               : what;
+}
+
+void CableGuard::watch(const std::optional<tracking::MovingTarget>& path, const std::optional<Angle>& left,
+                       const TravelRange& range, const tracking::MotionLimits& limits, bool keepsWrap)
+{
+    if (++m_ticks % kTicksBetween == 0) {
+        watchEnd(path, range, limits, keepsWrap);
+    }
+    watchTurnBack(left);
+}
+
+void CableGuard::watchEnd(const std::optional<tracking::MovingTarget>& path, const TravelRange& range,
+                          const tracking::MotionLimits& limits, bool keepsWrap)
+{
+    const auto forecast = path ? tracking::forecastCableEnd(*path, range) : std::nullopt;
+    const double keep = m_end ? kKeep : 1.0;
+    if (!forecast || (forecast->in > kWarnTime * keep && forecast->left > kWarnAngle * keep)) {
+        m_end.reset();
+        m_told.reset();
+        m_alarms.clear(alarmEntry("cable.ends"));
+        return;
+    }
+    const Angle back = Angle::fromTurns(forecast->end == range.max ? -1.0 : 1.0);
+    const bool turnsBack = !keepsWrap && range.contains(forecast->end + back);
+    m_end = CableEnd{.end = forecast->end,
+                     .in = forecast->in,
+                     .turningBack = turnsBack ? std::optional(tracking::fullTurnTime(limits)) : std::nullopt};
+    tell(*m_end);
+}
+
+bool CableGuard::isTold(const Told& end) const
+{
+    return m_told && end.turnsBack == m_told->turnsBack && end.severity <= m_told->severity &&
+           std::chrono::abs(Seconds(end.ends - m_told->ends)) < kTimeOff;
+}
+
+// The first alarm is an advisory. It becomes a warning when the end is near. Its time is corrected as the path
+// changes.
+void CableGuard::tell(const CableEnd& end)
+{
+    const Severity severity = end.in > kWarnTime ? Severity::Advisory : Severity::Warning;
+    const Told now{.severity = m_told ? std::max(severity, m_told->severity) : severity,
+                   .ends = m_clock.utc() + std::chrono::round<UtcTime::duration>(end.in),
+                   .turnsBack = end.turningBack.has_value()};
+    if (isTold(now)) {
+        return;
+    }
+    m_told = now;
+    const QStringList when{degreesText(end.end, 1), timeOfDayText(now.ends)};
+    if (end.turningBack) {
+        m_alarms.raise(alarmEntry("cable.turns-back"), now.severity, when + QStringList(timeText(*end.turningBack)));
+    } else {
+        m_alarms.raise(alarmEntry("cable.ends"), now.severity, when);
+    }
+}
+
+// The unwrapping is over when the axis is nearly there, or is sent the other way.
+void CableGuard::watchTurnBack(const std::optional<Angle>& left)
+{
+    if (m_turnBack && (!left || (m_turnBack->by < Angle{} ? -*left : *left) < kTurnedBack)) {
+        m_turnBack.reset();
+    }
+}
+
+std::optional<QString> CableGuard::turnBackText() const
+{
+    if (!m_turnBack) {
+        return std::nullopt;
+    }
+    return Text::tr("cable end, turns back %1").arg(degreesText(abs(m_turnBack->by), 0));
+}
+
+}  // namespace boresight
