@@ -18,6 +18,8 @@
 #include <QDoubleSpinBox>
 #include <QLineEdit>
 #include <QMenu>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QToolButton>
 
 #include <gmock/gmock.h>
@@ -277,6 +279,30 @@ TEST_F(PassesPanelTest, TheFactsFoldWhereTheWindowIsLow)
     window.resize(1280, 1000);
     settle();
     EXPECT_TRUE(text("The selected pass").contains(QStringLiteral("days old")));
+}
+
+// Story: with a problem of the elements, Track was out of sight after the window had become lower.
+// REQ-PASSES-979
+TEST_F(PassesPanelTest, TheButtonsStayInSightAtEachHeight)
+{
+    StationStatus status = withSatellites();
+    giveFound(status);
+    const auto& scroll = *window.findChild<QScrollArea*>();
+    for (const bool hasProblem : {false, true}) {
+        status.elementProblems =
+            hasProblem ? QStringList(QStringLiteral("/srv/a.tle:4: wrong ").repeated(9)) : QStringList();
+        give(samples::update(status));
+        for (const auto view : {PassViews::List, PassViews::Timeline, PassViews::Elevation, PassViews::Map}) {
+            window.findChild<PassViews*>()->showView(view);
+            for (int height = 1100; height >= 700; height -= 20) {
+                window.resize(1280, height);
+                settle();
+                EXPECT_EQ(scroll.verticalScrollBar()->maximum(), 0) << view << hasProblem << height;
+            }
+            window.resize(1280, 1100);
+            settle();
+        }
+    }
 }
 
 TEST_F(PassesPanelTest, TellsWhatTheLimitsHide)
