@@ -332,6 +332,28 @@ TEST_F(PassesPanelTest, TellsWhatTheLimitsHide)
     }
 }
 
+// REQ-PASSES-999: The facts of the selected pass have the times of each part that the antenna sees.
+TEST_F(PassesPanelTest, TellsWhenTheAntennaSeesThePass)
+{
+    giveFound(withSatellites());
+    const auto& model = *qobject_cast<PassTable*>(table().model());
+    BookedPass one = model.pass(0);
+    const UtcTime aos = one.pass.aos.utc;
+    const auto part = [aos](int from, int to) {
+        return passes::Stretch{aos + std::chrono::seconds(from), aos + std::chrono::seconds(to)};
+    };
+    one.pass.clear = {part(0, 60), part(120, 180)};
+    const QString seen =
+        QStringLiteral("\nseen %1–%2, %3–%4 UTC\n")
+            .arg(clockText(aos), clockText(aos + std::chrono::seconds(60)), clockText(aos + std::chrono::seconds(120)),
+                 clockText(aos + std::chrono::seconds(180)));
+    EXPECT_THAT(factsOf(one, *model.book(), aos).toStdString(), HasSubstr(seen.toStdString()));
+    one.pass.clear = {{one.pass.aos.utc, one.pass.los.utc}};
+    EXPECT_FALSE(factsOf(one, *model.book(), aos).contains(QStringLiteral("seen")));
+    one.pass.clear = {};
+    EXPECT_FALSE(factsOf(one, *model.book(), aos).contains(QStringLiteral("seen")));
+}
+
 // REQ-PASSES-952: The plot shows the path of the selected pass while the page Coming is open.
 TEST_F(PassesPanelTest, ThePlotShowsTheWayOfTheSelectedPass)
 {
