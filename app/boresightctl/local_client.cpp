@@ -63,7 +63,10 @@ local::LocalAnswer askLocally(const profile::ListenAddress& station, const local
         return failure(ErrorCode::NoAnswer,
                        socket.error() == QLocalSocket::SocketAccessError
                            ? QStringLiteral("This user may not use %1. Try sudo.").arg(path())
-                           : QStringLiteral("No station listens on %1: %2.").arg(path(), socket.errorString()));
+                           : QStringLiteral("No station listens on %1. Start boresight or boresightd. If its rotctld "
+                                            "port is not %2, use --station.")
+                                 .arg(path())
+                                 .arg(station.port));
     }
     socket.write(local::requestLine(request));
     // The whole patience again: the station may have obeyed already.

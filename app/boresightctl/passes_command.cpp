@@ -5,6 +5,7 @@
 #include "app/log_output.h"
 #include "core/base/numbers.h"
 #include "core/base/text.h"
+#include "core/elements/julian_date.h"
 #include "core/passes/pass_finder.h"
 #include "core/profile/clear_sky.h"
 #include "core/profile/profile_file.h"
@@ -77,7 +78,18 @@ std::string timeCell(UtcTime utc)
     return skyTimeText(std::chrono::round<std::chrono::milliseconds>(utc), kTimeDigits);
 }
 
-RecordTable tableOf(const std::vector<FoundPass>& found, const Site& site, const std::optional<Mount>& mount)
+// The parts that the antenna sees, as intervals of ISO 8601.
+std::string seenCell(const passes::Pass& pass)
+{
+    std::string all;
+    for (const passes::Stretch& part : pass.clear) {
+        all += (all.empty() ? "" : " ") + timeCell(part.from) + "/" + timeCell(part.to);
+    }
+    return all;
+}
+
+RecordTable tableOf(const std::vector<FoundPass>& found, const Site& site, const std::optional<Mount>& mount,
+                    bool hasSeen)
 {
     RecordTable table{.columns = {{"name"},
                                   {"norad", true},
@@ -89,12 +101,18 @@ RecordTable tableOf(const std::vector<FoundPass>& found, const Site& site, const
                                   {"los_utc"},
                                   {"los_az", true},
                                   {"flags"}}};
+    if (hasSeen) {
+        table.columns.push_back({"seen_utc"});
+    }
     for (const FoundPass& one : found) {
         const auto& [set, pass] = one;
         table.rows.push_back(
             {set->name, std::to_string(set->number), timeCell(pass.aos.utc), degreesCell(pass.aos.direction.azimuth),
              timeCell(pass.tca.utc), degreesCell(pass.tca.direction.azimuth), degreesCell(pass.tca.direction.elevation),
              timeCell(pass.los.utc), degreesCell(pass.los.direction.azimuth), flagsOf(one, site, mount)});
+        if (hasSeen) {
+            table.rows.back().push_back(seenCell(pass));
+        }
     }
     return table;
 }
@@ -110,6 +128,31 @@ void report(const orbit::ElementSet& set, const passes::PassList& list, const pa
         complain(kPassesCommand, QStringLiteral("%1 does not rise above %2 in this time")
                                      .arg(satelliteText(set), degreesText(search.minimumElevation)));
     }
+}
+
+// The longest time between the epoch and the searched time.
+Seconds distance(const orbit::ElementSet& set, const passes::PassSearch& search)
+{
+    const UtcTime epoch = orbit::utcTime(set.epoch);
+    return std::max(Seconds(search.to - epoch), Seconds(epoch - search.from));
+}
+
+// One line for all satellites: a file of old elements has old elements of each.
+void reportOldElements(const std::vector<orbit::ElementSet>& satellites, const passes::PassSearch& search)
+{
+    constexpr Seconds kLongest = std::chrono::days(30);  // as the station refuses elements by default
+    const auto isOld = [&](const orbit::ElementSet& set) { return distance(set, search) > kLongest; };
+    const auto first = std::ranges::find_if(satellites, isOld);
+    if (first == satellites.end()) {
+        return;
+    }
+    const auto days = std::chrono::duration<double, std::chrono::days::period>(distance(*first, search));
+    const auto count = std::ranges::count_if(satellites, isOld);
+    const QString others = count == 1 ? QString() : QStringLiteral(" and %1 more satellites").arg(count - 1);
+    complain(kPassesCommand, QStringLiteral("%1%2: the elements are up to %3 days from this time. The passes may come "
+                                            "minutes earlier or later. Use newer elements")
+                                 .arg(satelliteText(*first), others)
+                                 .arg(days.count(), 0, 'f', 0));
 }
 
 ExitStatus runPasses(Arguments arguments)
@@ -146,8 +189,9 @@ ExitStatus runPasses(Arguments arguments)
         }
         report(set, list, search, options->number.has_value());
     }
+    reportOldElements(satellites, search);
     std::ranges::stable_sort(found, {}, [](const FoundPass& one) { return one.pass.aos.utc; });
-    print(tableOf(found, *site, *mount).text(options->format));
+    print(tableOf(found, *site, *mount, options->seen).text(options->format));
     return kDone;
 }
 
@@ -157,7 +201,7 @@ const Subcommand kPassesCommand{
     .name = "passes",
     .arguments =
         "--elements FILE [--norad N] --site LAT,LON,ALT --from UTC --days D [--min-el DEG] [--profile FILE] "
-        "[--format FORMAT]",
+        "[--seen on|off] [--format FORMAT]",
     .summary = "List when satellites are up over a site",
     .details =
         R"(  --elements FILE      element sets: TLE, OMM as JSON, CSV, XML or KVN, or NUMBER.sat of Gpredict. A folder: all files
@@ -170,6 +214,8 @@ const Subcommand kPassesCommand{
   --days D             up to 3660
   --min-el DEG         lowest elevation. Default: 0
   --profile FILE       profile of a mount, for the flags H, U and F. The site is still that of --site
+  --seen on|off        on, with --profile: a last column seen_utc has the parts of the pass that the antenna sees, as
+                       BEGIN/END BEGIN/END. Horizon, keep-outs and limits of the profile count. Default: off
   --format csv|table|json   default: csv
 
 Columns: name,norad,aos_utc,aos_az,tca_utc,tca_az,max_el,los_utc,los_az,flags, in the order of AOS. At AOS and
@@ -180,7 +226,7 @@ With a profile also: H horizon, keep-outs or limits hide a part of the pass. U t
 Boresight unwraps it and loses a part of the pass. F over the top the mount would lose nothing. Only a client that sends
 elevations above 90° uses this way.
 Each bad element set is reported as FILE:LINE: reason, and the others are used. A satellite that decays within the time is
-reported, too.
+reported, too, and elements more than 30 days from the time.
 Exit status: 0 done, also without any pass, 1 no usable element set, or a site that cannot be read.
 
 Example:

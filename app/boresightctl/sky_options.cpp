@@ -113,12 +113,12 @@ Result<> takeRefraction(const std::string& text, SkyOptions& options)
     return {};
 }
 
-Result<> takeDoppler(const std::string& text, SkyOptions& options)
+Result<> takeSwitch(std::string_view name, const std::string& text, bool& isOn)
 {
     if (text != "on" && text != "off") {
-        return expected("doppler", text, QStringLiteral("on or off"));
+        return expected(name, text, QStringLiteral("on or off"));
     }
-    options.doppler = text == "on";
+    isOn = text == "on";
     return {};
 }
 
@@ -172,28 +172,33 @@ constexpr SkyOption kTable{"table", [](const std::string& text, SkyOptions& opti
 constexpr SkyOption kNorad{"norad", takeNumber};
 constexpr SkyOption kSite{"site", takeSite};
 constexpr SkyOption kFormat{"format", takeFormat};
-constexpr std::array kEphemerisOptions{kElements,
-                                       kNorad,
-                                       kSite,
-                                       kTimes,
-                                       SkyOption{"body", takeBody},
-                                       SkyOption{"radec", takeRaDec},
-                                       kTable,
-                                       SkyOption{"refraction", takeRefraction},
-                                       SkyOption{"doppler", takeDoppler},
-                                       kFormat};
-constexpr std::array kPassesOptions{kElements,
-                                    kNorad,
-                                    kSite,
-                                    SkyOption{"from", takeFrom},
-                                    SkyOption{"days", takeDays},
-                                    SkyOption{"min-el", takeMinimumElevation},
-                                    SkyOption{"profile",
-                                              [](const std::string& text, SkyOptions& options) {
-                                                  options.profileFile = toQString(text);
-                                                  return Result<>();
-                                              }},
-                                    kFormat};
+constexpr std::array kEphemerisOptions{
+    kElements,
+    kNorad,
+    kSite,
+    kTimes,
+    SkyOption{"body", takeBody},
+    SkyOption{"radec", takeRaDec},
+    kTable,
+    SkyOption{"refraction", takeRefraction},
+    SkyOption{"doppler", [](const std::string& text,
+                            SkyOptions& options) { return takeSwitch("doppler", text, options.doppler); }},
+    kFormat};
+constexpr std::array kPassesOptions{
+    kElements,
+    kNorad,
+    kSite,
+    SkyOption{"from", takeFrom},
+    SkyOption{"days", takeDays},
+    SkyOption{"min-el", takeMinimumElevation},
+    SkyOption{"profile",
+              [](const std::string& text, SkyOptions& options) {
+                  options.profileFile = toQString(text);
+                  return Result<>();
+              }},
+    SkyOption{"seen",
+              [](const std::string& text, SkyOptions& options) { return takeSwitch("seen", text, options.seen); }},
+    kFormat};
 
 Result<SkyOptions> read(Arguments arguments, std::span<const SkyOption> permitted)
 {
@@ -263,7 +268,10 @@ Result<SkyOptions> parseEphemerisOptions(Arguments arguments)
 
 Result<SkyOptions> parsePassesOptions(Arguments arguments)
 {
-    const auto check = [](SkyOptions options) {
+    const auto check = [](SkyOptions options) -> Result<SkyOptions> {
+        if (options.seen && options.profileFile.isEmpty()) {
+            return failure(ErrorCode::InvalidInput, QStringLiteral("--seen needs a mount: add --profile FILE"));
+        }
         const QString missing = options.elements.empty() ? QStringLiteral("--elements FILE")
                                 : !hasSite(options)      ? QStringLiteral("--site LAT,LON,ALT")
                                 : !options.from          ? QStringLiteral("--from UTC")

@@ -34,6 +34,7 @@ struct SkyOptions
     std::optional<Angle> minimumElevation;
     ephemeris::Refraction refraction = ephemeris::Refraction::None;
     bool doppler = false;  // a column for the Doppler factor
+    bool seen = false;     // a column for the parts of each pass that the mount sees
     TableFormat format = TableFormat::Csv;
 };
 

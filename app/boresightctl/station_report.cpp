@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/boresightctl/station_report.h"
 
+#include <QJsonArray>
+
 namespace boresight::ctl {
 namespace {
 
@@ -70,15 +72,28 @@ QString lineOf(const QJsonObject& report, const QString& key)
                            : QStringLiteral("%1%2\n").arg((key + QLatin1Char(':')).leftJustified(10), value);
 }
 
+// A line for each, worst first.
+QString alarmLines(const QJsonArray& alarms)
+{
+    QString lines;
+    for (const QJsonValue& alarm : alarms) {
+        lines += QStringLiteral("alarm:    %1\n").arg(alarm.toString());
+    }
+    return lines;
+}
+
 }  // namespace
 
 QString reportText(const QJsonObject& report)
 {
     return lineOf(report, QStringLiteral("station")) + lineOf(report, QStringLiteral("state")) +
            lineOf(report, QStringLiteral("reason")) + lineOf(report, QStringLiteral("motion")) +
+           lineOf(report, QStringLiteral("rises")) + lineOf(report, QStringLiteral("sets")) +
+           lineOf(report, QStringLiteral("schedule")) +
            QStringLiteral("actual:   %1\n").arg(actualText(report[QStringLiteral("actual")])) +
            clockText(report[QStringLiteral("clockSetBy")]) + windText(report[QStringLiteral("wind")].toObject()) +
-           transmitText(report[QStringLiteral("transmit")].toObject());
+           transmitText(report[QStringLiteral("transmit")].toObject()) +
+           alarmLines(report[QStringLiteral("alarms")].toArray());
 }
 
 }  // namespace boresight::ctl

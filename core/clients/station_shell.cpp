@@ -6,8 +6,10 @@
 #include "core/elements/julian_date.h"
 #include "core/messages/state_word.h"
 #include "core/night/schedule_json.h"
+#include "core/records/iso_time.h"
 #include "core/targets/target_text.h"
 
+#include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 
@@ -69,6 +71,17 @@ QJsonObject windObject(const WindStatus& wind)
              wind.overriddenUntil ? QJsonValue(timeOfDayText(*wind.overriddenUntil)) : QJsonValue()}};
 }
 
+QJsonArray alarmTexts(const std::vector<Alarm>& alarms)
+{
+    QJsonArray texts;
+    for (const Alarm& alarm : alarms) {
+        if (alarm.active) {
+            texts.append(QStringList({alarm.what, alarm.action, alarm.remedy}).join(QLatin1Char(' ')));
+        }
+    }
+    return texts;
+}
+
 // The state as the header of the window shows it. `motion` is what the mount does now.
 QByteArray statusJson(const StationStatus& status)
 {
@@ -76,6 +89,16 @@ QByteArray statusJson(const StationStatus& status)
     QJsonObject all{{QStringLiteral("state"), protocolWord(status.state)},
                     {QStringLiteral("reason"), reason},
                     {QStringLiteral("motion"), status.targetText}};
+    if (status.tracked && status.tracked->next) {
+        all[status.tracked->isUp ? QStringLiteral("sets") : QStringLiteral("rises")] =
+            records::isoTime(*status.tracked->next);
+    }
+    if (status.schedule->armed) {
+        all[QStringLiteral("schedule")] = QStringLiteral("armed");
+    }
+    if (const QJsonArray alarms = alarmTexts(status.alarms); !alarms.isEmpty()) {
+        all[QStringLiteral("alarms")] = alarms;
+    }
     if (!status.wind.source.isEmpty()) {
         all[QStringLiteral("wind")] = windObject(status.wind);
     }

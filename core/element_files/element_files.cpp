@@ -98,7 +98,8 @@ void readFile(const QString& path, FileReading& all)
         return;
     }
     if (bytes.size() > kMostBytes) {
-        all.problems.append(Text::tr("%1: The file is larger than %2 MB.").arg(path).arg(kMostElementMegabytes));
+        all.problems.append(
+            Text::tr("%1: The file is larger than %2 MB. Split it.").arg(path).arg(kMostElementMegabytes));
         return;
     }
     ElementList list = readElements(std::string_view(bytes.data(), static_cast<std::size_t>(bytes.size())));

@@ -41,23 +41,6 @@ Result<> checkNote(const std::string& note)
                : Result<>{};
 }
 
-SettingOf<orbit::SatelliteMark> antennaOfSatellite()
-{
-    using orbit::SatelliteMark;
-    auto antenna = textual<SatelliteMark>(
-        "antenna", kNow,
-        {QT_TRANSLATE_NOOP("Text", "Antenna"),
-         QT_TRANSLATE_NOOP("Text",
-                           "Name of the antenna that tracks the satellite. \"main\" is the antenna of the table mount. "
-                           "Without this key Boresight uses the antenna chosen by hand.")},
-        [](const SatelliteMark& row) { return row.antenna; },
-        [](SatelliteMark& row, const std::string& text) {
-            return (text.empty() ? Result<>{} : checkName(text)).map([&] { row.antenna = text; });
-        });
-    antenna.mayBeLeftOut = true;
-    return antenna;
-}
-
 // Refuses the wildcards of MQTT: only one topic is read.
 Result<> checkPositionTopic(const std::string& topic)
 {
@@ -75,19 +58,29 @@ std::vector<SettingOf<orbit::SatelliteMark>> makeSatelliteSettings()
             {QT_TRANSLATE_NOOP("Text", "Satellite"),
              QT_TRANSLATE_NOOP("Text", "Number of the satellite in the catalogue of NORAD.")},
             [](auto& row) -> auto& { return row.number; }),
-        choice<SatelliteMark>(
+        mayBeLeftOut(choice<SatelliteMark>(
             "favourite", {"off", "on"}, kNow,
             {QT_TRANSLATE_NOOP("Text", "Favourite"),
              QT_TRANSLATE_NOOP("Text",
                                "Whether the satellite is a favourite, with a star and a place in the timeline.")},
-            [](auto& row) -> auto& { return row.favourite; }),
-        textual<SatelliteMark>(
+            [](auto& row) -> auto& { return row.favourite; })),
+        mayBeLeftOut(textual<SatelliteMark>(
             "note", kNow,
             {QT_TRANSLATE_NOOP("Text", "Note"),
              QT_TRANSLATE_NOOP("Text", "A note of one line, such as frequency and polarisation.")},
             [](const SatelliteMark& row) { return row.note; },
-            [](SatelliteMark& row, const std::string& note) { return checkNote(note).map([&] { row.note = note; }); }),
-        antennaOfSatellite()};
+            [](SatelliteMark& row, const std::string& note) { return checkNote(note).map([&] { row.note = note; }); })),
+        mayBeLeftOut(textual<SatelliteMark>(
+            "antenna", kNow,
+            {QT_TRANSLATE_NOOP("Text", "Antenna"),
+             QT_TRANSLATE_NOOP(
+                 "Text",
+                 "Name of the antenna that tracks the satellite. \"main\" is the antenna of the table mount. "
+                 "Without this key Boresight uses the antenna chosen by hand.")},
+            [](const SatelliteMark& row) { return row.antenna; },
+            [](SatelliteMark& row, const std::string& text) {
+                return (text.empty() ? Result<>{} : checkName(text)).map([&] { row.antenna = text; });
+            }))};
 }
 
 }  // namespace

@@ -99,7 +99,8 @@ std::string rowsText(std::string_view list, const std::string& meaning, std::spa
     const std::string head = "[[" + std::string(list) + "]]\n";
     std::string text = "\n# " + meaning + " Each entry begins with " + head;
     for (const SettingOf<Row>& field : fields) {
-        text += "#   " + field.key + ": " + field.text + " " + boundsAndUnit(field) + "\n";
+        const std::string standard = field.mayBeLeftOut ? "; default " + toText(field.get(Row{})) : std::string();
+        text += "#   " + field.key + ": " + field.text + " " + boundsAndUnit(field) + standard + "\n";
     }
     for (const Row& row : rows) {
         text += "\n" + head;

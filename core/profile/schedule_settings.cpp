@@ -19,15 +19,15 @@ std::vector<SettingOf<schedule::WatchEntry>> makeWatchSettings()
                 {QT_TRANSLATE_NOOP("Text", "Satellite"),
                  QT_TRANSLATE_NOOP("Text", "Number of the satellite in the catalogue of NORAD.")},
                 [](auto& row) -> auto& { return row.number; }),
-            integer<WatchEntry>(
+            mayBeLeftOut(integer<WatchEntry>(
                 "priority", {}, {1.0, 99.0}, kNow,
                 {QT_TRANSLATE_NOOP("Text", "Priority"), QT_TRANSLATE_NOOP("Text", "1 is the most important.")},
-                [](auto& row) -> auto& { return row.priority; }),
-            number<WatchEntry>(
+                [](auto& row) -> auto& { return row.priority; })),
+            mayBeLeftOut(number<WatchEntry>(
                 "min_elevation_deg", "°", {0.0, 89.0}, kNow,
                 {QT_TRANSLATE_NOOP("Text", "Lowest elevation"),
                  QT_TRANSLATE_NOOP("Text", "Only the part of its passes above this elevation counts.")},
-                [](auto& row) -> auto& { return row.leastElevation; })};
+                [](auto& row) -> auto& { return row.leastElevation; }))};
 }
 
 constexpr std::size_t kLongestArgument = 1000;

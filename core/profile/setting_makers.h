@@ -218,4 +218,12 @@ SettingOf<Owner> textList(const std::string& key, Applies applies, const Words& 
             .set = set};
 }
 
+// A key of a row that a file may leave out. It then has the default of the row.
+template <class Row>
+SettingOf<Row> mayBeLeftOut(SettingOf<Row> setting)
+{
+    setting.mayBeLeftOut = true;
+    return setting;
+}
+
 }  // namespace boresight::profile::makers

@@ -197,9 +197,28 @@ TEST_F(CtlSkyTest, PassesAreJudgedForAMount)
     EXPECT_EQ(passes(elements, "--from 2024-05-10 --days 0.1 --profile /nowhere/mount.toml").status, 1);
 }
 
-// REQ-CTL-07: What the list cannot show is reported: a satellite that decays, one that does not rise, bad element sets
-// with file and line. Element sets without a name for their satellite are no failure. No usable set, or an unreadable
-// site, is a failure.
+// REQ-CTL-06b: With --seen on the list has the parts of each pass that the antenna sees, several where a keep-out
+// divides the pass.
+TEST_F(CtlSkyTest, PassesShowWhatTheMountSees)
+{
+    const QString mount = write("mount.toml",
+                                "version = 1\n[[keep_out]]\nname = \"mast\"\nazimuth_from_deg = 210\n"
+                                "azimuth_to_deg = 240\nelevation_min_deg = 0\nelevation_max_deg = 60\n");
+    const std::string line = "--norad 25544 --from 2024-05-10T04:00:00Z --days 0.1 --seen on";
+    const Outcome seen = passes(elements, (line + " --profile " + mount.toStdString()).c_str());
+    EXPECT_EQ(seen.status, 0) << seen.errors;
+    EXPECT_THAT(seen.output, HasSubstr(",los_az,flags,seen_utc\n"));
+    EXPECT_THAT(seen.output,
+                testing::ContainsRegex(",147\\.4839,H,2024-05-10T04:50:01\\.32[0-9]Z/2024-05-10T04:5[0-9:.]*Z "
+                                       "2024-05-10T04:5[0-9:.]*Z/2024-05-10T05:00:31\\.670Z\n"));
+    const Outcome alone = passes(elements, line.c_str());
+    EXPECT_EQ(alone.status, 2);
+    EXPECT_THAT(alone.errors, HasSubstr("--seen needs a mount: add --profile FILE"));
+}
+
+// REQ-CTL-07: What the list cannot show is reported: a satellite that decays, one that does not rise, elements that are
+// old, bad element sets with file and line. Element sets without a name for their satellite are no failure. No usable
+// set, or an unreadable site, is a failure.
 TEST_F(CtlSkyTest, PassesReportWhatTheListCannotShow)
 {
     const Outcome decayed = passes(elements, "--from 2023-01-30 --days 30 --norad 43614");
@@ -209,6 +228,10 @@ TEST_F(CtlSkyTest, PassesReportWhatTheListCannotShow)
     EXPECT_EQ(down.status, 0);
     EXPECT_EQ(down.output, "name,norad,aos_utc,aos_az,tca_utc,tca_az,max_el,los_utc,los_az,flags\n");
     EXPECT_THAT(down.errors, HasSubstr("ISS (ZARYA) (25544) does not rise above 89.0° in this time"));
+
+    const Outcome old = passes(elements, "--from 2026-05-09 --days 0.1 --norad 25544");
+    EXPECT_EQ(old.status, 0);
+    EXPECT_THAT(old.errors, HasSubstr("ISS (ZARYA) (25544): the elements are up to 730 days from this time."));
 
     const QString damaged = write("damaged.tle", kStation + kDamaged);
     const Outcome some = passes(damaged, "--from 2024-05-10 --days 0.1");

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/boresightctl/station_report.h"
 
+#include <QJsonArray>
+
 #include <gtest/gtest.h>
 
 namespace boresight::ctl {
@@ -40,6 +42,14 @@ TEST(StationReport, HasWhatTheWindowShows)
     report[QStringLiteral("motion")] = QStringLiteral("track Moon");
     EXPECT_EQ(reportText(report),
               QStringLiteral("station:  127.0.0.1:4533\nstate:    TRACK\nmotion:   track Moon\nactual:   unknown\n"));
+    report[QStringLiteral("sets")] = QStringLiteral("2026-11-29T17:09:25.000Z");
+    report[QStringLiteral("schedule")] = QStringLiteral("armed");
+    report[QStringLiteral("alarms")] = QJsonArray{QStringLiteral("One."), QStringLiteral("Two.")};
+    EXPECT_EQ(reportText(report),
+              QStringLiteral("station:  127.0.0.1:4533\nstate:    TRACK\nmotion:   track Moon\n"
+                             "sets:     2026-11-29T17:09:25.000Z\nschedule: armed\nactual:   unknown\n"
+                             "alarm:    One.\nalarm:    Two.\n"));
+    report = reportWith({});
     report[QStringLiteral("state")] = QStringLiteral("FAULT");
     report[QStringLiteral("reason")] = QStringLiteral("both drives stopped replying");
     report[QStringLiteral("motion")] = QString();

@@ -63,9 +63,9 @@ void ElementsButton::showStatus(const StationStatus& status)
 
 void ElementsButton::askForElements()
 {
-    const QFileDialog* const dialog =
-        askForFile(*this, tr("Choose a file with orbital elements"), QFileDialog::AcceptOpen,
-                   {tr("Elements (*.tle *.txt *.json *.csv *.xml *.kvn *.sat)"), tr("All files (*)")});
+    const QFileDialog* const dialog = askForFile(
+        *this, tr("Choose a file with orbital elements"), QFileDialog::AcceptOpen,
+        {tr("Elements (*.tle *.3le *.txt *.omm *.json *.csv *.xml *.kvn *.sat *.mod)"), tr("All files (*)")});
     connect(dialog, &QFileDialog::fileSelected, this, &ElementsButton::add);
 }
 

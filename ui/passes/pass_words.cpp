@@ -45,6 +45,22 @@ Angle shiftOf(const BookedPass& one, const PassBook& book, Seconds late)
     return expected && real ? angleBetween(*expected, *real) : 0_deg;
 }
 
+// When the antenna sees the satellite. A pass behind many obstacles has more parts than a line has room for.
+QStringList seenText(const passes::Pass& pass)
+{
+    constexpr qsizetype kMostParts = 4;
+    QStringList parts;
+    for (const passes::Stretch& part : pass.clear) {
+        if (parts.size() == kMostParts) {
+            parts << QStringLiteral("…");
+            break;
+        }
+        parts << QStringLiteral("%1–%2").arg(clockText(part.from), clockText(part.to));
+    }
+    return parts.isEmpty() ? QStringList()
+                           : QStringList(PassWords::tr("seen %1 UTC").arg(parts.join(QStringLiteral(", "))));
+}
+
 QString beamText(Angle beam)
 {
     return angleText(beam, beam < 1_deg ? 2 : 1);
@@ -137,6 +153,7 @@ QString factsOf(const BookedPass& one, const PassBook& book, UtcTime now)
     }
     if (const Seconds hidden = hiddenTime(pass); hidden >= Seconds(1.0)) {
         lines << PassWords::tr("hidden for %1 by the limits").arg(lengthText(hidden));
+        lines << seenText(pass);
     }
     lines << ageText(ageOf(one, book, now));
     return lines.join(QLatin1Char('\n'));

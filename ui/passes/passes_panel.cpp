@@ -29,6 +29,7 @@ constexpr std::chrono::hours kSearchAgain{6};
 // The search begins this long ago, so that a present pass is found with its beginning.
 constexpr std::chrono::minutes kBack{30};
 constexpr int kProblemLines = 3;
+constexpr int kProblemLinesIfLow = 2;  // the tooltip has the whole text
 // px. In a lower panel all facts together would leave the table only one or two rows.
 constexpr int kRoomForAllFacts = 400;
 
@@ -117,7 +118,6 @@ void PassesPanel::build()
     m_filter->layout()->addWidget(m_columns->makeButton(m_filter));
     column->addLayout(notes);
     column->addWidget(m_filter);
-    m_problem->setLines(kProblemLines);
     m_problem->setStretching(true);
     m_problem->setCollapsing(true);
     column->addWidget(m_problem);
@@ -135,7 +135,9 @@ void PassesPanel::resizeEvent(QResizeEvent* event)
 
 void PassesPanel::fitHeight()
 {
-    const bool isLow = height() < kRoomForAllFacts;
+    m_problem->setLines(kProblemLines);
+    const bool isLow = height() < kRoomForAllFacts + m_problem->sizeHint().height();
+    m_problem->setLines(isLow ? kProblemLinesIfLow : kProblemLines);
     const PassViews::View view = m_views->view();
     m_selection->setBrief(isLow, view != PassViews::List);
     m_selection->setNoteShown(!isLow);
@@ -342,12 +344,16 @@ void PassesPanel::showNote(const StationStatus& status)
 // Satellites without a problem are listed all the same.
 void PassesPanel::showProblems(const QStringList& problems)
 {
+    const bool hadProblem = !m_problem->text().isEmpty();
     if (problems.isEmpty()) {
         m_problem->setValue({});
-        return;
+    } else {
+        const QString further = problems.size() > 1 ? QLatin1Char(' ') + tr("The log has more problems.") : QString();
+        m_problem->setValue(problems.constFirst() + further, Tone::Warning, Symbol::Warning);
     }
-    const QString further = problems.size() > 1 ? QLatin1Char(' ') + tr("The log has more problems.") : QString();
-    m_problem->setValue(problems.constFirst() + further, Tone::Warning, Symbol::Warning);
+    if (hadProblem == problems.isEmpty()) {
+        fitHeight();
+    }
 }
 
 }  // namespace boresight::ui

@@ -25,7 +25,7 @@ namespace boresight::ui {
 
 namespace {
 
-constexpr int kFactLines = 9;
+constexpr int kFactLines = 10;
 constexpr int kBriefLines = 4;
 
 // Empty if the whole pass needs no turn back.

@@ -108,6 +108,8 @@ struct ShellRig : StationRig
     StationFollow::Then found;
     TransmitStatus transmit;
     ClockStatus watched;
+    std::optional<TrackedTarget> tracked;
+    std::vector<Alarm> alarms;
     std::shared_ptr<const std::vector<orbit::ElementSet>> known =
         std::make_shared<const std::vector<orbit::ElementSet>>(std::vector<orbit::ElementSet>{
             {.name = "ISS (ZARYA)", .number = 25544, .epoch = orbit::julianDate(UtcTime(std::chrono::days(20000)))}});
@@ -129,6 +131,8 @@ struct ShellRig : StationRig
                             [this] {
                                 StationStatus status = control.status();
                                 status.clock = watched;
+                                status.tracked = tracked ? tracked : status.tracked;
+                                status.alarms = alarms;
                                 return status;
                             },
                         .transmit = [this] { return transmit; }},
@@ -196,6 +200,22 @@ TEST(StationShell, ReportsTheWindAndOverridesIt)
     EXPECT_THAT(rig.answerTo("status\n"), HasSubstr("The wind reached 21.0 m/s. The limit is 15.0 m/s."));
     EXPECT_EQ(rig.answerTo("override-wind\n"), "ok\n");
     EXPECT_THAT(rig.answerTo("status\n"), HasSubstr(R"("obstacle":"","overriddenUntil":"00:)"));
+}
+
+// REQ-STATION-244: Without a screen, the shell reports with the status the next rise or set of the tracked target, and
+// the active alarms with their sentences.
+TEST(StationShell, ReportsTheNextEventAndTheAlarms)
+{
+    ShellRig rig;
+    rig.tracked = TrackedTarget{.name = QStringLiteral("ISS"), .next = UtcTime(std::chrono::hours(34))};
+    EXPECT_THAT(rig.answerTo("status\n"), HasSubstr(R"("rises":"1970-01-02T10:00:00.000Z")"));
+    rig.tracked->isUp = true;
+    EXPECT_THAT(rig.answerTo("status\n"), HasSubstr(R"("sets":"1970-01-02T10:00:00.000Z")"));
+    rig.alarms = {{.what = QStringLiteral("It failed."),
+                   .action = QStringLiteral("It stands."),
+                   .remedy = QStringLiteral("Mend it.")},
+                  {.what = QStringLiteral("Over."), .active = false}};
+    EXPECT_THAT(rig.answerTo("status\n"), HasSubstr(R"("alarms":["It failed. It stands. Mend it."])"));
 }
 
 // REQ-STATION-243: Without a screen, the shell confirms the new time of a clock that was set, and reports with the

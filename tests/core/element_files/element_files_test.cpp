@@ -94,7 +94,7 @@ TEST_F(ElementFilesTest, WhatIsBadIsReportedAndTheRestIsUsed)
     ASSERT_TRUE(huge.open(QIODevice::WriteOnly));
     ASSERT_TRUE(huge.resize((kMostElementMegabytes << 20) + 1));
     EXPECT_THAT(linesOf(readElementFiles({huge.fileName()})),
-                ElementsAre(HasSubstr("huge.tle: The file is larger than 64 MB.")));
+                ElementsAre(HasSubstr("huge.tle: The file is larger than 64 MB. Split it.")));
     EXPECT_THAT(linesOf(readElementFiles({QStringLiteral("/proc/self/mem")})), SizeIs(1));
 }
 

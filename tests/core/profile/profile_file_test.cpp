@@ -247,6 +247,24 @@ TEST(ProfileFile, TellsWhichRowsCannotBeRead)
               "m.toml:22: rotctld.locked_to: a text in quotes is expected");
 }
 
+// REQ-SCHEDULE-945: A satellite of the watch list, or with a star, needs only its number in the file. Each other key
+// has a default, which the comment names.
+TEST(ProfileFile, ASatelliteNeedsOnlyItsNumber)
+{
+    const auto read =
+        parseProfile("version = 1\n[[watch]]\nnorad = 25544\n[[satellite]]\nnorad = 7\nfavourite = \"on\"\n",
+                     QStringLiteral("m.toml"));
+    ASSERT_TRUE(read) << textOf(read.error());
+    EXPECT_EQ(read->schedule.watch,
+              (std::vector<schedule::WatchEntry>{{.number = 25544, .priority = 1, .leastElevation = 10_deg}}));
+    EXPECT_EQ(read->satellites, (orbit::SatelliteMarks{{.number = 7, .favourite = orbit::Favourite::On, .note = {}}}));
+    const std::string written = toToml(*read);
+    EXPECT_NE(written.find("1 is the most important. 1…99; default 1\n"), std::string::npos);
+    EXPECT_NE(written.find("above this elevation counts. 0.0…89.0 °; default 10.0\n"), std::string::npos);
+    EXPECT_EQ(textOf(parseProfile("version = 1\n[[watch]]\npriority = 2\n", QStringLiteral("m.toml")).error()),
+              "m.toml:2: watch[1]: missing: norad. The keys of this table are only valid together.");
+}
+
 // REQ-ANTENNA-921: Antennas are rows of the profile: name, beam width, offsets across and up. The antenna of a
 // satellite may be left out, as in older files with one antenna. Invalid values are refused with line and key.
 TEST(ProfileFile, AntennasAreRows)

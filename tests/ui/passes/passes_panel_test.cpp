@@ -18,6 +18,8 @@
 #include <QDoubleSpinBox>
 #include <QLineEdit>
 #include <QMenu>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QToolButton>
 
 #include <gmock/gmock.h>
@@ -279,6 +281,30 @@ TEST_F(PassesPanelTest, TheFactsFoldWhereTheWindowIsLow)
     EXPECT_TRUE(text("The selected pass").contains(QStringLiteral("days old")));
 }
 
+// Story: with a problem of the elements, Track was out of sight after the window had become lower.
+// REQ-PASSES-979
+TEST_F(PassesPanelTest, TheButtonsStayInSightAtEachHeight)
+{
+    StationStatus status = withSatellites();
+    giveFound(status);
+    const auto& scroll = *window.findChild<QScrollArea*>();
+    for (const bool hasProblem : {false, true}) {
+        status.elementProblems =
+            hasProblem ? QStringList(QStringLiteral("/srv/a.tle:4: wrong ").repeated(9)) : QStringList();
+        give(samples::update(status));
+        for (const auto view : {PassViews::List, PassViews::Timeline, PassViews::Elevation, PassViews::Map}) {
+            window.findChild<PassViews*>()->showView(view);
+            for (int height = 1100; height >= 700; height -= 20) {
+                window.resize(1280, height);
+                settle();
+                EXPECT_EQ(scroll.verticalScrollBar()->maximum(), 0) << view << hasProblem << height;
+            }
+            window.resize(1280, 1100);
+            settle();
+        }
+    }
+}
+
 TEST_F(PassesPanelTest, TellsWhatTheLimitsHide)
 {
     targets::SkyWay way;
@@ -304,6 +330,28 @@ TEST_F(PassesPanelTest, TellsWhatTheLimitsHide)
         const double above = moment.direction.elevation.degrees() - 20.0;
         EXPECT_TRUE(std::abs(above) < 0.5 || moment.isHidden == (above < 0.0)) << above;
     }
+}
+
+// REQ-PASSES-999: The facts of the selected pass have the times of each part that the antenna sees.
+TEST_F(PassesPanelTest, TellsWhenTheAntennaSeesThePass)
+{
+    giveFound(withSatellites());
+    const auto& model = *qobject_cast<PassTable*>(table().model());
+    BookedPass one = model.pass(0);
+    const UtcTime aos = one.pass.aos.utc;
+    const auto part = [aos](int from, int to) {
+        return passes::Stretch{aos + std::chrono::seconds(from), aos + std::chrono::seconds(to)};
+    };
+    one.pass.clear = {part(0, 60), part(120, 180)};
+    const QString seen =
+        QStringLiteral("\nseen %1–%2, %3–%4 UTC\n")
+            .arg(clockText(aos), clockText(aos + std::chrono::seconds(60)), clockText(aos + std::chrono::seconds(120)),
+                 clockText(aos + std::chrono::seconds(180)));
+    EXPECT_THAT(factsOf(one, *model.book(), aos).toStdString(), HasSubstr(seen.toStdString()));
+    one.pass.clear = {{one.pass.aos.utc, one.pass.los.utc}};
+    EXPECT_FALSE(factsOf(one, *model.book(), aos).contains(QStringLiteral("seen")));
+    one.pass.clear = {};
+    EXPECT_FALSE(factsOf(one, *model.book(), aos).contains(QStringLiteral("seen")));
 }
 
 // REQ-PASSES-952: The plot shows the path of the selected pass while the page Coming is open.
