@@ -36,7 +36,7 @@ QString transmitText(const QJsonObject& transmit)
 QString clockText(const QJsonValue& setBy)
 {
     return setBy.isDouble() ? QStringLiteral(
-                                  "clock:    set by %1 s. The station uses the time before until "
+                                  "clock:    set by %1 s. The station uses the old time until "
                                   "use-new-time\n")
                                   .arg(setBy.toDouble(), 0, 'f', 1)
                             : QString();

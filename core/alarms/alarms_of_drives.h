@@ -174,17 +174,16 @@ inline constexpr std::array kDriveAlarms{
                             "still known"},
                .identifying = 0,
                .placeOf = "drives.silent"},
-    AlarmEntry{
-        .id = "drive.limit",
-        .source = "%1 drive",
-        .severity = Severity::Warning,
-        .what = QT_TRANSLATE_NOOP("Text", "The %1 reports limit %2: %3"),
-        .action = QT_TRANSLATE_NOOP("Text", "The drive gives less than Boresight commands"),
-        .remedy = "%4",
-        .brief = QT_TRANSLATE_NOOP("Text", "limit %2: %3"),
-        .examples =
-            {"azimuth drive", "99", "Limited by servo.max_current_A",
-             "Likely cause: wind, friction, a blocked axis or a high acceleration. It ends when the demand falls"}},
+    AlarmEntry{.id = "drive.limit",
+               .source = "%1 drive",
+               .severity = Severity::Warning,
+               .what = QT_TRANSLATE_NOOP("Text", "The %1 reports limit %2: %3"),
+               .action = QT_TRANSLATE_NOOP("Text", "The drive gives less than Boresight commands"),
+               .remedy = "%4",
+               .brief = QT_TRANSLATE_NOOP("Text", "limit %2: %3"),
+               .examples = {"azimuth drive", "99", "Limited by servo.max_current_A",
+                            "Likely cause: wind, friction, a blocked axis or a high acceleration. The limit ends when "
+                            "the load falls"}},
     AlarmEntry{
         .id = "drive.active-unordered",
         .source = "%1 drive",
@@ -213,7 +212,7 @@ inline constexpr std::array kDriveAlarms{
                                            "Enter the position of the axis in the window. Without a window, restart "
                                            "with the present position and time"),
                .help = AlarmHelp::ConfirmWrap,
-               .examples = {"azimuth drive", "the drive was switched off since"}},
+               .examples = {"azimuth drive", "An earlier start has used this position. It counts once."}},
 };
 
 }  // namespace boresight

@@ -27,19 +27,17 @@ inline constexpr std::array kPointingAlarms{
                    "Text",
                    "Check the wires between the BNO055 of the sensor and its board. Then switch the sensor off and on"),
                .placeOf = "sensor.silent"},
-    AlarmEntry{
-        .id = "sensor.disagrees-azimuth",
-        .source = "sensor",
-        .severity = Severity::Warning,
-        .what = QT_TRANSLATE_NOOP("Text", "The orientation sensor and the axes differ by %1 in azimuth"),
-        .action = QT_TRANSLATE_NOOP("Text", "Pointing is unchanged, because the sensor is only a cross-check"),
-        .remedy = "%2",
-        .help = AlarmHelp::OpenNorth,
-        .examples =
-            {"12.3°",
-             "Check the azimuth offset and mounting of the sensor, iron or a motor current near the compass, and the "
-             "azimuth zero"},
-        .identifying = 0},
+    AlarmEntry{.id = "sensor.disagrees-azimuth",
+               .source = "sensor",
+               .severity = Severity::Warning,
+               .what = QT_TRANSLATE_NOOP("Text", "The orientation sensor and the axes differ by %1 in azimuth"),
+               .action = QT_TRANSLATE_NOOP("Text", "Pointing is unchanged, because the sensor is only a cross-check"),
+               .remedy = "%2",
+               .help = AlarmHelp::OpenNorth,
+               .examples = {"12.3°",
+                            "Check the azimuth offset and the mounting of the sensor. Look for iron or a motor current "
+                            "near the compass. Check the azimuth zero"},
+               .identifying = 0},
     AlarmEntry{
         .id = "sensor.disagrees-elevation",
         .source = "sensor",
@@ -48,8 +46,9 @@ inline constexpr std::array kPointingAlarms{
         .action = QT_TRANSLATE_NOOP("Text", "Pointing is unchanged, because the sensor is only a cross-check"),
         .remedy = "%2",
         .help = AlarmHelp::OpenNorth,
-        .examples = {"4.5°",
-                     "Check the elevation offset and mounting of the sensor, the elevation zero and the coupling"},
+        .examples =
+            {"4.5°",
+             "Check the elevation offset and the mounting of the sensor. Check the elevation zero and the coupling"},
         .identifying = 0,
         .placeOf = "sensor.disagrees-azimuth"},
     AlarmEntry{
@@ -107,15 +106,16 @@ inline constexpr std::array kPointingAlarms{
                .remedy = QT_TRANSLATE_NOOP("Text", "STOP or Hold ends the tracking"),
                .examples = {"nothing writes the file. Open Astronomical Data in WSJT-X", "17:06:10Z"},
                .identifying = 0},
-    AlarmEntry{.id = "azel.ended",
-               .source = "azel.dat",
-               .severity = Severity::Warning,
-               .what = QT_TRANSLATE_NOOP("Text", "The Moon is no longer tracked by azel.dat: %1"),
-               .action = QT_TRANSLATE_NOOP("Text", "Boresight ended the tracking. The mount holds"),
-               .remedy = QT_TRANSLATE_NOOP("Text", "Check WSJT-X, then track the Moon again"),
-               .examples = {"its Moon is 28.4° off: the locator in WSJT-X or the site is wrong"},
-               .identifying = 0,
-               .placeOf = "azel.stale"},
+    AlarmEntry{
+        .id = "azel.ended",
+        .source = "azel.dat",
+        .severity = Severity::Warning,
+        .what = QT_TRANSLATE_NOOP("Text", "The Moon is no longer tracked by azel.dat: %1"),
+        .action = QT_TRANSLATE_NOOP("Text", "Boresight ended the tracking. The mount holds"),
+        .remedy = QT_TRANSLATE_NOOP("Text", "Check WSJT-X, then track the Moon again"),
+        .examples = {"its Moon is 28.4° away from the computed Moon. The locator in WSJT-X or the site is wrong"},
+        .identifying = 0,
+        .placeOf = "azel.stale"},
     AlarmEntry{
         .id = "position.stale",
         .source = "position",
@@ -140,7 +140,7 @@ inline constexpr std::array kPointingAlarms{
     AlarmEntry{.id = "followed.ended",
                .source = "rotctld",
                .severity = Severity::Warning,
-               .what = QT_TRANSLATE_NOOP("Text", "The mount no longer follows another rotator: %1"),
+               .what = QT_TRANSLATE_NOOP("Text", "The mount no longer tracks another rotator: %1"),
                .action = QT_TRANSLATE_NOOP("Text", "Boresight ended the tracking. The mount holds"),
                .remedy = QT_TRANSLATE_NOOP(
                    "Text", "Check rotctld, its rotator and the limits of this mount. Then track the rotator again"),
@@ -151,7 +151,7 @@ inline constexpr std::array kPointingAlarms{
                .severity = Severity::Advisory,
                .what = QT_TRANSLATE_NOOP(
                    "Text", "The Moon of azel.dat is %1 away from the Moon that Boresight computes for the site"),
-               .action = QT_TRANSLATE_NOOP("Text", "The mount follows the file, in its steps of 0.1°"),
+               .action = QT_TRANSLATE_NOOP("Text", "The mount tracks the directions of the file, in steps of 0.1°"),
                .remedy = QT_TRANSLATE_NOOP(
                    "Text", "Enter the same locator in WSJT-X and in the profile, with at least six characters"),
                .help = AlarmHelp::OpenProfile,

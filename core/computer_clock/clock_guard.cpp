@@ -60,7 +60,7 @@ bool ClockGuard::noticeStep(bool due)
     const Seconds ahead = m_clock.ahead();
     if (ahead == Seconds(0.0)) {
         if (m_status.ahead) {
-            m_log.add(Severity::Advisory, kSource, Text::tr("the clock of this computer has the time before again"));
+            m_log.add(Severity::Advisory, kSource, Text::tr("the clock of this computer has its old time again"));
         }
         follow();
         return false;

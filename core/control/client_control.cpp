@@ -85,7 +85,7 @@ QString ClientControl::activeClientText(SteadyTime now) const
 {
     const QString when = ago(now - m_active->since);
     if (m_active->left) {
-        return Text::tr("%1 has control. It connects for each command and sent its last %2.")
+        return Text::tr("%1 has control. It connects for each command. It sent its last command %2.")
             .arg(toQString(m_active->host), when);
     }
     return (m_active->given ? Text::tr("%1 received control %2.")

@@ -251,7 +251,8 @@ Result<AxisPosition> Gates::unwound() const
 {
     const auto place = CableGuard::leastWound(m_of.standing(), m_of.motion.region().ranges().azimuth);
     if (!place) {
-        return failure(ErrorCode::Refused, Text::tr("In this direction the azimuth cable is already wound least."));
+        return failure(ErrorCode::Refused,
+                       Text::tr("The azimuth cable cannot be unwrapped further in this direction."));
     }
     return *place;
 }

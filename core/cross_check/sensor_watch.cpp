@@ -294,7 +294,8 @@ QString SensorWatch::causes(Axis axis) const
         return Text::tr("The sensor repeats one value to the last digit. Switch it off and on");
     }
     if (axis == Axis::Elevation) {
-        return Text::tr("Check the elevation offset and mounting of the sensor, the elevation zero and the coupling");
+        return Text::tr(
+            "Check the elevation offset and the mounting of the sensor. Check the elevation zero and the coupling");
     }
     if (const auto link = m_currentLink.correlation()) {
         return Text::tr(
@@ -308,8 +309,8 @@ QString SensorWatch::causes(Axis axis) const
                      "The difference began while the mount moved. Check the motor current, iron near the compass, the "
                      "azimuth direction of the sensor and the coupling")
                : Text::tr(
-                     "Check the azimuth offset and mounting of the sensor, iron or a motor current near the compass, "
-                     "and the azimuth zero");
+                     "Check the azimuth offset and the mounting of the sensor. Look for iron or a motor current near "
+                     "the compass. Check the azimuth zero");
 }
 
 bool SensorWatch::isYoung() const

@@ -11,8 +11,8 @@
 #include <string_view>
 #include <vector>
 
-// The drive of one axis: reads its protections, writes those that differ, and watches its heartbeat. Pure. At most one
-// frame per call.
+// The drive of one axis: reads its safety settings, writes those that differ, and watches its heartbeat. Pure. At most
+// one frame per call.
 namespace boresight::drive_check {
 
 // The origin of the drive's position count at one moment.
@@ -26,14 +26,15 @@ class AxisCheck
 {
 public:
     AxisCheck(const profile::Profile& profile, Axis axis);
-    // The wanted settings change from now on. A running reading or writing is finished first.
+    // Changes the wanted settings. A running reading or writing ends first.
     void profileChanged(const profile::Profile& before, const profile::Profile& after);
 
     void read(const moteus::Uuid& board);
-    // Sets what differs, reads it back, and stores it only if every value was accepted. Then reads everything again.
+    // Writes the settings that differ and reads them back. Stores them only if the drive accepted every value. Then
+    // reads everything again.
     void fix();
-    // Reads only the uptime and the origin of the position count. All other values stay, and without an answer these
-    // two stay, too.
+    // Reads only the uptime and the origin of the position count. All other values stay. Without an answer these two
+    // values stay, too.
     void readOrigin();
     void forget();
 
@@ -83,7 +84,7 @@ private:
     Heartbeat m_heartbeat;
     Step m_step = Step::Idle;
     std::optional<ConsoleRun> m_run;
-    std::vector<std::size_t> m_written;  // indices of the protections that fix() set since the last complete reading
+    std::vector<std::size_t> m_written;  // indices of the settings that fix() wrote since the last complete reading
     bool m_complete = false;
     OriginReading m_origin;
     SteadyTime m_notYetAsked{SteadyTime::min()};  // time stamp for the origin of this run

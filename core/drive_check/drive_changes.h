@@ -26,7 +26,7 @@ struct Change
 class DriveChanges
 {
 public:
-    // Compares a complete reading with the one before. `written`: indices of the protections that Fix set in between.
+    // Compares a complete reading with the one before. `written`: indices of the settings that Fix wrote in between.
     void note(Axis axis, const moteus::Uuid& board, const ReadProtections& now, std::span<const std::size_t> written);
     // The changes found since the last call.
     [[nodiscard]] std::vector<Change> take();

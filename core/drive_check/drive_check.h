@@ -12,11 +12,11 @@
 #include <optional>
 #include <vector>
 
-// Checks before anything moves which drives are there and whether their own protections are right. Scans the bus,
-// identifies the boards, reads the protections of all drives over their consoles at the same time, writes what differs
-// when told to, and then watches the heartbeats. Pure: its owner calls frames() every tick, sends these frames and
-// passes every received frame in. Its source id is kDiagnosticHostId. Nothing that it sends moves an axis or feeds a
-// watchdog. States: README.md.
+// Checks before anything moves which drives are there and whether their safety settings are right. Scans the bus,
+// identifies the boards, and reads the safety settings of all drives over their consoles at the same time. On request
+// it writes the settings that differ. Then it watches the heartbeats. Pure: its owner calls frames() every tick, sends
+// these frames and passes every received frame in. Its source id is kDiagnosticHostId. Nothing that it sends moves an
+// axis or feeds a watchdog. States: README.md.
 namespace boresight::drive_check {
 
 // The facts about one drive, as last read.
@@ -38,7 +38,7 @@ public:
     // below.
     DriveCheck(const profile::InForce& profile, const KnownBoards& known, AxisSet axes = kAxes);
 
-    // The facts that were read are judged again.
+    // Compares the values that were read with the new profile.
     void profileChanged(const profile::Profile& before, const profile::Profile& after);
     // Starts the check from the beginning. Also called after other tools had the bus.
     void begin(SteadyTime now);

@@ -110,11 +110,11 @@ QString boundConsequence(double found, bool narrow)
         return Text::tr("The drive has no limit of its own. Only Boresight ends a motion.");
     }
     if (std::abs(std::abs(found) - kFactoryBound) < 1e-6) {
-        return Text::tr("With the factory's ±3.6° every move ends in fault 39.");
+        return Text::tr("The factory limits are ±3.6°. With them every motion ends in fault 39.");
     }
     return narrow ? Text::tr(
-                        "The limit lies inside the travel. The drive stops with fault 39 where the profile permits a "
-                        "move.")
+                        "The limit lies inside the travel. The drive stops with fault 39 where the profile permits "
+                        "motion.")
                   : Text::tr("The limit is too far out. The cable or the frame stops the axis before the drive does.");
 }
 
@@ -225,28 +225,30 @@ void addElectrical(List& list)
          .otherwise = Verdict::Dangerous,
          .remedy = 46.0,  // factory default, for a board of 44 V
          .reason = Text::tr("Above this voltage the drive stops, so that braking energy cannot destroy the board.")});
-    addWithRemedy(
-        list,
-        {.key = "servo.flux_brake_margin_voltage",
-         .unit = QStringLiteral("V"),
-         .wanted = Text::tr("1 to 20 V"),
-         .isRight = [](double found) { return isWithin(found, 1.0, 20.0); },
-         .remedy = 3.0,  // factory default
-         .reason = Text::tr("This far below the highest voltage the motor begins to turn braking energy into heat.")});
+    addWithRemedy(list,
+                  {.key = "servo.flux_brake_margin_voltage",
+                   .unit = QStringLiteral("V"),
+                   .wanted = Text::tr("1 to 20 V"),
+                   .isRight = [](double found) { return isWithin(found, 1.0, 20.0); },
+                   .remedy = 3.0,  // factory default
+                   .reason = Text::tr(
+                       "At this distance below servo.max_voltage the motor begins to turn braking energy into heat.")});
 }
 
 void addLimits(List& list, const profile::AxisSettings& axis, const DriveScale& scale)
 {
     const double speed = scale.turns(Angle::fromDegrees(axis.limits.speed.degrees()));
-    addWithRemedy(list, {.key = "servo.default_velocity_limit",
-                         .unit = Text::tr("turns/s"),
-                         .wanted = scale.range(speed, 2.0 * speed, Text::tr("turns/s"), QStringLiteral("°/s")),
-                         .wantedBrief = scale.angles(speed, 2.0 * speed, QStringLiteral("°/s")),
-                         .isRight = [speed](double found) { return isWithin(found, speed, 2.0 * speed); },
-                         .remedy = tracking::kLimitGuard * speed,
-                         .reason = Text::tr("The speed of a command that names no speed. The factory sets no limit."),
-                         .explain = scale.asSpan(QStringLiteral("°/s")),
-                         .isAngle = true});
+    addWithRemedy(
+        list,
+        {.key = "servo.default_velocity_limit",
+         .unit = Text::tr("turns/s"),
+         .wanted = scale.range(speed, 2.0 * speed, Text::tr("turns/s"), QStringLiteral("°/s")),
+         .wantedBrief = scale.angles(speed, 2.0 * speed, QStringLiteral("°/s")),
+         .isRight = [speed](double found) { return isWithin(found, speed, 2.0 * speed); },
+         .remedy = tracking::kLimitGuard * speed,
+         .reason = Text::tr("The highest speed of a command that has no speed of its own. The factory sets no limit."),
+         .explain = scale.asSpan(QStringLiteral("°/s")),
+         .isAngle = true});
     const double braking = scale.turns(Angle::fromDegrees(tracking::emergencyBraking(axis.limits).degrees()));
     const double lowest = 0.8 * braking;  // stops within 0.1 s from full speed
     addWithRemedy(list,

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-// The settings of a drive that protect the mount, and the values that a profile wants. The drive is a second limit that
-// also works without this program. Every line contains what happens if its value is wrong. Pure values.
+// The safety settings of a drive and the values that a profile wants. With these settings the drive protects the mount
+// also without this program. Every line names the effect of a wrong value. Pure values.
 namespace boresight::drive_check {
 
 inline constexpr int kTimeoutHold = 10;  // servo.timeout_mode: brake, then hold

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-// The protections of one drive: the wanted values, the values that were read, and the verdicts. Pure.
+// The safety settings of one drive: the wanted values, the values that were read, and the verdicts. Pure.
 namespace boresight::drive_check {
 
 class ReadProtections

@@ -400,7 +400,7 @@ QString MoteusMount::leaveBus()
         m_turns.forget(axis);
         learn(axis, std::nullopt);
     }
-    return Text::tr("releases the bus to other tools, and drives that held continue in their time-out mode");
+    return Text::tr("releases the bus to other tools. Drives that are on continue in their time-out mode");
 }
 
 Result<> MoteusMount::mayTakeBus() const

@@ -81,8 +81,8 @@ Result<> BodyFollower::isTimeCertain(Body body) const
 {
     if (m_clock.ahead() != Seconds(0.0)) {
         return failure(ErrorCode::Refused,
-                       Text::tr("The clock of this computer was set, and Boresight still uses the time before. Press "
-                                "Use new time or correct the clock before you track the %1 here.")
+                       Text::tr("The clock of this computer was set, and Boresight still uses the old time. Press Use "
+                                "new time or correct the clock before you track the %1 here.")
                            .arg(bodyName(body)));
     }
     return {};

@@ -94,8 +94,8 @@ void CalibrationReport::fillBodies(CalibrationStatus& status) const
     }
     if (m_of.alarms.isAtSun()) {
         status.warning = Text::tr(
-            "The antenna points at the Sun. Do not look along it, nor through a sight tube without a solar filter. "
-            "Watch the heat at the feed");
+            "The antenna points at the Sun. Never look along the beam or a sight tube without a solar filter. Watch "
+            "the heat at the feed");
     }
 }
 

@@ -95,8 +95,8 @@ void KeptPoints::clockWasSet()
 {
     if (!m_book.points().empty()) {
         m_log.add(Severity::Warning, kPointsSource,
-                  Text::tr("The clock of this computer was set. If the time before was wrong, drop the points of the "
-                           "Sun and the Moon that were taken with it"));
+                  Text::tr("The clock of this computer was set. If the old time was wrong, drop the points of the Sun "
+                           "and the Moon that were taken with it"));
     }
 }
 

@@ -70,7 +70,8 @@ void PointTaker::warnOfFarPoint(const SkyPointing& truth)
     }
     if (const Angle distance = angleBetween(*beam, truth); distance > std::max(kFarPoint, 3.0 * *north)) {
         m_log.add(Severity::Warning, kTakerSource,
-                  Text::tr("By the model in force the beam is %1° off. If the target was not centred, drop point %2")
+                  Text::tr("By the model in force the beam is %1° away from the target. If the target was not centred, "
+                           "drop point %2")
                       .arg(distance.degrees(), 0, 'f', 1)
                       .arg(m_points.book().points().size()));
     }

@@ -122,9 +122,9 @@ Result<> Proposals::mayApply(const request::ApplyCalibration& wanted) const
     return isCurrent(wanted.proposal).and_then([&]() -> Result<> {
         return m_proposal->doubts.empty() || wanted.overridesDoubts
                    ? Result<>{}
-                   : failure(ErrorCode::Refused, Text::tr("This result is unreliable. %1 To use it all the same, press "
-                                                          "Apply anyway.")
-                                                     .arg(m_proposal->doubts.front()));
+                   : failure(ErrorCode::Refused,
+                             Text::tr("This result is unreliable. %1 To use it, press Apply anyway.")
+                                 .arg(m_proposal->doubts.front()));
     });
 }
 

@@ -129,7 +129,7 @@ void NamedOutput::fail(const QString& reason)
 contacts::OutputAnswer NamedOutput::answer() const
 {
     if (isAwaited() && m_clock.now() - m_retired >= kPatience) {
-        return {.problem = Text::tr("the output before it has not answered for %1 s").arg(kPatience.count())};
+        return {.problem = Text::tr("the previous output has not answered for %1 s").arg(kPatience.count())};
     }
     return {.isOn = m_order.isReached ? std::optional(m_order.on) : std::nullopt, .problem = m_problem};
 }

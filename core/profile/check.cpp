@@ -94,10 +94,11 @@ void checkHamlibSettings(std::vector<Problem>& problems, const Profile& profile)
         }
     }
     if (bytes > rotctl::kMostHamlibSettings) {
-        problems.push_back({"bus.hamlib_settings", Text::tr("has %1 bytes, with a comma between two settings. rotctld "
-                                                            "accepts at most %2 bytes. Remove a setting.")
-                                                       .arg(bytes)
-                                                       .arg(rotctl::kMostHamlibSettings)});
+        problems.push_back(
+            {"bus.hamlib_settings",
+             Text::tr("has %1 bytes, with its commas. rotctld accepts at most %2 bytes. Remove a setting.")
+                 .arg(bytes)
+                 .arg(rotctl::kMostHamlibSettings)});
     }
 }
 

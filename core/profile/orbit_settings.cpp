@@ -133,14 +133,16 @@ void addAzel(std::vector<Setting>& list)
     list.push_back(number(
         "azel.interval_s", "s", {1.0, 3600.0}, kNow,
         {QT_TRANSLATE_NOOP("Text", "Interval"),
-         QT_TRANSLATE_NOOP("Text", "The mount moves on to the Moon at most this often. At 1 s it moves all the time.")},
+         QT_TRANSLATE_NOOP("Text",
+                           "The mount moves to the new direction of the Moon at most once in this time. At 1 s it "
+                           "moves all the time.")},
         [](auto& p) -> auto& { return p.azel.interval; }));
     list.push_back(number(
         "azel.beam_fraction", "", {0.0, 1.0}, kNow,
         {QT_TRANSLATE_NOOP("Text", "Part of the beam width"),
          QT_TRANSLATE_NOOP("Text",
-                           "The mount moves on only when the Moon is this part of the beam width away from the "
-                           "direction of the mount. 0: only the interval counts.")},
+                           "The mount moves only when its distance from the Moon is this part of the beam width. 0: "
+                           "only the interval counts.")},
         [](auto& p) -> auto& { return p.azel.beamFraction; }));
     list.push_back(choice(
         "azel.only_while_receiving", {"off", "on"}, kNow,
@@ -197,8 +199,8 @@ void addPosition(std::vector<Setting>& list)
     list.push_back(number(
         "position.fastest_m_s", "m/s", {10.0, 12000.0}, kNow,
         {QT_TRANSLATE_NOOP("Text", "Fastest flight"),
-         QT_TRANSLATE_NOOP("Text",
-                           "A position is refused if the balloon or rocket had to fly faster than this to reach it.")},
+         QT_TRANSLATE_NOOP(
+             "Text", "A position is refused if the balloon or rocket would have to fly faster than this to reach it.")},
         [](auto& p) -> auto& { return p.position.fastest; }));
 }
 

@@ -143,8 +143,8 @@ void addBrake(std::vector<Setting>& list)
         "brake.switching_s", "s", {0.0, 10.0}, Applies::Now,
         {QT_TRANSLATE_NOOP("Text", "Time to open or to close"),
          QT_TRANSLATE_NOOP("Text",
-                           "The time that the brakes need to open or to close. Boresight waits for it before the mount "
-                           "moves, and before it leaves the drives at its end.")},
+                           "The time that the brakes need to open or to close. Boresight waits for this time before it "
+                           "moves the mount. When Boresight ends, it waits again before it releases the drives.")},
         [](auto& p) -> auto& { return p.brake.switching; }));
     list.push_back(number(
         "brake.set_after_s", "s", {0.5, 3600.0}, Applies::Now,

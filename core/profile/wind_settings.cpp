@@ -86,8 +86,8 @@ void addWindLimits(std::vector<Setting>& list)
         "wind.gust_s", "s", {0.0, 60.0}, kNow,
         {QT_TRANSLATE_NOOP("Text", "Mean of a gust"),
          QT_TRANSLATE_NOOP("Text",
-                           "The mean of the readings of this time counts. 3 s is how weather services define a gust. "
-                           "0: each reading counts.")},
+                           "Boresight uses the mean of the readings of this time. Weather services define a gust by 3 "
+                           "s. 0: Boresight uses each reading.")},
         [](auto& p) -> auto& { return p.wind.gust; }));
     list.push_back(number(
         "wind.silence_s", "s", {2.0, 3600.0}, kNow,

@@ -41,9 +41,10 @@ Result<> AzelFollow::isUsable() const
     const ControlParts view = helm().view();
     return m_feed.isFresh(view.now).and_then([&]() -> Result<> {
         if (m_moon.isElsewhere()) {
-            return failure(ErrorCode::Refused,
-                           Text::tr("its Moon is %1 off: the locator in WSJT-X or the site is wrong")
-                               .arg(degreesText(*m_moon.apart())));
+            return failure(
+                ErrorCode::Refused,
+                Text::tr("its Moon is %1 away from the computed Moon. The locator in WSJT-X or the site is wrong")
+                    .arg(degreesText(*m_moon.apart())));
         }
         if (view.profile.azel.onlyWhileReceiving == profile::OnlyWhileReceiving::On && !m_feed.text()->radio) {
             return failure(ErrorCode::Refused, Text::tr("it does not show whether the radio transmits, and the setting "

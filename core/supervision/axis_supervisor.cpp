@@ -366,8 +366,8 @@ void AxisSupervisor::judgeTrend(Watch& watch, const AxisObservation& seen, const
     const double soon = left ? -left->count() : -std::numeric_limits<double>::infinity();
     const double ahead = m_profile->supervision.trendAhead.count();
     watch.update(seen.now, soon, {.hint = -ahead, .release = -1.5 * ahead, .quietFor = Seconds(10.0)}, [&] {
-        return (to.fromBelow ? Text::tr("%1 reached %2 %3 and, rising by %4 %3/min, reaches %5 %3 at %6")
-                             : Text::tr("%1 fell to %2 %3 and, falling by %4 %3/min, reaches %5 %3 at %6"))
+        return (to.fromBelow ? Text::tr("%1 reached %2 %3. It rises by %4 %3/min and will reach %5 %3 at %6")
+                             : Text::tr("%1 fell to %2 %3. It falls by %4 %3/min and will reach %5 %3 at %6"))
             .arg(what, words(line->now, to.decimals), to.unit, words(std::abs(line->perMinute), 1),
                  words(to.value, to.decimals), timeOfDayText(seen.utc + std::chrono::round<UtcTime::duration>(*left)));
     });

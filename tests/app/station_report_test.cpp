@@ -94,7 +94,7 @@ TEST(StationReport, HasAClockThatWasSet)
     QJsonObject report = reportWith({});
     report[QStringLiteral("clockSetBy")] = -3600.0;
     EXPECT_TRUE(reportText(report).endsWith(
-        QStringLiteral("\nclock:    set by -3600.0 s. The station uses the time before until use-new-time\n")));
+        QStringLiteral("\nclock:    set by -3600.0 s. The station uses the old time until use-new-time\n")));
 }
 
 }  // namespace

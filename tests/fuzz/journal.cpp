@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The memory file of a mount (position journal and crash stops): gives any bytes to parseJournal(). An accepted file is
-// written and must read back equal, and no damage may change a value unnoticed.
+// The journal file of a mount (positions and crash stops): gives any bytes to parseJournal(). An accepted journal is
+// written and must read back with the same values. No damage may change a value unnoticed.
 #include "core/base/control_characters.h"
 #include "core/journal/journal_text.h"
 #include "tests/fakes/text_of.h"
@@ -22,7 +22,7 @@ constexpr std::size_t kJournalMaxInput = 3000;  // a full file has about 1600 by
 
 void checkReason(const std::string& reason)
 {
-    require(!reason.empty() && reason.size() < 300, "a refused memory has a reason of one line");
+    require(!reason.empty() && reason.size() < 300, "a refused journal has a reason of one line");
     require(!hasControlCharacters(reason), "the reason is printable");
 }
 
@@ -30,18 +30,18 @@ void checkAccepted(const MountJournal& journal)
 {
     for (const auto& turn : journal.turns) {
         require(!turn || (turn->angle.isFinite() && turn->reported.isFinite() && std::isfinite(turn->uptime.count())),
-                "a remembered turn is finite");
-        require(!turn || turn->drive.size() == 36, "a remembered turn names its drive");
+                "a recorded position is finite");
+        require(!turn || turn->drive.size() == 36, "a recorded position names its drive");
     }
     for (const auto& stop : journal.crashStops) {
         require(!stop || (stop->angle.isFinite() && stop->rate.isFinite() && stop->time.count() >= 0),
-                "a remembered crash stop is finite");
+                "a recorded crash stop is finite");
     }
     const auto written = toText(journal);
-    require(written.has_value(), "an accepted memory can be written");
+    require(written.has_value(), "an accepted journal can be written");
     const auto again = parseJournal(*written);
-    require(again.has_value(), "a written memory can be read");
-    require(*again == journal, "a written memory reads back equal");
+    require(again.has_value(), "a written journal can be read");
+    require(*again == journal, "a written journal reads back with the same values");
     require(toText(*again) == written, "writing it again changes nothing");
 }
 

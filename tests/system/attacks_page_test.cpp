@@ -53,6 +53,31 @@ void expectExisting(const char* page)
     }
 }
 
+std::set<std::string> firstGroups(const std::string& text, const std::regex& pattern)
+{
+    std::set<std::string> found;
+    for (std::sregex_iterator match(text.begin(), text.end(), pattern), end; match != end; ++match) {
+        found.insert((*match)[1].str());
+    }
+    return found;
+}
+
+// Story: the page named a program under its former name.
+TEST(AttacksPage, NamesFuzzProgramsThatExist)
+{
+    const fs::path folder(TESTS_FOLDER);
+    const std::set<std::string> existing =
+        firstGroups(textOf(folder / "fuzz" / "CMakeLists.txt"), std::regex(R"(\nboresight_add_fuzz\((\w+))"));
+    for (const std::string page : {"fuzz/README.md", "system/ATTACKS.md"}) {
+        const std::set<std::string> named =
+            firstGroups(textOf(folder / page), std::regex(R"((?:ctest -R Fuzz\.|`fuzz_)(\w+))"));
+        EXPECT_GE(named.size(), 5U) << page;
+        for (const std::string& program : named) {
+            EXPECT_TRUE(program == "NAME" || existing.contains(program)) << page << " names " << program;
+        }
+    }
+}
+
 TEST(AttacksPage, NamesTestsThatExist)
 {
     expectExisting("ATTACKS.md");

@@ -101,13 +101,13 @@ std::vector<Group> lostLines()
                                     .hurt = hurt(axis),
                                     .alarm = name(axis) + " " + noReply},
                           .moments = kEverywhere});
-        groups.push_back({.fault = {.name = name(axis) + " drive hears and never answers",
+        groups.push_back({.fault = {.name = name(axis) + " drive receives and never answers",
                                     .injections = {{.kind = FaultKind::Silence, .axis = axis}},
                                     .hurt = hurt(axis),
                                     .alarm = name(axis) + " " + noReply},
                           .moments = kEverywhere});
         groups.push_back(
-            {.fault = {.name = name(axis) + " drive starved for 0.16 s",
+            {.fault = {.name = name(axis) + " drive receives nothing for 0.16 s",
                        .injections =
                            {{.kind = FaultKind::LostCommand, .axis = axis, .duration = Seconds(0.16), .value = 1.0}},
                        .hurt = hurt(axis),
@@ -130,7 +130,7 @@ std::vector<Group> roughLines()
          .moments = {Moment::InSlew, Moment::InTrack}},
         {.fault = goesOn("every fifth reply garbled", {.kind = FaultKind::CorruptLine, .value = 0.2}),
          .moments = {Moment::InSlew, Moment::InTrack}},
-        {.fault = goesOn("adapter's OK is missing", {.kind = FaultKind::MissingOk}),
+        {.fault = goesOn("adapter never sends OK", {.kind = FaultKind::MissingOk}),
          .moments = {Moment::InSlew, Moment::InTrack}},
         {.fault = goesOn("replies 0.05 s late", {.kind = FaultKind::LateReply, .value = 0.05}),
          .moments = {Moment::InSlew, Moment::InTrack}},
@@ -202,10 +202,10 @@ std::vector<Group> strangeReplies()
         {.fault = {.name = "replies of both drives exchanged", .injections = {{.kind = FaultKind::ExchangedReplies}}},
          .moments = kEverywhere},
         {.fault = goesOn("each reply comes twice", {.kind = FaultKind::DoubledReply}), .moments = kEverywhere},
-        {.fault = goesOn("one reply is that of 0.5 s ago",
-                         {.kind = FaultKind::StaleReply, .duration = kOneReply, .value = 0.5}),
+        {.fault =
+             goesOn("one reply is 0.5 s old", {.kind = FaultKind::StaleReply, .duration = kOneReply, .value = 0.5}),
          .moments = kEverywhere},
-        {.fault = ofAzimuth("azimuth replies are those of 0.5 s ago",
+        {.fault = ofAzimuth("azimuth replies are 0.5 s old",
                             {.kind = FaultKind::StaleReply, .axis = Axis::Azimuth, .value = 0.5}),
          .moments = {Moment::InSlew}},
         {.fault = goesOn("no supply voltage in the replies", {.kind = FaultKind::SupplyNaN}), .moments = kEverywhere},
@@ -251,7 +251,7 @@ std::vector<Group> supplies()
                    .alarm = "Neither drive replies",
                    .stillWithin = kCoasting},
          .moments = kEverywhere},
-        {.fault = {.name = "power blinks for 0.1 s",
+        {.fault = {.name = "power off for 0.1 s",
                    .injections = {{.kind = FaultKind::PowerLoss, .duration = Seconds(0.1)}},
                    .alarm = "switched itself off",
                    .stillWithin = kCoasting},
@@ -289,7 +289,7 @@ std::vector<Group> supplies()
     };
     for (const Axis axis : kAxes) {
         groups.push_back(
-            {.fault = {.name = "power of the " + name(axis) + " drive blinks for 0.1 s",
+            {.fault = {.name = "power of the " + name(axis) + " drive off for 0.1 s",
                        .injections = {{.kind = FaultKind::BoardPowerLoss, .axis = axis, .duration = Seconds(0.1)}},
                        .hurt = hurt(axis),
                        .alarm = name(axis) + " drive switched itself off",
@@ -328,7 +328,7 @@ std::vector<Group> mechanics()
                                     .pushesOn = kHolds,
                                     .springsBack = kWoundUp},
                           .moments = kInMotion});
-        groups.push_back({.fault = {.name = name(axis) + " jammed 0.1° farther on",
+        groups.push_back({.fault = {.name = name(axis) + " blocked 0.1° farther on",
                                     .once = [axis](SimulatedStation& rig) { jamAhead(rig, axis); },
                                     .hurt = hurt(axis),
                                     .alarm = "The " + name(axis) + " does not move",
@@ -364,7 +364,7 @@ std::vector<Group> others()
                    .alarm = "Neither drive replies"},
          .moments = kEverywhere},
     };
-    groups.push_back({.fault = {.name = "power blinks, azimuth drive returns with another register map",
+    groups.push_back({.fault = {.name = "power off for 0.1 s, azimuth drive returns with another register map",
                                 .injections = {{.kind = FaultKind::PowerLoss, .duration = Seconds(0.1)},
                                                {.kind = FaultKind::RegisterMap, .axis = Axis::Azimuth, .value = 6}},
                                 .alarm = "register map",
@@ -383,7 +383,7 @@ std::vector<Group> others()
                                     .outcome = Outcome::GoesOn,
                                     .hurt = Hurt::None},
                           .moments = {Moment::WhileEnabling}});
-        groups.push_back({.fault = {.name = "another program turns the count of " + name(axis) + " by 7.2°",
+        groups.push_back({.fault = {.name = "another program shifts the reported angle of " + name(axis) + " by 7.2°",
                                     .once =
                                         [axis](SimulatedStation& rig) {
                                             order(rig, axis, moteus::SetOutputExact{reported(rig, axis) + 7.2 / 360.0});
@@ -408,7 +408,7 @@ std::string word(Moment moment)
 {
     switch (moment) {
         case Moment::AtRest:
-            return "at rest";
+            return "standing still";
         case Moment::InSlew:
             return "in slew";
         case Moment::WhileBraking:

@@ -184,7 +184,7 @@ void FaultRun::rearm()
 {
     const AxisPosition here = rig.truth();
     m_left = false;
-    m_outcome.again = "re-arm";
+    m_outcome.again = "Re-arm";
     EXPECT_EQ(rig.ask(request::Rearm{}), "");
     EXPECT_TRUE(rig.runUntil([&] { return rig.status().state != StationState::Fault; }, kReturn));
     EXPECT_TRUE(rig.runUntil([&] { return rig.status().drives->armingObstacle.isEmpty(); }, kReturn))
@@ -196,7 +196,7 @@ void FaultRun::rearm()
         if (!(axis == Axis::Azimuth ? status.azimuth : status.elevation).turnKnown) {
             EXPECT_EQ(rig.ask(request::ChooseTurn{axis, Angle::fromDegrees(rig.truth(axis))}), "");
             rig.run(Seconds(0.5));
-            m_outcome.again = "re-arm, tell the turn";
+            m_outcome.again = "Re-arm, enter the position";
         }
     }
     EXPECT_EQ(rig.ask(request::GiveAuthority{}), "");
@@ -207,7 +207,7 @@ void FaultRun::moveAgain()
     m_left = false;
     if (m_case.fault.outcome == Outcome::GoesOn) {
         m_outcome.state = word(rig.status().state).toStdString();
-        m_outcome.again = "goes on";
+        m_outcome.again = "none";
         EXPECT_EQ(rig.ask(request::GiveAuthority{}), "");  // the operator may have jogged
     }
     m_gpredict.reset();

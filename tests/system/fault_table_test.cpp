@@ -20,8 +20,8 @@ namespace boresight::system_test {
 namespace {
 
 const char* const kHeader =
-    "| fault | moment | alarm s | still az s | still el s | astray ° | beyond travel ° | state | "
-    "moved before re-arm ° | drives then | again by | alarm |\n"
+    "| fault | moment | alarm (s) | az stands (s) | el stands (s) | moved away (°) | beyond travel (°) | state | "
+    "moved before Re-arm (°) | drives | recovery | alarm |\n"
     "|---|---|---:|---:|---:|---:|---:|---|---:|---|---|---|\n";
 
 std::string number(double value, int decimals)

@@ -33,28 +33,29 @@ void print(const SoakCounts& counts, const sim::ReplyCounts& said)
 {
     print("ticks", counts.ticks);
     print("frames sent", counts.frames);
-    print("questions to drives", counts.questions);
-    print("not heard by a drive", counts.unheard);
-    print("replies said", said.said);
+    print("requests to drives", counts.questions);
+    print("not received by a drive", counts.unheard);
+    print("replies sent", said.said);
     print("replies lost", said.lost);
     print("replies received", counts.received);
     print("passes", counts.passes);
-    print("points accepted", counts.points);
-    print("points refused", counts.refusedPoints);
+    print("targets accepted", counts.points);
+    print("targets refused", counts.refusedPoints);
     print("short outages, stalls", counts.shortTroubles);
     print("long outages, stalls", counts.longTroubles);
     print("steps of the UTC", counts.clockSteps);
     print("losses", counts.losses);
     print("re-arms", counts.rearms);
     print("recoveries", counts.recoveries);
-    print("turns told", counts.turnsTold);
+    print("positions entered", counts.turnsTold);
 }
 
 void expectCountsAgree(const SoakCounts& counts, const sim::ReplyCounts& said)
 {
-    EXPECT_EQ(counts.questions, said.said + counts.unheard) << "each question that was heard has one reply";
+    EXPECT_EQ(counts.questions, said.said + counts.unheard) << "each request that a drive received has one reply";
     EXPECT_EQ(said.said, counts.received + said.lost) << "each reply arrives once or is lost";
-    EXPECT_EQ(counts.losses, counts.longTroubles) << "what is short goes unnoticed, what is long stops the mount once";
+    EXPECT_EQ(counts.losses, counts.longTroubles)
+        << "Boresight notices no short outage. Each long outage stops the mount once";
     EXPECT_EQ(counts.rearms, counts.losses);
     EXPECT_EQ(counts.recoveries, counts.losses);
 }
@@ -81,8 +82,9 @@ TEST(Soak, EndsAsItBegan)
     expectCountsAgree(counts, said);
     expectNothingBad(soak.findings());
     std::printf(
-        "  outside %.3f deg, astray %.3f deg, fastest %.3f of the limit, moved unarmed %.3f deg; bytes in use by the "
-        "hour:",
+        "  outside %.3f deg, reported position wrong by %.3f deg, fastest %.3f of the limit, moved unarmed %.3f deg. "
+        "Bytes in "
+        "use by the hour:",
         soak.findings().outside.degrees(), soak.findings().astray.degrees(), soak.findings().fastest,
         soak.findings().movedUnarmed.degrees());
     for (const std::size_t bytes : soak.findings().memory) {
@@ -96,7 +98,7 @@ TEST(Soak, EndsAsItBegan)
         const Angle real = axis == Axis::Azimuth ? truth.azimuth : truth.elevation;
         const auto& record = soak.journal().journal.turns[index(axis)];
         ASSERT_TRUE(record.has_value()) << soak.journal().problem.toStdString();
-        EXPECT_NEAR(record->angle.degrees(), real.degrees(), 0.2) << "the journal tells the turn";
+        EXPECT_NEAR(record->angle.degrees(), real.degrees(), 0.2) << "the journal has the position with its cable wrap";
         EXPECT_FALSE(record->moving);
     }
     EXPECT_TRUE(soak.status().azimuth.turnKnown) << "the drives kept their power";
@@ -105,10 +107,10 @@ TEST(Soak, EndsAsItBegan)
 
     soak.powerCycle();
     const auto question = soak.status().drives->azimuth.turnQuestion;
-    ASSERT_TRUE(question.has_value()) << "after a power cycle only the operator can tell";
+    ASSERT_TRUE(question.has_value()) << "after a power cycle only the operator knows the position";
     ASSERT_TRUE(question->proposed.has_value());
     EXPECT_NEAR(question->proposed->degrees(), soak.truth().azimuth.degrees(), 0.5)
-        << "the journal knows what to propose";
+        << "the journal has the position to propose";
 }
 
 }  // namespace

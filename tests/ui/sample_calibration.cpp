@@ -258,8 +258,8 @@ StationStatus followingSun()
     calibration.body = ephemeris::Body::Sun;
     calibration.following = true;
     calibration.warning = QStringLiteral(
-        "The antenna points at the Sun. Do not look along it, nor through a sight tube without a solar filter. Watch "
-        "the heat at the feed");  // in the words of the station: it must fit
+        "The antenna points at the Sun. Never look along the beam or a sight tube without a solar filter. Watch the "
+        "heat at the feed");  // in the words of the station: it must fit
     for (int index = 0; index < 3; ++index) {
         calibration.points.push_back(pointAt(index, true, status.utc));
     }

@@ -24,9 +24,9 @@ struct Setting
 constexpr Setting kSettings[] = {
     {"id.id", "1", "2", nullptr, Verdict::Right, "The profile has this id for this axis."},
     {"servopos.position_min", "-0.258333 turns (-93.0°)", "-0.008333 turns (-3.0°)", "-0.01 turns (-3.6°)",
-     Verdict::Dangerous, "With the factory's ±3.6° every move ends in fault 39."},
+     Verdict::Dangerous, "The factory limits are ±3.6°. With them every motion ends in fault 39."},
     {"servopos.position_max", "1.25833 turns (453.0°)", "0.258333 turns (93.0°)", "0.01 turns (3.6°)",
-     Verdict::Dangerous, "With the factory's ±3.6° every move ends in fault 39."},
+     Verdict::Dangerous, "The factory limits are ±3.6°. With them every motion ends in fault 39."},
     {"servo.timeout_mode", "10 (hold)", nullptr, "12 (damp)", Verdict::Dangerous,
      "Mode 12 only damps. Without commands a loaded elevation creeps down."},
     {"servo.default_timeout_s", "0.05 to 0.2 s", nullptr, "0.1 s", Verdict::Right,
@@ -38,9 +38,9 @@ constexpr Setting kSettings[] = {
     {"servo.max_voltage", "10 to 46 V", nullptr, "46 V", Verdict::Right,
      "Above this voltage the drive stops, so that braking energy cannot destroy the board."},
     {"servo.flux_brake_margin_voltage", "1 to 20 V", nullptr, "3 V", Verdict::Right,
-     "This far below the highest voltage the motor begins to turn braking energy into heat."},
+     "At this distance below servo.max_voltage the motor begins to turn braking energy into heat."},
     {"servo.default_velocity_limit", "0.025 turns/s (9°/s)", nullptr, "none", Verdict::Advised,
-     "The speed of a command that names no speed. The factory sets no limit."},
+     "The highest speed of a command that has no speed of its own. The factory sets no limit."},
     {"servo.default_accel_limit", "0.166667 turns/s² (60°/s²)", nullptr, "50 turns/s² (18000°/s²)", Verdict::Advised,
      "Without commands the drive brakes with this deceleration. Too low: the axis runs on. Too high (factory: 50 "
      "turns/s²): the stop shakes the mount."},

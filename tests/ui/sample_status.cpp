@@ -125,7 +125,7 @@ StationStatus idle()
     status.permissions = permitted();
     status.permissions.refuse(Action::FixDrives, QStringLiteral("every setting is right"));
     status.permissions.refuse(Action::Unwind,
-                              QStringLiteral("In this direction the azimuth cable is already wound least."));
+                              QStringLiteral("The azimuth cable cannot be unwrapped further in this direction."));
     status.profile = sampleProfile();
     status.state = StationState::Parked;
     status.stateReason = QStringLiteral("park position reached");
@@ -199,8 +199,8 @@ StationStatus faulted()
                         "the torque or improve the cooling. Then press Re-arm")});
     addAlarm(status, alarmEntry("drive.limit").of(Axis::Azimuth), Severity::Warning,
              {drive, QStringLiteral("100"), QStringLiteral("Current reduced because the board is warm"),
-              QStringLiteral("Likely cause: Much torque for a long time, or too little cooling. It ends when the board "
-                             "cools down. Fault 38 follows if it gets hotter")});
+              QStringLiteral("Likely cause: Much torque for a long time, or too little cooling. The limit ends when "
+                             "the board cools down. If the board gets hotter, fault 38 follows")});
     return status;
 }
 

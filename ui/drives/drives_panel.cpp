@@ -275,16 +275,17 @@ void DrivesPanel::prove()
         return;
     }
     const AngularRate rate = Angle::fromDegrees(m_rate->value()) / Seconds(1.0);
-    askFirst({.title = tr("Move the mount at %1 and stop the commands?").arg(rateText(rate)),
-              .text = tr("Boresight moves one axis after the other at %1. It stops the commands to the drive, as if "
-                         "the cable were cut. It measures how far and how long the axis goes on.\n\nA drive gives no "
-                         "torque for 53 ms when it is switched on again. An unbalanced elevation then drops a "
-                         "little.\n\nKeep people and ropes clear of the antenna. STOP ends the test.")
-                          .arg(rateText(rate)),
-              .act = tr("Move the mount"),
-              .request = request::ProveCrashStop{rate},
-              .action = Action::ProveCrashStop},
-             m_status);
+    askFirst(
+        {.title = tr("Move the mount at %1 and stop the commands?").arg(rateText(rate)),
+         .text = tr("Boresight moves one axis after the other at %1. It stops the commands to the drive, as if "
+                    "the cable were cut. It measures how far and how long the axis still moves.\n\nA drive gives no "
+                    "torque for 53 ms when it is switched on again. An unbalanced elevation then drops a "
+                    "little.\n\nKeep people and ropes clear of the antenna. STOP ends the test.")
+                     .arg(rateText(rate)),
+         .act = tr("Move the mount"),
+         .request = request::ProveCrashStop{rate},
+         .action = Action::ProveCrashStop},
+        m_status);
 }
 
 }  // namespace boresight::ui

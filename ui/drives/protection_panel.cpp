@@ -164,9 +164,11 @@ void ProtectionPanel::showReason()
 void ProtectionPanel::fix()
 {
     const QStringList changes = m_model->changes();
-    QString text = changes.isEmpty() ? tr("The drives store the settings that are already in force. Nothing moves.")
-                                     : changes.join(QLatin1Char('\n')) +
-                                           tr("\n\nWritten, read back, and kept in the drives' memory. Nothing moves.");
+    QString text =
+        changes.isEmpty()
+            ? tr("The drives store the settings that are already in force. Nothing moves.")
+            : changes.join(QLatin1Char('\n')) +
+                  tr("\n\nBoresight writes them, reads them back and stores them in the drives. Nothing moves.");
     if (const QStringList left = m_model->leftAlone(); !left.isEmpty()) {
         text += tr("\n\nSet these yourself, because only the builder of the mount knows the values:\n") +
                 left.join(QLatin1Char('\n'));

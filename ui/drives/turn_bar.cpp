@@ -21,8 +21,8 @@ constexpr double kMinimumGap = 16.0;        // px between marks that are drawn a
 TurnBar::TurnBar(QWidget* parent) : QWidget(parent)
 {
     setFont(fonts::label());
-    setAccessibleName(tr("Places the axis may be at"));
-    setToolTip(tr("◇ a possible place of the axis, ◆ the chosen place. The hatched ends are outside the travel."));
+    setAccessibleName(tr("Possible positions of the axis"));
+    setToolTip(tr("◇ possible position of the axis, ◆ chosen position. The hatched ends are outside the travel."));
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }
 

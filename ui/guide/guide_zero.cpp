@@ -68,7 +68,7 @@ void GuideZero::build()
     m_notice->setCollapsing(true);
     m_endsStay->setFont(fonts::label());
     m_endsStay->setAccessibleName(m_endsStay->text());
-    m_endsStay->setToolTip(tr("Off: the ends keep their numbers, and lie elsewhere on the mount"));
+    m_endsStay->setToolTip(tr("Off: the ends keep their angles, so they move to other places of the mount"));
     auto* const grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setSpacing(6);

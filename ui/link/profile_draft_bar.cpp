@@ -120,9 +120,9 @@ void ProfileDraftBar::showLine()
     } else if (!m_draft.problems().empty()) {
         m_line->setValue(problemText(m_draft.problems().front()), Tone::Warning, Symbol::Warning);
     } else if (m_draft.leavesSimulation()) {
-        m_line->setValue(
-            tr("Apply leaves the simulation. Only these go to the real mount: %1").arg(listed(m_draft.editedKeys())),
-            Tone::Advisory, Symbol::Advisory);
+        m_line->setValue(tr("Apply ends the simulation. Only these changes reach the real mount: %1")
+                             .arg(listed(m_draft.editedKeys())),
+                         Tone::Advisory, Symbol::Advisory);
     } else if (m_draft.hasEdits()) {
         m_line->setValue(tr("Not applied: %1").arg(listed(m_draft.editedKeys())), Tone::Accent);
     } else if (!m_draft.waitingKeys().empty()) {

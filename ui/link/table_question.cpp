@@ -84,8 +84,8 @@ QString TableQuestion::whyNot() const
 
 QString TableQuestion::doubt() const
 {
-    return isBlocked() ? tr("%1 was not read within %2 s. Its folder or that of an earlier file may not answer. "
-                            "Track tries to read the file all the same.")
+    return isBlocked() ? tr("%1 was not read within %2 s. The folder of this file, or of an earlier file, may not "
+                            "answer. Track still tries to read the file.")
                              .arg(m_path)
                              .arg(kLongestTableReading.count())
                        : QString();

@@ -259,13 +259,14 @@ QString fitText(const CalibrationStatus& calibration)
     if (proposesFit(calibration)) {
         text = QStringLiteral("%1, %2: ").arg(points, terms) + CalibrationWords::tr("rms %1 → %2").arg(before, after);
     } else if (calibration.proposal && calibration.proposal->residuals) {
-        text = CalibrationWords::tr("%1: rms %2 now, %3 with the proposal, %5 with their own fit (%4)")
+        text = CalibrationWords::tr("%1: rms now %2, with the proposal %3, with the best fit of these points %5 (%4)")
                    .arg(points, before, angleText(calibration.proposal->residuals->after, 3), terms, after);
     } else {
-        text = CalibrationWords::tr("%1: rms %2 now, %4 with their own fit (%3)").arg(points, before, terms, after);
+        text = CalibrationWords::tr("%1: rms now %2, with the best fit of these points %4 (%3)")
+                   .arg(points, before, terms, after);
     }
     if (const auto leftOut = leftOutRms(calibration.points)) {
-        text += CalibrationWords::tr(", each predicted from the others %1").arg(angleText(*leftOut, 3));
+        text += CalibrationWords::tr(", each point predicted from the others %1").arg(angleText(*leftOut, 3));
     }
     if (fit.reducedChiSquare) {
         text += CalibrationWords::tr(", χ² %1").arg(twoDigits(*fit.reducedChiSquare));

@@ -28,7 +28,8 @@ QString remarksOf(const StationStatus& status)
     const CalibrationStatus& calibration = calibrationOf(status);
     QStringList lines;
     if (status.sensor.azimuthSigma) {
-        lines << ModelPage::tr("The sensor knows the azimuth to %1 here (1 sigma). It cannot check a more exact model")
+        lines << ModelPage::tr(
+                     "Here the sensor measures the azimuth to %1 (1 sigma). It cannot check a more exact model")
                      .arg(angleText(*status.sensor.azimuthSigma, 1));
     }
     if (calibration.proposal) {
@@ -74,7 +75,7 @@ void ModelPage::build()
     row->setSpacing(2);
     auto* const group = new QButtonGroup(this);
     const std::pair<QString, QString> views[] = {{tr("Terms"), tr("The terms of the pointing model")},
-                                                 {tr("Points"), tr("The points, and how far each is off")},
+                                                 {tr("Points"), tr("The points and their residuals")},
                                                  {tr("Type"), tr("Type the terms, or exchange them with a file")}};
     for (std::size_t view = 0; view < m_choices.size(); ++view) {
         auto* const button = new ChoiceButton(views[view].first, views[view].second, this);

@@ -61,7 +61,7 @@ PassColumns::PassColumns(const PassTable& passes, QTableView& table, QWidget* pa
 
 void PassColumns::makeMenu()
 {
-    QAction* const roomy = m_menu->addAction(tr("As many as there is room for"));
+    QAction* const roomy = m_menu->addAction(tr("As many columns as fit"));
     roomy->setCheckable(true);
     connect(roomy, &QAction::triggered, this, [this] { choose({}); });
     connect(m_menu->addAction(tr("All")), &QAction::triggered, this, [this] {
@@ -91,7 +91,7 @@ QToolButton* PassColumns::makeButton(QWidget* parent)
     button->setFixedSize(kButtonSide, kButtonSide);
     button->setFocusPolicy(Qt::TabFocus);
     button->setAccessibleName(tr("Columns of the list"));
-    button->setToolTip(tr("Which columns the list of the passes has"));
+    button->setToolTip(tr("Columns of the list of passes"));
     return button;
 }
 

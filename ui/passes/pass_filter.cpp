@@ -31,7 +31,7 @@ PassFilter::PassFilter(QWidget* parent)
     m_lowest->setRange(0.0, kHighestFilter);
     m_lowest->setDecimals(0);
     m_lowest->setSuffix(QStringLiteral("°"));
-    m_lowest->setAccessibleName(tr("Least height of a listed pass"));
+    m_lowest->setAccessibleName(tr("Elevation that a listed pass must reach"));
     m_lowest->setToolTip(tr("Passes that stay lower are not listed"));
     m_lowest->setMinimumHeight(kRowHeight);
     m_favourites->setIcon(glyphIcon(Glyph::Favourite));

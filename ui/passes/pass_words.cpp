@@ -69,16 +69,16 @@ QString beamText(Angle beam)
 // With two decimals, because a tenth of a degree is too coarse for a narrow beam.
 QString ageText(const ElementAge& age)
 {
-    const QString words = age.isTooOld
-                              ? PassWords::tr("elements %1 days old: %2 s or %3 off, more than half the beam of %4")
-                              : PassWords::tr("elements %1 days old: %2 s or %3 off, beam %4");
+    const QString words =
+        age.isTooOld ? PassWords::tr("elements %1 days old: expected error %2 s or %3, more than half the beam of %4")
+                     : PassWords::tr("elements %1 days old: expected error %2 s or %3, beam %4");
     return words.arg(age.days).arg(age.late.count(), 0, 'f', 1).arg(angleText(age.shift, 2), beamText(age.beam));
 }
 
 QString briefAgeText(const ElementAge& age)
 {
-    const QString words = age.isTooOld ? PassWords::tr("elements %1 d old: %2 s, %3 off, beam %4, too old")
-                                       : PassWords::tr("elements %1 d old: %2 s, %3 off, beam %4");
+    const QString words = age.isTooOld ? PassWords::tr("elements %1 d old: error %2 s, %3, beam %4, too old")
+                                       : PassWords::tr("elements %1 d old: error %2 s, %3, beam %4");
     return words.arg(age.days).arg(age.late.count(), 0, 'f', 1).arg(angleText(age.shift, 2), beamText(age.beam));
 }
 
@@ -215,7 +215,7 @@ QString cableText(const targets::CableTurns& cable)
         return PassWords::tr("The cable has room for all of the pass.");
     }
     if (cable.hasGap) {
-        return PassWords::tr("The azimuth turns less than 360°, so the mount does not follow all of the pass.");
+        return PassWords::tr("The azimuth turns less than 360°, so the mount does not track all of the pass.");
     }
     const QString turns = cable.turns == 1 ? PassWords::tr("The cable ends during the pass.")
                                            : PassWords::tr("The cable ends %1 times during the pass.").arg(cable.turns);

@@ -121,8 +121,8 @@ PolarPlot::PolarPlot(ProfileDraft& draft, RequestDesk& desk, QWidget* parent)
     setAccessibleName(tr("Sky plot"));
     setToolTipDuration(5000);
     m_markers->setToolTip(
-        tr("North is up, east is right, the zenith is in the centre. A click reads a direction. A "
-           "right click offers what can be done there."));
+        tr("North is up, east is right, the zenith is in the centre. A click reads a direction. A right click shows "
+           "the commands for a direction."));
     setFocusPolicy(Qt::TabFocus);
     m_plot->setAutoDelete(false);  // the plot owns these items itself
     m_plot->setFrameStyle(QFrame::NoFrame);

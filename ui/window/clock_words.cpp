@@ -76,14 +76,14 @@ QString clockHelp(const StationStatus& status)
 {
     if (status.clock.ahead) {
         return ClockWords::tr(
-                   "The clock of the station was set by %1 s. Boresight still uses the time before, which is shown "
-                   "here. Use new time on the alarm changes that.")
+                   "The clock of the station was set by %1 s. Boresight still uses the old time, which is shown here. "
+                   "To change this, press Use new time on the alarm.")
             .arg(signedSeconds(*status.clock.ahead));
     }
     const auto rate = trackedRate(status);
     if (!status.clock.synchronised) {
         const QString what = ClockWords::tr("No time source sets the clock of the station. Set up NTP or GPS.");
-        return rate ? ClockWords::tr("%1 One second off is %2 for %3.")
+        return rate ? ClockWords::tr("%1 An error of one second is %2 for %3.")
                           .arg(what, shiftText(*rate, kSecond), status.tracked->name)
                     : ClockWords::tr("%1 A satellite 420 km up moves 1° in a second.").arg(what);
     }

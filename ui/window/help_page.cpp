@@ -27,7 +27,7 @@ constexpr Line kLines[] = {
      QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "leave a field, list, menu or question. The next Esc is STOP")},
     {nullptr, QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "Move by hand")},
     {QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "arrows"),
-     QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "move while held, once the pad is armed (click it, or press Enter)")},
+     QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "move while held. First arm the pad (click it, or press Enter)")},
     {QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "Shift + arrow"),
      QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "move at the fast rate")},
     {QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "Ctrl + arrow"),

@@ -143,7 +143,8 @@ Shown brakeShown(const BrakeStatus& brake)
 QString brakeHelp(const BrakeStatus& brake)
 {
     const QString text =
-        LinkLabels::tr("The output %1 is on while the brake is open. Nothing moves before.").arg(brake.output);
+        LinkLabels::tr("The output %1 is on while the brake is open. Nothing moves before the brake is open.")
+            .arg(brake.output);
     return brake.problem.isEmpty() ? text : brake.problem + QLatin1Char('\n') + text;
 }
 

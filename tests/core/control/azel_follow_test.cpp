@@ -149,7 +149,7 @@ TEST_F(StationAzelFollow, AFileThatDiffersIsFollowedInItsSteps)
 {
     writer.moonInstead = SkyPointing{120.3_deg, 40.1_deg};
     run(Seconds(2.5));
-    EXPECT_THAT(ask(), HasSubstr("off: the locator in WSJT-X or the site is wrong"));
+    EXPECT_THAT(ask(), HasSubstr("away from the computed Moon. The locator in WSJT-X or the site is wrong"));
     SkyPointing beside = writer.moon(now());
     beside.elevation += 0.7_deg;
     writer.moonInstead = beside;

@@ -108,7 +108,7 @@ TEST_F(ClientControlTest, AHostThatConnectsForEachCommandKeepsTheLead)
     EXPECT_EQ(moves(1), "");
     lead.gone(client(1));
     pass(2.0);
-    EXPECT_EQ(moves(2), "10.0.0.7 has control. It connects for each command and sent its last 2 s ago.");
+    EXPECT_EQ(moves(2), "10.0.0.7 has control. It connects for each command. It sent its last command 2 s ago.");
     for (std::uint64_t id = 3; id < 10; ++id) {
         lead.came(client(id), "10.0.0.7");
         EXPECT_EQ(moves(id), "");

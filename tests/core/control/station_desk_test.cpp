@@ -85,7 +85,7 @@ TEST(StationDesk, UnwindTurnsBackToTheSameDirection)
     EXPECT_NEAR(rig.elevationDegrees(), 30.0, 0.05);
     const auto again = rig.ask(request::Unwind{});
     ASSERT_FALSE(again);
-    EXPECT_EQ(textOf(again.error()), "In this direction the azimuth cable is already wound least.");
+    EXPECT_EQ(textOf(again.error()), "The azimuth cable cannot be unwrapped further in this direction.");
 }
 
 // REQ-CONTROL-34

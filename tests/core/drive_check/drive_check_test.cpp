@@ -94,7 +94,7 @@ TEST(DriveCheck, SaysWhatTheFactorySettingsWouldDo)
         EXPECT_EQ(found.verdict, Verdict::Dangerous) << key;
         EXPECT_THAT(found.reason.toStdString(), HasSubstr(reason));
     };
-    expectDangerous("servopos.position_min", "With the factory's ±3.6° every move ends in fault 39.");
+    expectDangerous("servopos.position_min", "The factory limits are ±3.6°. With them every motion ends in fault 39.");
     expectDangerous("servopos.position_max", "fault 39");
     expectDangerous("servo.timeout_mode", "Without commands a loaded elevation creeps down.");
     expectDangerous("motor_position.rotor_to_output_ratio", "Boresight also changes the gains");

@@ -41,8 +41,8 @@ TEST(CalibrationSensor, AnUnreliableNorthNeedsTheOperatorsOverride)
     const pointing::PointingTerms before = rig.terms();
     const auto refused = rig.apply();
     ASSERT_FALSE(refused);
-    EXPECT_EQ(textOf(refused.error()), "This result is unreliable. " + proposal.doubts[0].toStdString() +
-                                           " To use it all the same, press Apply anyway.");
+    EXPECT_EQ(textOf(refused.error()),
+              "This result is unreliable. " + proposal.doubts[0].toStdString() + " To use it, press Apply anyway.");
     EXPECT_EQ(rig.terms(), before);
     ASSERT_TRUE(rig.status().proposal) << "it still waits";
 

@@ -180,7 +180,7 @@ TEST_F(BrakeSwitchingTest, AnotherOutputWaitsForTheOneBefore)
     run(1.0);
     EXPECT_EQ(output, before);
     run(5.0);
-    EXPECT_EQ(station->status().brake.problem, QStringLiteral("the output before it has not answered for 5 s"));
+    EXPECT_EQ(station->status().brake.problem, QStringLiteral("the previous output has not answered for 5 s"));
     goTo(20_deg);
     run(1.0);
     EXPECT_EQ(rate(), AngularRate{});

@@ -291,8 +291,9 @@ TEST_F(AxisSupervisorTest, AMotorThatWarmsUpIsToldWithTheTimeLeft)
         tick();
     }
     ASSERT_TRUE(found(Symptom::MotorHot));
-    EXPECT_THAT(found(Symptom::MotorHot)->what.toStdString(),
-                HasSubstr("the motor of the azimuth reached 58 °C and, rising by 6.0 °C/min, reaches 80 °C at 00:0"));
+    EXPECT_THAT(
+        found(Symptom::MotorHot)->what.toStdString(),
+        HasSubstr("the motor of the azimuth reached 58 °C. It rises by 6.0 °C/min and will reach 80 °C at 00:0"));
 }
 
 // REQ-SUPERVISION-09

@@ -256,7 +256,7 @@ TEST_F(InjectedCause, ABatteryThatRunsEmpty)
     }
     ASSERT_TRUE(mount.first(Symptom::SupplyLow, Weight::Hint));
     EXPECT_LT(mount.now(), Seconds(160.0)) << "it reaches 20 V at 400 s";
-    EXPECT_THAT(text(Symptom::SupplyLow, Weight::Hint), HasSubstr("falling by 0."));
+    EXPECT_THAT(text(Symptom::SupplyLow, Weight::Hint), HasSubstr("falls by 0."));
     RecordProperty("what", text(Symptom::SupplyLow, Weight::Hint));
 }
 
@@ -275,7 +275,7 @@ TEST(BoardHot, IsToldBeforeItIsHot)
     }
     ASSERT_TRUE(mount.first(Symptom::BoardHot, Weight::Hint)) << mount.report();
     const std::string what = mount.first(Symptom::BoardHot, Weight::Hint)->observed.what.toStdString();
-    EXPECT_THAT(what, HasSubstr(" °C/min, reaches 75 °C at "));
+    EXPECT_THAT(what, HasSubstr(" °C/min and will reach 75 °C at "));
     EXPECT_LT(*mount.seen(Axis::Azimuth).boardTemperature, 60.0);
     RecordProperty("what", what);
 }

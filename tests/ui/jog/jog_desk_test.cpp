@@ -188,7 +188,7 @@ TEST_F(JogDeskTest, ATrimIsShownByTheReadoutsInEveryPanelAndCleared)
 TEST_F(JogDeskTest, AWoundCableIsUnwoundByOneClick)
 {
     EXPECT_FALSE(named<CommandButton>("Unwrap")->isEnabled());
-    EXPECT_TRUE(named<CommandButton>("Unwrap")->toolTip().contains(QStringLiteral("already wound least")));
+    EXPECT_TRUE(named<CommandButton>("Unwrap")->toolTip().contains(QStringLiteral("cannot be unwrapped further")));
     StationStatus status = holding();
     status.permissions = samples::permitted();
     give(samples::update(status));

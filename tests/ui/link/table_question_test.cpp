@@ -120,8 +120,8 @@ TEST_F(TableQuestionTest, AFolderThatDoesNotAnswerIsTold)
     EXPECT_EQ(question.doubt(), QString());
     showLater(std::chrono::milliseconds(100));
     EXPECT_EQ(question.doubt(),
-              QStringLiteral("/tmp/way.csv was not read within 30 s. Its folder or that of an earlier file may not "
-                             "answer. Track tries to read the file all the same."));
+              QStringLiteral("/tmp/way.csv was not read within 30 s. The folder of this file, or of an earlier file, "
+                             "may not answer. Track still tries to read the file."));
     EXPECT_EQ(question.whyNot(), QString());
     EXPECT_FALSE(question.isReading());
     answer(kWay, missing);

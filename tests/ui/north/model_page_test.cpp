@@ -112,7 +112,8 @@ TEST_F(NorthTest, NothingIsShownAsProposedThatIsNot)
         }
     }
     EXPECT_TRUE(text("How well the model fits")
-                    .startsWith(QStringLiteral("5 of 6 points: rms 0.912° now, 0.031° with their own fit (5 terms)")))
+                    .startsWith(QStringLiteral(
+                        "5 of 6 points: rms now 0.912°, with the best fit of these points 0.031° (5 terms)")))
         << text("How well the model fits").toStdString();
 }
 
@@ -128,8 +129,8 @@ TEST_F(NorthTest, TheRmsIsThatOfWhatIsProposed)
     status.calibration = std::make_shared<const CalibrationStatus>(calibration);
     show(CalibrationStep::Model, status);
     const QString told = text("How well the model fits");
-    EXPECT_TRUE(told.startsWith(
-        QStringLiteral("5 of 6 points: rms 0.912° now, 0.500° with the proposal, 0.031° with their own fit (5 terms)")))
+    EXPECT_TRUE(told.startsWith(QStringLiteral(
+        "5 of 6 points: rms now 0.912°, with the proposal 0.500°, with the best fit of these points 0.031° (5 terms)")))
         << told.toStdString();
     EXPECT_TRUE(told.endsWith(QStringLiteral("χ² 0.012"))) << told.toStdString();
 }
@@ -174,7 +175,7 @@ TEST_F(NorthTest, WhatIsOnlyHeldIsSaidSo)
 TEST_F(NorthTest, APointShowsItsSigma)
 {
     show(CalibrationStep::Model, samples::sixPoints());
-    choose("The points, and how far each is off");
+    choose("The points and their residuals");
     const QAbstractItemModel& points = *named<QTableView>("Calibration points")->model();
     EXPECT_EQ(points.headerData(2, Qt::Horizontal).toString(), QStringLiteral("Sigma"));
     EXPECT_EQ(points.data(points.index(0, 2)).toString(), QStringLiteral("0.05°"));
@@ -236,7 +237,7 @@ TEST_F(NorthTest, TheModelShowsEachTermInForceAndProposed)
 TEST_F(NorthTest, APointIsLeftOutUsedAgainAndDropped)
 {
     show(CalibrationStep::Model, samples::sixPoints());
-    choose("The points, and how far each is off");
+    choose("The points and their residuals");
     expectBlocked("Leave out", "Select a point first.");
     auto* const table = named<QTableView>("Calibration points");
     QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, table->visualRect(table->model()->index(1, 0)).center());
@@ -258,7 +259,7 @@ TEST_F(NorthTest, APointIsLeftOutUsedAgainAndDropped)
 TEST_F(NorthTest, TheArrowsOfTheResidualsPointWhereTheBeamLooks)
 {
     show(CalibrationStep::Model, samples::sixPoints());
-    choose("The points, and how far each is off");
+    choose("The points and their residuals");
     settle();
     const auto& sky = *window.findChild<ResidualSky*>();
     PointStatus point;

@@ -199,7 +199,7 @@ TEST_F(NorthPagesTest, AModelIsNotCheckedByASensorThatKnowsLess)
     show(CalibrationStep::Model, status);
     EXPECT_TRUE(named<QPlainTextEdit>("Remarks on the fit")
                     ->toPlainText()
-                    .contains(QStringLiteral("to 1.7° here (1 sigma). It cannot check a more exact model")));
+                    .contains(QStringLiteral("to 1.7° (1 sigma). It cannot check a more exact model")));
 }
 
 TEST_F(NorthPagesTest, TheDeclinationIsToldWithItsModelAndWhatIsWrongWithIt)

@@ -126,7 +126,7 @@ TEST_F(PassesPanelTest, WordsAndHeightSelect)
     named<QLineEdit>("Satellites to list")->setText(QStringLiteral("4006"));
     EXPECT_EQ(names(), (std::vector<std::string>{"BETA"}));
     named<QLineEdit>("Satellites to list")->clear();
-    named<QDoubleSpinBox>("Least height of a listed pass")->setValue(30.0);
+    named<QDoubleSpinBox>("Elevation that a listed pass must reach")->setValue(30.0);
     EXPECT_LT(rows(), all);
     const auto& model = *qobject_cast<PassTable*>(table().model());
     for (int row = 0; row < rows(); ++row) {
@@ -164,16 +164,16 @@ TEST_F(PassesPanelTest, JudgesTheAgeOfTheElements)
     giveFound(status);
     // A low panel has all facts in the tooltip.
     const auto facts = [this] { return named<ValueLabel>("The selected pass")->toolTip(); };
-    EXPECT_THAT(facts().toStdString(), AllOf(HasSubstr("elements 0.0 days old: 0."), HasSubstr("° off, beam "),
-                                             Not(HasSubstr("half the beam"))));
+    EXPECT_THAT(facts().toStdString(), AllOf(HasSubstr("elements 0.0 days old: expected error 0."),
+                                             HasSubstr("°, beam "), Not(HasSubstr("half the beam"))));
     EXPECT_THAT(text("The selected pass").toStdString(),
-                MatchesRegex("(.|\n)*elements 0\\.0 d old: 0\\.[0-9] s, 0\\.[0-9][0-9]° off, beam [0-9.]+°(.|\n)*"));
+                MatchesRegex("(.|\n)*elements 0\\.0 d old: error 0\\.[0-9] s, 0\\.[0-9][0-9]°, beam [0-9.]+°(.|\n)*"));
     profile::Profile profile = *status.profile;
     profile.mount.beamWidth = 0.01_deg;
     status.profile = std::make_shared<const profile::Profile>(profile);
     give(samples::update(status));
-    ASSERT_TRUE(fakes::waitUntil([&] { return facts().contains(u"° off, more than half the beam"); }));
-    EXPECT_THAT(text("The selected pass").toStdString(), HasSubstr("° off, beam 0.01°, too old"));
+    ASSERT_TRUE(fakes::waitUntil([&] { return facts().contains(u"°, more than half the beam"); }));
+    EXPECT_THAT(text("The selected pass").toStdString(), HasSubstr("°, beam 0.01°, too old"));
     EXPECT_FALSE(named<ValueLabel>("The selected pass")->isElided());
 
     // With the antenna in use, or with the satellite's own antenna.
@@ -187,7 +187,7 @@ TEST_F(PassesPanelTest, JudgesTheAgeOfTheElements)
     }
     status.profile = std::make_shared<const profile::Profile>(profile);
     give(samples::update(status));
-    ASSERT_TRUE(fakes::waitUntil([&] { return facts().contains(u"° off, more than half the beam"); }));
+    ASSERT_TRUE(fakes::waitUntil([&] { return facts().contains(u"°, more than half the beam"); }));
 }
 
 // REQ-PASSES-967: The chosen view and "Favourites only" are restored at the next start.
@@ -272,7 +272,7 @@ TEST_F(PassesPanelTest, TheFactsFoldWhereTheWindowIsLow)
 {
     giveFound(withSatellites());
     EXPECT_LE(text("The selected pass").count(QLatin1Char('\n')), 3);
-    EXPECT_THAT(text("The selected pass").toStdString(), HasSubstr("\nelements 0.0 d old: 0."));
+    EXPECT_THAT(text("The selected pass").toStdString(), HasSubstr("\nelements 0.0 d old: error 0."));
     EXPECT_FALSE(named<ValueLabel>("The selected pass")->isElided());
     EXPECT_TRUE(text("The selected pass").startsWith(QStringLiteral("number ")));
     EXPECT_GE(table().viewport()->height(), 3 * table().rowHeight(0));

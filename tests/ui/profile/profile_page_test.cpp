@@ -252,7 +252,7 @@ TEST_F(ProfilePageTest, ABusThatLeavesTheSimulationSaysWhatGoesToTheRealMount)
     roof.pointing.azimuthOffset = 37.4_deg;
     put(roof);
     edit("bus.name", "socketcan:can0");
-    EXPECT_TRUE(says("Apply leaves the simulation. Only these go to the real mount: "));
+    EXPECT_TRUE(says("Apply ends the simulation. Only these changes reach the real mount: "));
     press("Apply");
     EXPECT_TRUE(asked<request::ApplyProfile>().empty());
     ASSERT_EQ(asked<request::Reconnect>().size(), 1u);

@@ -151,8 +151,10 @@ TEST(HeaderBar, ShowsTheBrakeIfThereIsOne)
     status.brake.state = brake::BrakeState::Released;
     header.showStatus(status);
     EXPECT_EQ(shown(header, "Brake"), QStringLiteral("Brake open"));
-    EXPECT_EQ(findNamed<ValueLabel>(header, "Brake")->toolTip(),
-              QStringLiteral("The output rts:/dev/ttyUSB0 is on while the brake is open. Nothing moves before."));
+    EXPECT_EQ(
+        findNamed<ValueLabel>(header, "Brake")->toolTip(),
+        QStringLiteral(
+            "The output rts:/dev/ttyUSB0 is on while the brake is open. Nothing moves before the brake is open."));
     status.brake.problem = QStringLiteral("unplugged");
     header.showStatus(status);
     EXPECT_EQ(shown(header, "Brake"), QStringLiteral("Brake failed"));

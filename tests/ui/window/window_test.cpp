@@ -121,8 +121,8 @@ TEST_F(WindowTest, TheClockSaysHowFarItIsOff)
     EXPECT_EQ(named<ValueLabel>("UTC")->tone(), Tone::Warning);
     EXPECT_EQ(text("Error of the clock"), QStringLiteral("1 s = 0.004°"));
     EXPECT_EQ(named<ValueLabel>("UTC")->toolTip(),
-              QStringLiteral("No time source sets the clock of the station. Set up NTP or GPS. One second off is "
-                             "0.004° for ISS."));
+              QStringLiteral("No time source sets the clock of the station. Set up NTP or GPS. An error of one "
+                             "second is 0.004° for ISS."));
     status.tracked.reset();
     give(samples::update(status));
     EXPECT_EQ(text("Error of the clock"), QStringLiteral("not set"));
@@ -137,7 +137,7 @@ TEST_F(WindowTest, AClockThatWasSetIsShownAtTheClock)
     give(samples::update(status));
     EXPECT_EQ(text("Error of the clock"), QStringLiteral("set by +90 s"));
     EXPECT_TRUE(named<ValueLabel>("UTC")->toolTip().startsWith(
-        QStringLiteral("The clock of the station was set by +90 s. Boresight still uses the time before")));
+        QStringLiteral("The clock of the station was set by +90 s. Boresight still uses the old time")));
     status.clock.ahead = Seconds(-3600.0);
     give(samples::update(status));
     EXPECT_EQ(text("Error of the clock"), QStringLiteral("set by -3600 s"));
