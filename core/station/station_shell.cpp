@@ -69,6 +69,13 @@ QJsonObject windObject(const WindStatus& wind)
              wind.overriddenUntil ? QJsonValue(timeOfDayText(*wind.overriddenUntil)) : QJsonValue()}};
 }
 
+QJsonObject brakeObject(const BrakeStatus& brake)
+{
+    return {{QStringLiteral("state"), protocolWord(brake)},
+            {QStringLiteral("output"), brake.output},
+            {QStringLiteral("problem"), brake.problem}};
+}
+
 // The state as the header of the window shows it. `motion` is what the mount does now.
 QByteArray statusJson(const StationStatus& status)
 {
@@ -78,6 +85,9 @@ QByteArray statusJson(const StationStatus& status)
                     {QStringLiteral("motion"), status.targetText}};
     if (!status.wind.source.isEmpty()) {
         all[QStringLiteral("wind")] = windObject(status.wind);
+    }
+    if (!status.brake.output.isEmpty()) {
+        all[QStringLiteral("brake")] = brakeObject(status.brake);
     }
     if (status.clock.ahead) {
         all[QStringLiteral("clockSetBy")] = status.clock.ahead->count();
