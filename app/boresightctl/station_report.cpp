@@ -32,6 +32,18 @@ QString transmitText(const QJsonObject& transmit)
     return QStringLiteral("transmit: %1\n").arg(parts.join(QStringLiteral(". ")));
 }
 
+// Empty: the mount has no brake, or the station runs on another computer.
+QString brakeText(const QJsonObject& brake)
+{
+    if (brake.isEmpty()) {
+        return {};
+    }
+    const QString problem = brake[QStringLiteral("problem")].toString();
+    return QStringLiteral("brake:    %1\n")
+        .arg(brake[QStringLiteral("state")].toString() +
+             (problem.isEmpty() ? QString() : QStringLiteral(". ") + problem));
+}
+
 // Empty: the station uses the clock of its computer, or runs on another computer.
 QString clockText(const QJsonValue& setBy)
 {
@@ -92,6 +104,7 @@ QString reportText(const QJsonObject& report)
            lineOf(report, QStringLiteral("schedule")) +
            QStringLiteral("actual:   %1\n").arg(actualText(report[QStringLiteral("actual")])) +
            clockText(report[QStringLiteral("clockSetBy")]) + windText(report[QStringLiteral("wind")].toObject()) +
+           brakeText(report[QStringLiteral("brake")].toObject()) +
            transmitText(report[QStringLiteral("transmit")].toObject()) +
            alarmLines(report[QStringLiteral("alarms")].toArray());
 }

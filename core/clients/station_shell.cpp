@@ -82,6 +82,13 @@ QJsonArray alarmTexts(const std::vector<Alarm>& alarms)
     return texts;
 }
 
+QJsonObject brakeObject(const BrakeStatus& brake)
+{
+    return {{QStringLiteral("state"), protocolWord(brake)},
+            {QStringLiteral("output"), brake.output},
+            {QStringLiteral("problem"), brake.problem}};
+}
+
 // The state as the header of the window shows it. `motion` is what the mount does now.
 QByteArray statusJson(const StationStatus& status)
 {
@@ -101,6 +108,9 @@ QByteArray statusJson(const StationStatus& status)
     }
     if (!status.wind.source.isEmpty()) {
         all[QStringLiteral("wind")] = windObject(status.wind);
+    }
+    if (!status.brake.output.isEmpty()) {
+        all[QStringLiteral("brake")] = brakeObject(status.brake);
     }
     if (status.clock.ahead) {
         all[QStringLiteral("clockSetBy")] = status.clock.ahead->count();

@@ -47,6 +47,13 @@ std::vector<mqtt::PublishedAlarm> alarmsOf(const StationStatus& status)
     return all;
 }
 
+std::optional<mqtt::PublishedBrake> brakeOf(const BrakeStatus& brake)
+{
+    return brake.output.isEmpty()
+               ? std::nullopt
+               : std::optional(mqtt::PublishedBrake{.state = protocolWord(brake), .problem = brake.problem});
+}
+
 mqtt::PublishedState published(const StationStatus& status)
 {
     const auto azimuth = place(status.azimuth);
@@ -66,6 +73,7 @@ mqtt::PublishedState published(const StationStatus& status)
             .commander = status.commander.name,
             .isLinked = answers(status.azimuth) && answers(status.elevation),
             .linkProblem = status.line.problem,
+            .brake = brakeOf(status.brake),
             .alarms = alarmsOf(status)};
 }
 

@@ -30,4 +30,22 @@ QString protocolWord(StationState state)
     return {};
 }
 
+QString protocolWord(const BrakeStatus& brake)
+{
+    if (!brake.problem.isEmpty()) {
+        return QStringLiteral("failed");
+    }
+    switch (brake.state) {
+        case brake::BrakeState::Set:
+            return QStringLiteral("set");
+        case brake::BrakeState::Releasing:
+            return QStringLiteral("opens");
+        case brake::BrakeState::Released:
+            return QStringLiteral("open");
+        case brake::BrakeState::Setting:
+            return QStringLiteral("closes");
+    }
+    return {};
+}
+
 }  // namespace boresight

@@ -7,7 +7,9 @@
 
 namespace boresight {
 
-// The name of a state for programs, for example "TRACK". It is never translated.
+// The names of states for programs. They are never translated. A state of the station: for example "TRACK".
 [[nodiscard]] QString protocolWord(StationState state);
+// The state of the brake for programs: "set", "opens", "open", "closes", or "failed" while its output does not work.
+[[nodiscard]] QString protocolWord(const BrakeStatus& brake);
 
 }  // namespace boresight

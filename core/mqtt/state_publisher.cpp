@@ -55,6 +55,13 @@ QJsonArray toValue(const std::vector<PublishedAlarm>& alarms)
     return all;
 }
 
+QJsonValue toValue(const std::optional<PublishedBrake>& brake)
+{
+    return brake ? QJsonValue(QJsonObject{{QStringLiteral("state"), brake->state},
+                                          {QStringLiteral("problem"), brake->problem}})
+                 : QJsonValue();
+}
+
 // Two alarms are equal even if their texts differ, because a text may count seconds.
 bool areSame(const std::vector<PublishedAlarm>& one, const std::vector<PublishedAlarm>& other)
 {
@@ -94,6 +101,7 @@ QByteArray toJson(const PublishedState& state)
         {QStringLiteral("commander"), state.commander},
         {QStringLiteral("axes"), axes},
         {QStringLiteral("link"), link},
+        {QStringLiteral("brake"), toValue(state.brake)},
         {QStringLiteral("alarms"), toValue(state.alarms)},
         {QStringLiteral("units"), units}};
     return QJsonDocument(all).toJson(QJsonDocument::Compact);
@@ -135,7 +143,7 @@ bool StatePublisher::isNews(const PublishedState& state) const
 {
     return !m_lastTime || m_clock.now() - *m_lastTime >= kPeriod || state.state != m_last.state ||
            state.fault != m_last.fault || state.stopLatched != m_last.stopLatched || state.limited != m_last.limited ||
-           state.isLinked != m_last.isLinked || !areSame(state.alarms, m_last.alarms);
+           state.isLinked != m_last.isLinked || state.brake != m_last.brake || !areSame(state.alarms, m_last.alarms);
 }
 
 void StatePublisher::show(const PublishedState& state)

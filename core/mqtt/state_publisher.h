@@ -28,6 +28,14 @@ struct PublishedAlarm
     QString text;
 };
 
+struct PublishedBrake
+{
+    QString state;    // "set", "opens", "open", "closes", "failed"
+    QString problem;  // of its output, for people; empty without
+
+    bool operator==(const PublishedBrake&) const = default;
+};
+
 // Unknown values are empty. Programs read the words, so they are not translated.
 struct PublishedState
 {
@@ -42,11 +50,12 @@ struct PublishedState
     std::optional<SkyPointing> target;
     std::optional<Angle> azimuthAxis;  // mechanical: 370° is not 10°
     std::optional<Angle> elevationAxis;
-    QString targetText;                  // "P 339.50 57.00"
-    QString commander;                   // "rotctld 127.0.0.1:51234"
-    bool isLinked = false;               // every axis has answered lately
-    QString linkProblem;                 // of the line to the mount, for people; empty without
-    std::vector<PublishedAlarm> alarms;  // worst first
+    QString targetText;                   // "P 339.50 57.00"
+    QString commander;                    // "rotctld 127.0.0.1:51234"
+    bool isLinked = false;                // every axis has answered lately
+    QString linkProblem;                  // of the line to the mount, for people; empty without
+    std::optional<PublishedBrake> brake;  // empty: the mount has none
+    std::vector<PublishedAlarm> alarms;   // worst first
 };
 
 [[nodiscard]] QByteArray toJson(const PublishedState& state);

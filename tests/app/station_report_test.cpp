@@ -32,6 +32,19 @@ TEST(StationReport, HasTheTransmitOutput)
                     .endsWith(QStringLiteral("\ntransmit: off. unplugged. STOP is latched.\n")));
 }
 
+// REQ-BRAKE-34: boresightctl status has a line about the brake of a station of this computer: its state, and the
+// problem of its output.
+TEST(StationReport, HasTheBrake)
+{
+    QJsonObject report = reportWith({});
+    report[QStringLiteral("brake")] =
+        QJsonObject{{QStringLiteral("state"), QStringLiteral("open")}, {QStringLiteral("problem"), QString()}};
+    EXPECT_TRUE(reportText(report).endsWith(QStringLiteral("\nbrake:    open\n")));
+    report[QStringLiteral("brake")] = QJsonObject{{QStringLiteral("state"), QStringLiteral("failed")},
+                                                  {QStringLiteral("problem"), QStringLiteral("unplugged")}};
+    EXPECT_TRUE(reportText(report).endsWith(QStringLiteral("\nbrake:    failed. unplugged\n")));
+}
+
 // REQ-CTL-304: For a station on this computer, boresightctl status shows the state, its reason and the motion like the
 // window.
 TEST(StationReport, HasWhatTheWindowShows)

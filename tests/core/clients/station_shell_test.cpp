@@ -218,6 +218,23 @@ TEST(StationShell, ReportsTheNextEventAndTheAlarms)
     EXPECT_THAT(rig.answerTo("status\n"), HasSubstr(R"("alarms":["It failed. It stands. Mend it."])"));
 }
 
+// REQ-BRAKE-35: The shell reports the brake with the status if the mount has one.
+TEST(StationShell, ReportsTheBrake)
+{
+    ShellRig rig;
+    EXPECT_THAT(rig.answerTo("status\n"), testing::Not(HasSubstr("brake")));
+    profile::Profile braked = rig.profile;
+    braked.brake.output = "rts:/dev/ttyUSB0";
+    rig.setProfile(braked);
+    EXPECT_THAT(rig.answerTo("status\n"),
+                HasSubstr(R"("brake":{"output":"rts:/dev/ttyUSB0","problem":"","state":"closes"})"));
+    rig.control.takeBrake({.isOn = false});
+    rig.run(Seconds(1.0));
+    EXPECT_THAT(rig.answerTo("status\n"), HasSubstr(R"("state":"set"})"));
+    rig.control.takeBrake({.problem = QStringLiteral("unplugged")});
+    EXPECT_THAT(rig.answerTo("status\n"), HasSubstr(R"("problem":"unplugged","state":"failed"})"));
+}
+
 // REQ-STATION-243: Without a screen, the shell confirms the new time of a clock that was set, and reports with the
 // status by how much it was set while the station uses the time before.
 TEST(StationShell, ConfirmsAClockThatWasSet)

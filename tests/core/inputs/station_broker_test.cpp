@@ -68,6 +68,22 @@ TEST_F(StationBrokerTest, AnOldPositionIsNone)
     EXPECT_TRUE(isHeard("DISCONNECTED", false));
 }
 
+// REQ-BRAKE-36: The state that is published has the state of the brake, at once when it changes.
+TEST_F(StationBrokerTest, TellsWhetherTheBrakeIsOpen)
+{
+    profile::Profile profile = publishing(broker->port());
+    profile.brake.output = "file:" + stateDir.filePath(QStringLiteral("brake")).toStdString();
+    build(profile);
+    ASSERT_TRUE(connected());
+    run(200);
+    (void)heardUntil(kState, R"("brake":{"problem":"","state":"set"})");
+    station->request({.id = 1, .request = request::PointSky{{.azimuth = 90_deg, .elevation = 30_deg}}});
+    run(100);
+    (void)heardUntil(kState, R"("brake":{"problem":"","state":"opens"})");
+    run(1);
+    (void)heardUntil(kState, R"("brake":{"problem":"","state":"open"})");
+}
+
 TEST_F(StationBrokerTest, ALostBrokerIsALineInTheLogAndNothingElse)
 {
     build(publishing(broker->port()));

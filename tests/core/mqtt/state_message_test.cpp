@@ -24,13 +24,14 @@ TEST(MqttStateMessage, IsOneLineInTheSensorsStyle)
                                .targetText = QStringLiteral("P 13.00 34.00"),
                                .commander = QStringLiteral("rotctld 127.0.0.1:51234"),
                                .isLinked = true,
+                               .brake = PublishedBrake{.state = QStringLiteral("open"), .problem = QString()},
                                .alarms = {{.id = QStringLiteral("sun.near"),
                                            .about = QString(),
                                            .severity = QStringLiteral("warning"),
                                            .text = QStringLiteral("The beam is near the Sun.")}}};
     EXPECT_EQ(toJson(state).toStdString(),
               R"({"alarms":[{"about":"","id":"sun.near","severity":"warning","text":"The beam is near the Sun."}],)"
-              R"("axes":{"azimuth":372.3457,"elevation":33.3},"azimuth":12.3457,)"
+              R"("axes":{"azimuth":372.3457,"elevation":33.3},"azimuth":12.3457,"brake":{"problem":"","state":"open"},)"
               R"("commanded":{"azimuth":12.35,"elevation":33.25},"commander":"rotctld 127.0.0.1:51234",)"
               R"("dateTime":"2026-11-21T18:17:30Z","elevation":33.3,"fault":"","limited":true,)"
               R"("link":{"problem":"","up":true},"simulated":true,)"
@@ -48,8 +49,8 @@ TEST(MqttStateMessage, SaysNullForWhatIsNotKnown)
                                .linkProblem = QStringLiteral("no answer")};
     EXPECT_EQ(
         toJson(state).toStdString(),
-        R"({"alarms":[],"axes":{"azimuth":null,"elevation":null},"azimuth":null,"commanded":null,"commander":"",)"
-        R"("dateTime":"2026-11-21T18:17:30Z","elevation":null,"fault":"azimuth: \"38\"","limited":false,)"
+        R"({"alarms":[],"axes":{"azimuth":null,"elevation":null},"azimuth":null,"brake":null,"commanded":null,)"
+        R"("commander":"","dateTime":"2026-11-21T18:17:30Z","elevation":null,"fault":"azimuth: \"38\"","limited":false,)"
         R"("link":{"problem":"no answer","up":false},"simulated":false,"state":"FAULT","stopLatched":true,"target":null,"targetText":"",)"
         R"("ts":"1795285050250","units":{"orientation":"decimal degrees","ts":"milliseconds"}})");
 }
