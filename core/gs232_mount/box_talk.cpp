@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/gs232_mount/box_talk.h"
 
-#include "core/base/control_characters.h"
 #include "core/gs232/box_command.h"
+#include "core/gs232/esp32_reply.h"
+#include "core/gs232_mount/strange_text.h"
 
 #include <algorithm>
 #include <utility>
@@ -11,23 +12,14 @@
 namespace boresight::gs232 {
 namespace {
 
-constexpr std::size_t kBitsOfAByte = 10;     // 8N1
-constexpr std::size_t kLongestAnswer = 20;   // bytes, with those before the answer
-constexpr std::size_t kShownOfStrange = 24;  // bytes
+constexpr std::size_t kBitsOfAByte = 10;    // 8N1
+constexpr std::size_t kLongestAnswer = 20;  // bytes, with those before the answer
 
 // A break of the line is received as NUL.
 std::string withoutNulls(std::string_view bytes)
 {
     std::string text(bytes);
     std::erase(text, '\0');
-    return text;
-}
-
-std::string shown(std::string_view bytes)
-{
-    std::string text = printable(std::string(bytes.substr(0, kShownOfStrange)));
-    std::ranges::replace_if(
-        text, [](char one) { return static_cast<unsigned char>(one) >= 0x80; }, '?');
     return text;
 }
 
@@ -66,6 +58,10 @@ void BoxTalk::takePiece(std::string_view text, SteadyTime now)
 
 void BoxTalk::takeLine(std::string_view line, SteadyTime now)
 {
+    if (m_proof == Proof::Unknown && esp32::isLineOfEsp32(line)) {
+        m_speaksWords = true;
+        return;
+    }
     const Reply reply = parseReply(line);
     const auto* const position = std::get_if<Position>(&reply);
     if (position != nullptr && isWhole(*position)) {
@@ -93,7 +89,7 @@ void BoxTalk::takeStrange(std::string_view bytes, SteadyTime now)
     if (m_strange.first && now - m_strange.last > kNoise) {
         m_strange = {};
     }
-    m_strange.text = shown(bytes);
+    m_strange.text = shownOfStrange(bytes);
     m_strange.first = m_strange.first.value_or(now);
     m_strange.last = now;
     m_strange.questions += std::exchange(m_strange.sinceAsked, true) ? 0 : 1;

@@ -57,6 +57,8 @@ public:
     [[nodiscard]] Dialect dialect() const { return m_dialect; }
     [[nodiscard]] bool echoes() const { return m_echoes; }    // our commands came back since the last answer
     [[nodiscard]] bool refuses() const { return m_refuses; }  // the answer was ?> since the last good answer
+    // It answered like an ESP32 relay controller, which needs another conversation.
+    [[nodiscard]] bool speaksWords() const { return m_speaksWords; }
     [[nodiscard]] const Counts& counts() const override { return m_counts; }
     [[nodiscard]] const std::string& strange() const override { return m_strange.text; }
 
@@ -79,6 +81,7 @@ private:
     bool m_stop = false;
     bool m_echoes = false;
     bool m_refuses = false;
+    bool m_speaksWords = false;
     struct
     {
         std::string text;
