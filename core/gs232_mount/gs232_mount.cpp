@@ -101,6 +101,12 @@ QString Gs232Mount::kindInWords() const
     return Text::tr("a GS-232 rotator");
 }
 
+QString Gs232Mount::condition() const
+{
+    const auto digits = m_esp32.digits(m_now);
+    return digits ? Text::tr("Calibration of its sensor, 3 is best: %1").arg(digitsText(*digits)) : QString();
+}
+
 bool Gs232Mount::goTo(const RotatorTalk::Places& target)
 {
     if (!m_isEsp32) {

@@ -25,6 +25,7 @@ public:
     }
     [[nodiscard]] QString kind() const override;
     [[nodiscard]] QString kindInWords() const override;
+    [[nodiscard]] QString condition() const override;
     [[nodiscard]] const Result<>& interlock() const override { return m_interlock; }
     void observe(SteadyTime now) override;
 

@@ -100,6 +100,7 @@ void BoxConnection::describe(StationStatus& status) const
                    .kind = m_mount->kind(),
                    .name = m_line->name(),
                    .problem = m_line->problem(),
+                   .condition = m_mount->condition(),
                    .sent = talk.counts().sent,
                    .received = talk.counts().received,
                    .dropped = talk.counts().unknown};

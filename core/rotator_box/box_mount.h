@@ -40,6 +40,9 @@ public:
     // The kind with its article, for the alarm about a foreign device: "a GS-232 rotator".
     [[nodiscard]] virtual QString kindInWords() const = 0;
 
+    // What the box reports of itself, in words. Empty: nothing.
+    [[nodiscard]] virtual QString condition() const { return {}; }
+
     [[nodiscard]] Capabilities capabilities() const override { return m_capabilities; }
     [[nodiscard]] const QString& name(Axis axis) const override { return m_names[index(axis)]; }
     [[nodiscard]] QString label(Axis axis) const override;

@@ -60,6 +60,18 @@ TEST(Esp32Mount, IsRecognisedByAsking)
     ASSERT_TRUE(bench.mount().interlock());
 }
 
+// REQ-GS232-86
+TEST(Esp32Mount, ReportsTheCalibrationOfItsSensor)
+{
+    Esp32Bench bench;
+    bench.run(Seconds(0.5));
+    EXPECT_EQ(bench.mount().condition(), QString());
+    bench.box().faults().digits = {1, 3, 2, 0};
+    bench.run(Seconds(2.0));
+    EXPECT_TRUE(
+        bench.mount().condition().contains(QStringLiteral("system 1, gyroscope 3, accelerometer 2, magnetometer 0")));
+}
+
 // REQ-GS232-83
 TEST(Esp32Mount, StaysWhereItWasStopped)
 {
