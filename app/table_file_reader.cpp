@@ -4,6 +4,7 @@
 #include <QDeadlineTimer>
 #include <QFileInfo>
 
+#include <algorithm>
 #include <chrono>
 #include <memory>
 #include <utility>
@@ -12,6 +13,12 @@ namespace boresight::app {
 namespace {
 
 constexpr std::chrono::seconds kPatienceAtTheEnd{1};
+
+// Without looking at the disk.
+QString folderOf(const QString& path)
+{
+    return QFileInfo(path).path();
+}
 
 // The time of the last change of content, owner or permissions.
 TableContent::State stateOf(const QString& path)
@@ -22,10 +29,16 @@ TableContent::State stateOf(const QString& path)
                : TableContent::State{};
 }
 
+// A folder that failed once may answer the next time, while the file has not changed.
+bool isFinal(const Result<targets::Target>& table)
+{
+    return table || table.error().code == ErrorCode::InvalidInput;
+}
+
 SharedTableContent contentOf(const QString& path, const SharedTableContent& known, const TableFileReader::Read& read)
 {
     const TableContent::State state = stateOf(path);
-    if (known && known->path == path && known->state == state) {
+    if (known && known->path == path && known->state == state && isFinal(known->table)) {
         return known;
     }
     return std::make_shared<const TableContent>(
@@ -39,7 +52,7 @@ TableFileReader::TableFileReader(Read read, QObject* parent) : QObject(parent), 
 TableFileReader::~TableFileReader()
 {
     const QDeadlineTimer patience(kPatienceAtTheEnd);
-    for (QThread* const thread : m_threads) {
+    for (const auto& [thread, folder] : m_threads) {
         if (thread->wait(patience)) {
             delete thread;
         }
@@ -48,11 +61,20 @@ TableFileReader::~TableFileReader()
 
 void TableFileReader::read(const QString& path, const SharedTableContent& known)
 {
-    if (m_threads.size() < kMostThreads) {
-        begin({.path = path, .known = known});
-    } else {
-        m_next = Question{.path = path, .known = known};
+    m_next = Question{.path = path, .known = known};
+    beginNext();
+}
+
+void TableFileReader::beginNext()
+{
+    if (m_next && m_threads.size() < kMostThreads && !isRead(folderOf(m_next->path))) {
+        begin(*std::exchange(m_next, std::nullopt));
     }
+}
+
+bool TableFileReader::isRead(const QString& folder) const
+{
+    return std::ranges::any_of(m_threads, [&](const auto& thread) { return thread.second == folder; });
 }
 
 void TableFileReader::begin(const Question& question)
@@ -62,7 +84,7 @@ void TableFileReader::begin(const Question& question)
         [content, question, read = m_read] { *content = contentOf(question.path, question.known, read); });
     connect(thread, &QThread::finished, this, [this, thread, content] { take(thread, *content); });
     connect(thread, &QThread::finished, thread, &QObject::deleteLater);
-    m_threads.insert(thread);
+    m_threads.emplace(thread, folderOf(question.path));
     thread->setObjectName(QStringLiteral("table"));
     thread->start(QThread::LowestPriority);
 }
@@ -70,9 +92,7 @@ void TableFileReader::begin(const Question& question)
 void TableFileReader::take(QThread* thread, const SharedTableContent& content)
 {
     m_threads.erase(thread);
-    if (const auto next = std::exchange(m_next, std::nullopt)) {
-        begin(*next);
-    }
+    beginNext();
     Q_EMIT wasRead(content);
 }
 

@@ -9,11 +9,12 @@
 #include <QThread>
 
 #include <functional>
+#include <map>
 #include <optional>
-#include <set>
 
 // Reads the file of a table for the window, which never waits for it. Each file is read on a thread of its own, because
-// the folder of another computer may block a reader for ever. Lives on the main thread; the answer is a signal on that
+// the folder of another computer may block a reader for ever. In each folder only one file at a time is read, so such a
+// folder holds one thread. Lives on the main thread; the answer is a signal on that
 // thread.
 namespace boresight::app {
 
@@ -24,7 +25,7 @@ class TableFileReader : public QObject
 public:
     // Blocking; called on other threads.
     using Read = std::function<Result<tables::SharedTable>(const QString& path)>;
-    // While this many files do not answer, only the newest question waits.
+    // While this many folders do not answer, or that of the file, only the newest question waits.
     static constexpr std::size_t kMostThreads = 4;
 
     explicit TableFileReader(Read read = &tables::readTableFile, QObject* parent = nullptr);
@@ -44,11 +45,13 @@ private:
         SharedTableContent known;
     };
 
+    void beginNext();
     void begin(const Question& question);
     void take(QThread* thread, const SharedTableContent& content);
+    [[nodiscard]] bool isRead(const QString& folder) const;
 
     Read m_read;
-    std::set<QThread*> m_threads;  // that read
+    std::map<QThread*, QString> m_threads;  // that read, with the folder of their file
     std::optional<Question> m_next;
 };
 

@@ -25,7 +25,7 @@ inline constexpr std::array kStationAlarms{
         .brief = "%1",
         .help = AlarmHelp::OpenProfile,
         .kin = AlarmKin::BusGone,
-        .examples = {"the adapter is gone: plug it in again"}},
+        .examples = {"the adapter is gone. Plug it in again"}},
     AlarmEntry{
         .id = "bus.left-alone",
         .source = "bus",

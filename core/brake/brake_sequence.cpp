@@ -18,9 +18,12 @@ void BrakeSequence::step(const BrakeInput& input, const BrakeTimes& times, Stead
     }
     const bool isDone = m_reached && now - *m_reached >= times.switching;
     if (m_releases) {
-        m_state = isDone ? BrakeState::Released : BrakeState::Releasing;
+        const bool isOpen = isDone || (m_state == BrakeState::Released && m_reached);
+        m_state = isOpen ? BrakeState::Released : BrakeState::Releasing;
+        m_wasOpen = m_wasOpen || isOpen;
     } else {
         m_state = isDone ? BrakeState::Set : BrakeState::Setting;
+        m_wasOpen = false;
     }
 }
 
@@ -32,7 +35,10 @@ bool BrakeSequence::decide(const BrakeInput& input, const BrakeTimes& times, Ste
     if (!m_releases) {
         return input.wanted;
     }
-    const Seconds patience = input.isBlind ? kBlindStop : input.isUrgent ? Seconds(0.0) : times.setAfter;
+    if (input.isUrgent && !m_wasOpen) {
+        return false;  // nothing has moved since the order
+    }
+    const Seconds patience = input.isBlind ? times.blind : input.isUrgent ? times.urgent : times.setAfter;
     return !m_still || now - *m_still < patience;
 }
 

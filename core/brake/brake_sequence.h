@@ -20,6 +20,8 @@ struct BrakeTimes
 {
     Seconds switching;  // the time that the brake needs to open or to close
     Seconds setAfter;   // the brake is set after this time without motion
+    Seconds urgent;     // the same after STOP, after a fault and at the end of the program
+    Seconds blind;      // the same while a drive is silent: by then it has stopped its axis
 };
 
 // The situation in one tick.
@@ -36,9 +38,6 @@ struct BrakeInput
 class BrakeSequence
 {
 public:
-    // A silent drive has stopped its axis by its own watchdog after this time.
-    static constexpr Seconds kBlindStop{2.0};
-
     // Once per tick.
     void step(const BrakeInput& input, const BrakeTimes& times, SteadyTime now);
 
@@ -52,6 +51,7 @@ private:
 
     BrakeState m_state = BrakeState::Setting;
     bool m_releases = false;
+    bool m_wasOpen = false;               // since the order to release
     std::optional<SteadyTime> m_still;    // since when nothing moves or wants to
     std::optional<SteadyTime> m_reached;  // since when the output is as ordered
 };

@@ -138,7 +138,8 @@ private:
             SwingResidual& one = m_swing.samples[m_places[i]];
             one.fate = fit.used[i] ? SampleFate::Used : SampleFate::Outlier;
         }
-        m_swing.curve.unreliable = unreliableSectors(m_swing.samples, m_limits.unreliable);
+        m_swing.curve.unreliable =
+            widened(unreliableSectors(m_swing.samples, m_limits.unreliable), m_swing.samples, m_limits.unreliable);
     }
 
     // The error that the readings cannot show (METHOD.md, "What a swing cannot see").

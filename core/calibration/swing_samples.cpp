@@ -8,6 +8,7 @@
 #include <cmath>
 #include <functional>
 #include <numeric>
+#include <utility>
 
 namespace boresight::calibration {
 namespace {
@@ -28,6 +29,7 @@ constexpr double kClearlyBetter = 1.5;
 
 constexpr int kPaintedSectors = 36;
 constexpr std::size_t kFewestInSector = 3;
+constexpr int kGoodInARow = 2;  // beyond the edge of iron
 
 int sectorOf(Angle azimuth, int sectors)
 {
@@ -64,22 +66,21 @@ bool isHeard(const SwingResidual& sample)
     return sample.fate == SampleFate::Used || sample.fate == SampleFate::Outlier;
 }
 
-// How far iron may reach beyond an edge: to the next reading that it does not deflect. `beyond`: the distance of a
-// heading from the edge, away from the sector.
+// How far iron may reach beyond an edge: to the first of the readings in a row that it does not deflect. One deflected
+// reading after them is noise. `beyond`: the distance of a heading from the edge, away from the sector.
 Angle reachOfIron(std::span<const SwingResidual> samples, Angle limit, const std::function<Angle(Angle)>& beyond)
 {
     const Angle step = Angle::fromDegrees(kFullTurn / kPaintedSectors);
-    Angle last;  // of the deflected readings
+    std::vector<std::pair<Angle, bool>> outwards;  // whether the reading is deflected
     for (const SwingResidual& sample : samples) {
         const Angle apart = beyond(sample.heading);
-        last = isHeard(sample) && abs(sample.residual) > limit && apart <= step ? std::max(last, apart) : last;
+        if (isHeard(sample) && apart <= step) {
+            outwards.emplace_back(apart, abs(sample.residual) > limit);
+        }
     }
-    Angle next = step;
-    for (const SwingResidual& sample : samples) {
-        const Angle apart = beyond(sample.heading);
-        next = isHeard(sample) && abs(sample.residual) <= limit && apart > last ? std::min(next, apart) : next;
-    }
-    return next;
+    std::ranges::sort(outwards);
+    const auto end = std::ranges::search_n(outwards, kGoodInARow, false, {}, &std::pair<Angle, bool>::second);
+    return end.empty() ? step : end.front().first;
 }
 
 // Iron ends anywhere, and not where a step ends.
@@ -89,10 +90,17 @@ UnreliableSector widened(const UnreliableSector& sector, std::span<const SwingRe
         reachOfIron(samples, limit, [&](Angle heading) { return (sector.from - heading).wrapped360(); });
     const Angle after = reachOfIron(samples, limit, [&](Angle heading) { return (heading - sector.to).wrapped360(); });
     const bool isCircle = sector.width() + before + after >= Angle::fromDegrees(kFullTurn);
-    return isCircle ? sector
-                    : UnreliableSector{.from = (sector.from - before).wrapped360(),
-                                       .to = (sector.to + after).wrapped360(),
-                                       .residual = sector.residual};
+    const Angle to = isCircle ? sector.from - before : sector.to + after;
+    return {.from = (sector.from - before).wrapped360(), .to = to.wrapped360(), .residual = sector.residual};
+}
+
+// `next` begins where `first` ends, or before.
+UnreliableSector joined(const UnreliableSector& first, const UnreliableSector& next)
+{
+    const bool isLarger = abs(next.residual) > abs(first.residual);
+    return {.from = first.from,
+            .to = next.contains(first.from) ? first.from : next.to,  // the whole circle
+            .residual = isLarger ? next.residual : first.residual};
 }
 
 Angle medianOf(std::vector<Angle> values)
@@ -187,15 +195,29 @@ std::vector<UnreliableSector> unreliableSectors(std::span<const SwingResidual> s
     const bool throughNorth =
         sectors.size() > 1 && sectors.front().from == Angle{} && sectors.back().to >= width * kPaintedSectors;
     if (throughNorth) {
-        UnreliableSector& last = sectors.back();
-        last.to = sectors.front().to;
-        last.residual =
-            std::max(last.residual, sectors.front().residual, [](Angle a, Angle b) { return abs(a) < abs(b); });
+        sectors.back() = joined(sectors.back(), sectors.front());
         sectors.erase(sectors.begin());
     }
-    std::ranges::transform(sectors, sectors.begin(),
-                           [&](const UnreliableSector& sector) { return widened(sector, samples, limit); });
     return sectors;
+}
+
+std::vector<UnreliableSector> widened(std::span<const UnreliableSector> sectors, std::span<const SwingResidual> samples,
+                                      Angle limit)
+{
+    std::vector<UnreliableSector> all;
+    for (const UnreliableSector& sector : sectors) {
+        const UnreliableSector next = widened(sector, samples, limit);
+        if (!all.empty() && all.back().contains(next.from)) {
+            all.back() = joined(all.back(), next);
+        } else {
+            all.push_back(next);
+        }
+    }
+    if (all.size() > 1 && all.back().contains(all.front().from)) {
+        all.back() = joined(all.back(), all.front());
+        all.erase(all.begin());
+    }
+    return all;
 }
 
 }  // namespace boresight::calibration

@@ -24,8 +24,11 @@ namespace boresight::calibration {
 // The reading, converted to a clockwise sensor, minus the azimuth of the axis.
 [[nodiscard]] Angle headingOffset(const SwingSample& sample, AzimuthSense sense);
 
-// Arcs in which the median residual exceeds the limit, in steps of 10°. Outliers count, too. Each arc is widened to
-// the next readings that are within the limit.
+// Arcs in which the median residual exceeds the limit, in steps of 10°. Outliers count, too.
 [[nodiscard]] std::vector<UnreliableSector> unreliableSectors(std::span<const SwingResidual> samples, Angle limit);
+
+// These arcs, up to the next readings that are within the limit. Arcs that meet become one.
+[[nodiscard]] std::vector<UnreliableSector> widened(std::span<const UnreliableSector> sectors,
+                                                    std::span<const SwingResidual> samples, Angle limit);
 
 }  // namespace boresight::calibration

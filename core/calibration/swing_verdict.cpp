@@ -3,6 +3,7 @@
 
 #include "core/base/text.h"
 #include "core/calibration/fit_words.h"
+#include "core/calibration/swing_samples.h"
 #include "core/calibration/swing_tally.h"
 
 #include <algorithm>
@@ -18,10 +19,11 @@ constexpr Angle kFarAway = Angle::fromDegrees(45.0);      // of elevation
 // Part of the readings that may be left out without a remark.
 constexpr double kFewLeftOut = 0.1;
 
-Angle unreliableArc(const CompassSwing& swing)
+// Without the room beyond the edges, in which most readings are good.
+Angle unreliableArc(const CompassSwing& swing, Angle limit)
 {
     Angle sum;
-    for (const UnreliableSector& sector : swing.curve.unreliable) {
+    for (const UnreliableSector& sector : unreliableSectors(swing.samples, limit)) {
         sum += sector.width();
     }
     return sum;
@@ -86,7 +88,7 @@ public:
         if (outliers > m_limits.hopelessPart * tried) {
             giveUp(Text::tr("%1 of %2 readings are far off the curve.").arg(outliers).arg(tried));
         }
-        const Angle arc = unreliableArc(m_swing);
+        const Angle arc = unreliableArc(m_swing, m_limits.unreliable);
         if (arc.turns() > m_limits.hopelessPart) {
             giveUp(Text::tr("%1 of the circle is unreliable.").arg(inWords(arc, 0)));
         }

@@ -396,8 +396,8 @@ void FdcanusbLink::lose()
     QMetaObject::invokeMethod(this, closeLostPort, Qt::QueuedConnection);
     reportBus(LinkState::Lost,
               m_path.name().isEmpty()
-                  ? Text::tr("the adapter is gone: plug it in again")
-                  : Text::tr("the adapter is gone: plug it in again, in any socket. Boresight finds it as %1")
+                  ? Text::tr("the adapter is gone. Plug it in again")
+                  : Text::tr("the adapter is gone. Plug it in again, in any socket. Boresight finds it as %1")
                         .arg(m_path.name()));
 }
 

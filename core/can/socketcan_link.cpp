@@ -236,7 +236,7 @@ void SocketCanLink::handleSocketError(int error)
             break;
         case ENODEV:
         case ENXIO:
-            lose(Text::tr("the interface was removed: plug the adapter in again"));
+            lose(Text::tr("the interface was removed. Plug the adapter in again"));
             break;
         default:
             lose(systemText(error));

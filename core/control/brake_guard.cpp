@@ -11,6 +11,11 @@
 namespace boresight {
 namespace {
 
+// A drive with a watchdog has stopped its axis within this time after it became silent.
+constexpr Seconds kWatchdogStop{2.0};
+// An axis that moves shows its next whole step within this time.
+constexpr Seconds kNextStep{3.0};
+
 bool isHeldByNothing(const AxisReport& report)
 {
     return report.answers && !report.changesHands &&
@@ -37,13 +42,34 @@ void BrakeGuard::take(const contacts::OutputAnswer& answer)
 bool BrakeGuard::moves() const
 {
     return !m_of.motion.atRest() || std::ranges::any_of(kAxes, [this](Axis axis) {
-        return m_of.mount.report(axis).answers && m_of.standstill.moves(axis);
+        return m_of.mount.report(axis).answers && !m_of.standstill.stands(axis);
     });
+}
+
+// Without a watchdog a silent axis may run to its last target, perhaps at half the speed of the profile.
+brake::BrakeTimes BrakeGuard::times() const
+{
+    brake::BrakeTimes times{.switching = m_of.profile->brake.switching,
+                            .setAfter = m_of.profile->brake.setAfter,
+                            .urgent = Seconds(0.0),
+                            .blind = kWatchdogStop};
+    const Capabilities mount = m_of.mount.capabilities();
+    for (const Axis axis : kAxes) {
+        if (const auto& capabilities = mount.axes[index(axis)]) {
+            const profile::AxisSettings& settings = m_of.profile->axis(axis);
+            const Angle travel = settings.geometry.travel.max - settings.geometry.travel.min;
+            const Seconds longest{2.0 * travel.radians() / settings.limits.speed.radians()};
+            times.urgent = capabilities->step > Angle{} ? kNextStep : times.urgent;
+            times.blind = capabilities->watchdog ? times.blind : std::max(times.blind, longest);
+        }
+    }
+    return times;
 }
 
 QString BrakeGuard::step(bool isUrgent, SteadyTime now)
 {
-    const bool isWanted = std::exchange(m_isWanted, false);
+    // The wish is of the last tick. Meanwhile STOP may have come, or a drive may have been lost.
+    const bool isWanted = std::exchange(m_isWanted, false) && !isUrgent && m_of.mount.follows();
     if (!isUsed()) {
         return {};
     }
@@ -61,7 +87,7 @@ QString BrakeGuard::step(bool isUrgent, SteadyTime now)
                      .isBlind = ofAny([](const AxisReport& report) { return !report.answers; }),
                      .isUrgent = isUrgent || !works,
                      .released = m_answer.isOn},
-                    {.switching = m_of.profile->brake.switching, .setAfter = m_of.profile->brake.setAfter}, now);
+                    times(), now);
     return endsMotion ? Text::tr("brake output: %1").arg(m_answer.problem) : QString();
 }
 
@@ -86,11 +112,16 @@ Result<> BrakeGuard::admits() const
 
 Result<> BrakeGuard::admitsOff() const
 {
-    return isSet() || !m_answer.problem.isEmpty()
-               ? Result<>{}
-               : failure(ErrorCode::Refused,
-                         Text::tr("The brake is not set yet. Wait until nothing has moved for %1 s.")
-                             .arg(m_of.profile->brake.setAfter.count()));
+    if (isSet()) {
+        return {};
+    }
+    return failure(ErrorCode::Refused,
+                   m_answer.problem.isEmpty()
+                       ? Text::tr("The brake is not set yet. Wait until nothing has moved for %1 s.")
+                             .arg(m_of.profile->brake.setAfter.count())
+                       : Text::tr("The brake output does not work: %1. The brake may be open. Secure the antenna, then "
+                                  "empty brake.output on the page Profile.")
+                             .arg(m_answer.problem));
 }
 
 Result<> BrakeGuard::mayChange(const profile::Profile& after) const
@@ -99,7 +130,8 @@ Result<> BrakeGuard::mayChange(const profile::Profile& after) const
     if (!profile::isAnotherOutput(before.brake.output, before.mqtt, after.brake.output, after.mqtt)) {
         return {};
     }
-    return releases() || moves()
+    const bool isIdle = (isSet() || !m_answer.problem.isEmpty()) && !moves();
+    return !isIdle
                ? failure(ErrorCode::Refused,
                          Text::tr("The brake output (brake.output) can only be changed while the brake is set. Hold "
                                   "the mount, and wait until it stands still and the brake is set."))

@@ -54,10 +54,10 @@ public:
 
     // Whether a motion may begin.
     [[nodiscard]] Result<> admits() const;
-    // Whether the drives may be switched off or left to other tools. The brake then holds the axes. A brake that does
-    // not work is no obstacle.
+    // Whether the drives may be switched off or left to other tools. The brake then holds the axes.
     [[nodiscard]] Result<> admitsOff() const;
-    // Whether `after` may be applied. Another output sets the brake, so nothing may move meanwhile.
+    // Whether `after` may be applied. Another output sets the brake, so nothing may move meanwhile. An output that does
+    // not work may be replaced.
     [[nodiscard]] Result<> mayChange(const profile::Profile& after) const;
     void profileChanged(const profile::Profile& before, const profile::Profile& after);
     [[nodiscard]] BrakeStatus status() const;
@@ -65,6 +65,7 @@ public:
 private:
     [[nodiscard]] bool isUsed() const { return m_of.profile->brake.isUsed(); }
     [[nodiscard]] bool moves() const;
+    [[nodiscard]] brake::BrakeTimes times() const;
 
     Parts m_of;
     brake::BrakeSequence m_sequence;

@@ -51,7 +51,7 @@ public:
     virtual void describe(StationStatus& /*status*/) const {}
     // Once in a tick, before the set-points move on.
     virtual void step(SteadyTime /*now*/) {}
-    // A report, which may be for another source. The error says why the report is not accepted.
+    // A report, which may be for another source. The error explains why the report is not accepted.
     virtual Result<> receive(const SourceReport& /*report*/) { return {}; }
     // Where the target that it tracks by the time is at this time. Empty: it tracks none, or the direction is unknown.
     [[nodiscard]] virtual std::optional<SkyPointing> targetAt(UtcTime /*utc*/) { return std::nullopt; }

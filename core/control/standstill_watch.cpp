@@ -15,27 +15,36 @@ constexpr std::chrono::seconds kSpreadTime{1};
 
 void StandstillWatch::look(Axis axis, const AxisReport& report)
 {
-    Places& places = m_places[index(axis)];
+    auto& [seen, first] = m_places[index(axis)];
     if (!report.place || report.changesHands) {
-        places.clear();  // the angle may be given another value meanwhile
+        seen.clear();  // the angle may be given another value meanwhile
         return;
     }
-    if (places.empty() || report.placed > places.back().time) {
-        places.push_back({.time = report.placed, .angle = *report.place});
+    if (seen.empty()) {
+        first = report.placed;
     }
-    while (report.placed - places.front().time > kSpreadTime) {
-        places.pop_front();
+    if (seen.empty() || report.placed > seen.back().time) {
+        seen.push_back({.time = report.placed, .angle = *report.place});
+    }
+    while (report.placed - seen.front().time > kSpreadTime) {
+        seen.pop_front();
     }
 }
 
 bool StandstillWatch::moves(Axis axis) const
 {
-    const Places& places = m_places[index(axis)];
-    if (places.empty()) {
+    const auto& seen = m_places[index(axis)].seen;
+    if (seen.empty()) {
         return false;
     }
-    const auto [least, most] = std::ranges::minmax(places, {}, &Place::angle);
+    const auto [least, most] = std::ranges::minmax(seen, {}, &Place::angle);
     return most.angle - least.angle > kSpread;
+}
+
+bool StandstillWatch::stands(Axis axis) const
+{
+    const auto& [seen, first] = m_places[index(axis)];
+    return !seen.empty() && seen.back().time - first >= kSpreadTime && !moves(axis);
 }
 
 }  // namespace boresight

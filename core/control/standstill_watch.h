@@ -21,6 +21,8 @@ public:
     void forget() { m_places = {}; }
     // True for every motion faster than the Sun, except near the zenith.
     [[nodiscard]] bool moves(Axis axis) const;
+    // The axis was seen for long enough, and it does not move.
+    [[nodiscard]] bool stands(Axis axis) const;
 
 private:
     struct Place
@@ -28,7 +30,11 @@ private:
         SteadyTime time;
         Angle angle;
     };
-    using Places = std::deque<Place>;  // by time
+    struct Places
+    {
+        std::deque<Place> seen;  // by time
+        SteadyTime first{};      // of all that were seen without a gap
+    };
 
     std::array<Places, 2> m_places;
 };

@@ -168,7 +168,7 @@ public:
     // Where the target that is tracked by the time is at this time. Empty: none is tracked, or the direction is
     // unknown.
     [[nodiscard]] std::optional<SkyPointing> targetAt(UtcTime utc);
-    // Passes a report to the source of motion that waits for it. The error says why the report is not believed.
+    // Passes a report to the source of motion that waits for it. The error explains why the report is not believed.
     Result<> receive(const SourceReport& received);
 
 private:

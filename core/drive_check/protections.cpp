@@ -160,9 +160,8 @@ QString timeoutModeConsequence(double found)
             "Mode 15 brakes but does not hold. It is right only for a self-locking gearbox (timeout_mode = \"brake\" "
             "in the profile).");
     }
-    return found == kTimeoutHold
-               ? Text::tr("The gearbox of the profile locks itself, so the profile asks for brake (15).")
-               : Text::tr("This mode is not safe for a drive without commands.");
+    return found == kTimeoutHold ? Text::tr("The profile has a self-locking gearbox, so it asks for brake (15).")
+                                 : Text::tr("This mode is not safe for a drive without commands.");
 }
 
 QString timeoutModeWord(double mode)

@@ -28,7 +28,7 @@ public:
     [[nodiscard]] const std::optional<drive_check::DriveFacts>& facts(Axis axis) const { return m_facts[index(axis)]; }
     // The origin of the drive's count must be read again.
     [[nodiscard]] bool needsOrigin(Axis axis) const;
-    // The drive was power-cycled while we watched it, or may be another one.
+    // The drive was power-cycled while we watched it, or may be another drive.
     void forget(Axis axis);
 
     struct Tick

@@ -21,7 +21,7 @@ public:
     void open(int opening, const Broker& broker, const std::optional<Message>& will);
     void close(int opening);
     [[nodiscard]] BrokerClient& client() { return m_client; }
-    void keepUrgent(const IsUrgent& isUrgent) { m_messages.keepUrgent(isUrgent); }
+    void keepUrgent(const UrgencyOf& urgencyOf) { m_messages.keepUrgent(urgencyOf); }
     // The owner has read the last report.
     void taken() { m_outlet.taken(); }
 

@@ -6,39 +6,46 @@
 #include <algorithm>
 #include <deque>
 #include <functional>
-#include <iterator>
 #include <utility>
 #include <vector>
 
 // The newest messages that wait for another thread: at most kMost, and together at most kLargestMessage bytes. A sensor
 // sends ten messages a second, so only a flood reaches this limit. If there are too many bytes, the largest message is
 // dropped. If there are too many messages, the oldest message of the most frequent topic is dropped. So a flood of one
-// topic does not displace a message of another topic. An urgent message, such as a STOP, is dropped only beside other
-// urgent ones, at first one that repeats another. Pure.
+// topic does not displace a message of another topic. The newest hold and the newest STOP of each topic stay. Where
+// even these have too many bytes, the holds are dropped first, and one STOP stays. Pure.
 namespace boresight::mqtt {
 
-// Any thread may call it.
-using IsUrgent = std::function<bool(const Message& message)>;
+enum class Urgency
+{
+    None,
+    Hold,
+    Stop
+};
+
+// Any thread may call it. It may remove a payload that nobody reads.
+using UrgencyOf = std::function<Urgency(Message& message)>;
 
 class NewestMessages
 {
 public:
     static constexpr std::size_t kMost = 32;
 
-    void keepUrgent(IsUrgent isUrgent) { m_isUrgent = std::move(isUrgent); }
+    void keepUrgent(UrgencyOf urgencyOf) { m_urgencyOf = std::move(urgencyOf); }
 
     void add(Message message)
     {
+        const Urgency urgency = m_urgencyOf ? m_urgencyOf(message) : Urgency::None;
         m_bytes += message.payload.size();
-        const bool isUrgent = m_isUrgent && m_isUrgent(message);
-        m_waiting.push_back({.message = std::move(message), .isUrgent = isUrgent});
+        m_waiting.push_back({.message = std::move(message), .urgency = urgency});
         while (m_bytes > kLargestMessage) {
-            drop(std::ranges::max_element(m_waiting, {}, [](const Waiting& one) {
-                return std::pair(!one.isUrgent, one.message.payload.size());
-            }));
+            dropOne([](const Waiting& one) { return one.message.payload.size(); });
         }
         if (m_waiting.size() > kMost) {
-            drop(surplus());
+            dropOne([this](const Waiting& one) {
+                return std::ranges::count(m_waiting, one.message.topic,
+                                          [](const Waiting& other) -> const QString& { return other.message.topic; });
+            });
         }
     }
     // The oldest comes first.
@@ -56,49 +63,31 @@ private:
     struct Waiting
     {
         Message message;
-        bool isUrgent = false;
+        Urgency urgency = Urgency::None;
     };
-    using Place = std::deque<Waiting>::iterator;
 
-    [[nodiscard]] QString mostFrequentTopic() const
+    // A newer message of the same kind and topic replaces an urgent one.
+    [[nodiscard]] Urgency needOf(const Waiting& one) const
     {
-        const auto count = [this](const Waiting& one) {
-            return std::ranges::count(m_waiting, one.message.topic, &topicOf);
-        };
-        return std::ranges::max_element(m_waiting, {}, count)->message.topic;
-    }
-    [[nodiscard]] Place surplus()
-    {
-        const QString topic = mostFrequentTopic();
-        const auto oldest = std::ranges::find_if(
-            m_waiting, [&topic](const Waiting& one) { return !one.isUrgent && one.message.topic == topic; });
-        return oldest != m_waiting.end() ? oldest : newestRepeated(topic);
-    }
-    // The newest message of this topic that repeats an earlier one, else the newest one.
-    [[nodiscard]] Place newestRepeated(const QString& topic)
-    {
-        Place newest = m_waiting.end();
-        for (auto i = std::ssize(m_waiting); i-- > 0;) {
-            const Place one = m_waiting.begin() + i;
-            if (one->message.topic != topic) {
-                continue;
-            }
-            newest = newest == m_waiting.end() ? one : newest;
-            if (std::any_of(m_waiting.begin(), one,
-                            [one](const Waiting& other) { return other.message == one->message; })) {
-                return one;
-            }
+        if (one.urgency == Urgency::None) {
+            return Urgency::None;
         }
-        return newest;
+        const auto newest = std::find_if(m_waiting.rbegin(), m_waiting.rend(), [&one](const Waiting& other) {
+            return other.urgency == one.urgency && other.message.topic == one.message.topic;
+        });
+        return &*newest == &one ? one.urgency : Urgency::None;
     }
-    [[nodiscard]] static const QString& topicOf(const Waiting& one) { return one.message.topic; }
-    void drop(Place one)
+    // Drops the oldest of those with the greatest weight that are needed least.
+    template <class Weight>
+    void dropOne(Weight weight)
     {
-        m_bytes -= one->message.payload.size();
-        m_waiting.erase(one);
+        const auto least = std::ranges::min_element(
+            m_waiting, {}, [&](const Waiting& one) { return std::pair(needOf(one), -weight(one)); });
+        m_bytes -= least->message.payload.size();
+        m_waiting.erase(least);
     }
 
-    IsUrgent m_isUrgent;
+    UrgencyOf m_urgencyOf;
     std::deque<Waiting> m_waiting;
     qint64 m_bytes = 0;
 };

@@ -68,10 +68,10 @@ void ThreadedClient::unsubscribe(const QString& filter)
     m_thread->post([worker = m_worker, filter] { worker->client().unsubscribe(filter); });
 }
 
-void ThreadedClient::keepUrgent(IsUrgent isUrgent)
+void ThreadedClient::keepUrgent(UrgencyOf urgencyOf)
 {
     begin();
-    m_thread->post([worker = m_worker, isUrgent = std::move(isUrgent)] { worker->keepUrgent(isUrgent); });
+    m_thread->post([worker = m_worker, urgencyOf = std::move(urgencyOf)] { worker->keepUrgent(urgencyOf); });
 }
 
 bool ThreadedClient::publish(const Message& message)

@@ -51,8 +51,8 @@ public:
     void unsubscribe(const QString& filter) override;
     bool publish(const Message& message) override;
 
-    // No flood displaces such messages. The function is called on the other thread. An empty one ends this.
-    void keepUrgent(IsUrgent isUrgent);
+    // No flood displaces a hold or a STOP. The function is called on the other thread. An empty one ends this.
+    void keepUrgent(UrgencyOf urgencyOf);
 
     // The values of the last report.
     [[nodiscard]] const Broker& broker() const override { return m_broker; }

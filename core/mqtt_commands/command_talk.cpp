@@ -33,11 +33,7 @@ bool asksForStop(std::string_view line)
 
 bool asksForHold(std::string_view line)
 {
-    if (line.size() > CommandTalk::kLongest) {
-        return false;
-    }
-    const Result<pairs::Command> command = pairs::parseLine(line);
-    return command && std::holds_alternative<pairs::Stop>(*command);
+    return line.size() <= CommandTalk::kLongest && pairs::isHold(line);
 }
 
 // A relative step could arrive twice and would then move twice as far. A single number may be the value of a sensor.
@@ -75,17 +71,21 @@ std::optional<QByteArray> CommandTalk::obey(const QByteArray& message, Retain re
         return latch(line, retain);
     }
     const bool flood = isFlood();
-    if (flood && !asksForHold(line)) {
+    const bool isHold = asksForHold(line);
+    if (flood && !isHold) {
         return std::nullopt;
     }
-    const QByteArray text = answer(line, run(line, retain));
+    const QByteArray text = answer(line, run(line, isHold, retain));
     return flood ? std::nullopt : std::optional(text);
 }
 
-bool CommandTalk::isUrgent(const QByteArray& message)
+Urgency CommandTalk::urgencyOf(const QByteArray& message)
 {
     const std::string_view line = trimmed(textOf(message));
-    return asksForStop(line) || asksForHold(line);
+    if (asksForStop(line)) {
+        return Urgency::Stop;
+    }
+    return asksForHold(line) ? Urgency::Hold : Urgency::None;
 }
 
 std::optional<QByteArray> CommandTalk::stop(const QByteArray& /*message*/, Retain retain)
@@ -99,7 +99,7 @@ std::optional<QByteArray> CommandTalk::latch(std::string_view line, Retain retai
 {
     LineOutcome outcome{.reply = std::string(pairs::kDone), .result = {}};
     if (retain == Retain::Yes) {
-        outcome = run(line, retain);
+        outcome = refuseOld(line);
     } else if (outcome.result = m_latchStop(m_client); !outcome.result) {
         outcome.reply = pairs::refusalOf(outcome.result.error());
     }
@@ -107,18 +107,16 @@ std::optional<QByteArray> CommandTalk::latch(std::string_view line, Retain retai
     return isFlood() ? std::nullopt : std::optional(text);
 }
 
-LineOutcome CommandTalk::run(std::string_view line, Retain retain)
+LineOutcome CommandTalk::run(std::string_view line, bool isHold, Retain retain)
 {
     if (retain == Retain::Yes) {
-        return refuse(line, ErrorCode::Refused,
-                      Text::tr("The broker kept this message, so it is old. Delete it at the broker. Send commands "
-                               "without the retain flag."));
+        return refuseOld(line);
     }
     if (line.size() > kLongest) {
         return refuse(line, ErrorCode::InvalidInput,
                       Text::tr("A command has at most %1 bytes.").arg(QString::number(kLongest)));
     }
-    if (const Result<> may = m_budget.admits(); !may && !asksForHold(line)) {
+    if (const Result<> may = m_budget.admits(); !may && !isHold) {
         return refuse(line, may.error().code, may.error().text);
     }
     tick();
@@ -129,7 +127,14 @@ LineOutcome CommandTalk::run(std::string_view line, Retain retain)
     if (const Result<> may = admits(*command); !may) {
         return refuse(line, may.error().code, may.error().text);
     }
-    return m_talk.obey(line);
+    return m_talk.obey(*command);
+}
+
+LineOutcome CommandTalk::refuseOld(std::string_view line)
+{
+    return refuse(line, ErrorCode::Refused,
+                  Text::tr("The broker kept this message, so it is old. Delete it at the broker. Send commands "
+                           "without the retain flag."));
 }
 
 // Also logs the refusal. The rotator logs its own refusals.

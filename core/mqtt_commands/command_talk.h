@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/mqtt/broker.h"
+#include "core/mqtt/newest_messages.h"
 #include "core/pairs_server/pairs_talk.h"
 #include "core/rotctld/client_habits.h"
 #include "core/rotctld/command_budget.h"
@@ -27,8 +27,8 @@ class CommandTalk
 public:
     static constexpr std::size_t kLongest = 200;  // bytes of a command
 
-    // A STOP or a hold, which no flood may displace. Pure, any thread.
-    [[nodiscard]] static bool isUrgent(const QByteArray& message);
+    // No flood may displace a STOP or a hold. Pure, any thread.
+    [[nodiscard]] static Urgency urgencyOf(const QByteArray& message);
 
     // Create it when the connection begins. The rotator and the clock outlive this.
     CommandTalk(rotctld::Client client, rotctld::Rotator& rotator, const Clock& clock, pairs::SiteNow site,
@@ -48,7 +48,8 @@ public:
 
 private:
     [[nodiscard]] std::optional<QByteArray> latch(std::string_view line, Retain retain);
-    [[nodiscard]] rotctld::LineOutcome run(std::string_view line, Retain retain);
+    [[nodiscard]] rotctld::LineOutcome run(std::string_view line, bool isHold, Retain retain);
+    [[nodiscard]] rotctld::LineOutcome refuseOld(std::string_view line);
     [[nodiscard]] rotctld::LineOutcome refuse(std::string_view line, ErrorCode code, const QString& reason);
     [[nodiscard]] Result<> admits(const pairs::Command& command) const;
     [[nodiscard]] bool isFlood();

@@ -60,7 +60,8 @@ void CommandOutput::step()
 void CommandOutput::finish(bool on, const programs::Ending& ending)
 {
     (on ? m_on : m_off).runs = false;
-    const bool isOverwritten = !on && m_onEndedWithin;
+    // "on" and "off" ran at the same time, so either may have come last.
+    const bool isOverwritten = on ? m_off.runs : m_onEndedWithin;
     m_onEndedWithin = on && m_off.runs;
     // If this run is not for the wanted state, it may have overwritten that state. So the state is unknown.
     m_reached = ending.good && on == m_wanted && !isOverwritten ? std::optional(on) : std::nullopt;

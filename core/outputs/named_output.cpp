@@ -64,12 +64,13 @@ void NamedOutput::begin()
     }
 }
 
-// Switches the output off and keeps it until it is off. The next output may need the same port or file, so it begins
-// after that. Nothing waits here: a signal of the output reports its end.
+// Switches the output off and keeps it until it is off or has failed. The next output may need the same port or file,
+// so it begins after that. Nothing waits here: a signal of the output reports its end.
 void NamedOutput::retire()
 {
     if (m_output) {
         m_former = std::move(m_output);
+        m_retired = m_clock.now();
         m_former->disconnect(this);
         const auto letGo = [this, former = m_former.get()] {
             if (m_former.get() == former && former->isIdle()) {
@@ -127,6 +128,9 @@ void NamedOutput::fail(const QString& reason)
 
 contacts::OutputAnswer NamedOutput::answer() const
 {
+    if (isAwaited() && m_clock.now() - m_retired >= kPatience) {
+        return {.problem = Text::tr("the output before it has not answered for %1 s").arg(kPatience.count())};
+    }
     return {.isOn = m_order.isReached ? std::optional(m_order.on) : std::nullopt, .problem = m_problem};
 }
 

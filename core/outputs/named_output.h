@@ -88,6 +88,7 @@ private:
     bool m_open = false;
     std::unique_ptr<Output> m_output;  // null: the profile names none, or m_former has to end first
     std::unique_ptr<Output> m_former;  // the previous output, until it is off
+    SteadyTime m_retired{};            // since when m_former is to be off
     Order m_order;
     bool m_isOn = false;
     QString m_problem;

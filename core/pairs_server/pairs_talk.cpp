@@ -15,15 +15,20 @@ PairsTalk::PairsTalk(rotctld::Client client, rotctld::Rotator& rotator, SiteNow 
 
 rotctld::LineOutcome PairsTalk::obey(std::string_view line)
 {
-    rotctld::LineOutcome outcome{.reply = std::string(kDone), .result = {}};
-    if (const auto command = parseLine(line)) {
-        std::visit([&](const auto& wanted) { carryOut(wanted, outcome); }, *command);
-    } else {
-        if (endsInStop(line)) {  // a stop counts even if the rest of the line is refused
-            carryOut(Stop{}, outcome);
-        }
-        outcome.result = tl::unexpected(command.error());
+    const auto command = parseLine(line);
+    if (command) {
+        return obey(*command);
     }
+    if (endsInStop(line)) {  // a stop counts even if the rest of the line is refused
+        (void)obey(Command(Stop{}));
+    }
+    return {.reply = refusalOf(command.error()), .result = tl::unexpected(command.error())};
+}
+
+rotctld::LineOutcome PairsTalk::obey(const Command& command)
+{
+    rotctld::LineOutcome outcome{.reply = std::string(kDone), .result = {}};
+    std::visit([&](const auto& wanted) { carryOut(wanted, outcome); }, command);
     if (!outcome.result) {
         outcome.reply = refusalOf(outcome.result.error());
     }

@@ -22,6 +22,7 @@ public:
     PairsTalk(rotctld::Client client, rotctld::Rotator& rotator, SiteNow site);
 
     [[nodiscard]] rotctld::LineOutcome obey(std::string_view line) override;
+    [[nodiscard]] rotctld::LineOutcome obey(const Command& command);
 
 private:
     void carryOut(const Report& report, rotctld::LineOutcome& outcome);

@@ -102,6 +102,12 @@ bool endsInStop(std::string_view line)
     return !words.empty() && lowered(words.back()) == "stop";
 }
 
+bool isHold(std::string_view line)
+{
+    const std::vector<std::string> words = wordsOf(line);
+    return words.size() == 1 && lowered(words.front()) == "hold";
+}
+
 Result<Command> parseLine(std::string_view line)
 {
     const std::vector<std::string> words = wordsOf(line);

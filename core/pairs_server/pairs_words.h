@@ -52,6 +52,8 @@ using Command = std::variant<Report, Stop, Park, Place, MoveBy, Bearing>;
 [[nodiscard]] Result<Command> parseLine(std::string_view line);
 // True if the last word is a stop, even if the line is no command.
 [[nodiscard]] bool endsInStop(std::string_view line);
+// True if the line is a hold.
+[[nodiscard]] bool isHold(std::string_view line);
 // The target of the move. OutOfRange: it is beyond these limits.
 [[nodiscard]] Result<SkyPointing> movedBy(const SkyPointing& from, const MoveBy& move, const rotctld::Limits& limits);
 

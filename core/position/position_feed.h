@@ -34,7 +34,8 @@ public:
 
     // A change of the limits clears the state.
     void setLimits(const FeedLimits& limits);
-    // The error says why the report is not believed. NotAvailable: a report of another call sign, which is no problem.
+    // The error explains why the report is not believed. NotAvailable: a report of another call sign, which is no
+    // problem.
     Result<> take(const Result<PositionText>& read, SteadyTime now, UtcTime utc);
 
     // The last report that was believed.

@@ -85,11 +85,19 @@ void checkWatched(std::vector<Problem>& problems, const Profile& profile)
 void checkHamlibSettings(std::vector<Problem>& problems, const Profile& profile)
 {
     std::set<std::string> names;
+    std::size_t bytes = 0;
     for (const std::string& text : profile.hamlibSettings) {
+        bytes += text.size() + (bytes > 0 ? 1 : 0);  // rotctld joins them by commas
         const auto setting = rotctl::parseHamlibSetting(text);
         if (setting && !names.insert(setting->name).second) {
             problems.push_back({"bus.hamlib_settings", Text::tr("names %1 twice").arg(toQString(setting->name))});
         }
+    }
+    if (bytes > rotctl::kMostHamlibSettings) {
+        problems.push_back({"bus.hamlib_settings", Text::tr("has %1 bytes, with a comma between two settings. rotctld "
+                                                            "accepts at most %2 bytes. Remove a setting.")
+                                                       .arg(bytes)
+                                                       .arg(rotctl::kMostHamlibSettings)});
     }
 }
 

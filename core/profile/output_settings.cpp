@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <tuple>
 
 namespace boresight::profile {
 
@@ -20,6 +21,14 @@ bool isByBroker(const std::string& output)
 {
     const auto name = contacts::parseOutput(output);
     return name && name->kind == contacts::OutputKind::Mqtt;
+}
+
+// The serial port whose line is the output. Empty: the output is no such line.
+std::string linePort(const std::string& output)
+{
+    const auto name = contacts::parseOutput(output);
+    const bool isLine = name && (name->kind == contacts::OutputKind::Dtr || name->kind == contacts::OutputKind::Rts);
+    return isLine ? name->place.toStdString() : std::string();
 }
 
 // Boresight would take its own "on" and "off" for a command or a reading, or write over what it publishes.
@@ -49,10 +58,19 @@ void checkTopic(std::vector<Problem>& problems, const Profile& profile, const st
 
 }  // namespace
 
+bool isAnotherBroker(const BrokerSettings& before, const BrokerSettings& after)
+{
+    const auto connection = [](const BrokerSettings& broker) {
+        return std::tie(broker.host, broker.port, broker.user, broker.password, broker.tls, broker.caFile,
+                        broker.clientId);
+    };
+    return connection(before) != connection(after);
+}
+
 bool isAnotherOutput(const std::string& before, const BrokerSettings& brokerBefore, const std::string& after,
                      const BrokerSettings& brokerAfter)
 {
-    return before != after || (isByBroker(after) && brokerBefore != brokerAfter);
+    return before != after || (isByBroker(after) && isAnotherBroker(brokerBefore, brokerAfter));
 }
 
 void addPower(std::vector<Setting>& list)
@@ -155,6 +173,9 @@ void checkBrake(std::vector<Problem>& problems, const Profile& profile)
     checkTopic(problems, profile, "brake.output", profile.brake.output);
     if (!profile.brake.output.empty() && profile.brake.output == profile.transmit.output) {
         problems.push_back({"brake.output", Text::tr("is also the transmit output (transmit.output)")});
+    } else if (const std::string port = linePort(profile.brake.output);
+               !port.empty() && port == linePort(profile.transmit.output)) {
+        problems.push_back({"brake.output", Text::tr("uses the port of the transmit output (transmit.output)")});
     }
 }
 

@@ -34,7 +34,7 @@ Result<QByteArray> readFile(const QString& path)
         return failure(ErrorCode::Io, told(path, file.errorString()));
     }
     if (bytes.size() > kMaxSize) {
-        return failure(ErrorCode::Io, Text::tr("%1: is larger than 4 MB").arg(path));
+        return failure(ErrorCode::Io, Text::tr("%1: The file is larger than 4 MB").arg(path));
     }
     return bytes;
 }

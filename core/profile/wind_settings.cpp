@@ -136,7 +136,7 @@ void checkWindTopic(std::vector<Problem>& problems, const Profile& profile)
     }
     const std::string topic = source->place.toStdString();
     if (profile.sensor.reads(topic) || profile.position.reads(topic)) {
-        problems.push_back({"wind.source", Text::tr("the topic is read for the sensor or for positions already")});
+        problems.push_back({"wind.source", Text::tr("the sensor or the positions already use this topic")});
     }
 }
 

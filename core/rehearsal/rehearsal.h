@@ -24,7 +24,7 @@ struct RehearsalTask
     UtcTime from{};
 };
 
-// `progress` is called with 0 to 1 from time to time. The error says why the schedule cannot be armed, or that the
+// `progress` is called with 0 to 1 from time to time. The error explains why the schedule cannot be armed, or that the
 // rehearsal was stopped.
 [[nodiscard]] Result<RehearsedNight> rehearse(const RehearsalTask& task, const std::stop_token& stop,
                                               const std::function<void(double)>& progress);

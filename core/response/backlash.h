@@ -20,7 +20,7 @@ struct BacklashFigures
     bool operator==(const BacklashFigures&) const = default;
 };
 
-// From legs to and fro at one rate, with torque. The error says why the gap cannot be measured.
+// From legs to and fro at one rate, with torque. The error explains why the gap cannot be measured.
 [[nodiscard]] Result<BacklashFigures> backlashFigures(Samples samples);
 
 }  // namespace boresight::response

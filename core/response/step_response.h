@@ -22,7 +22,7 @@ struct StepFigures
     bool operator==(const StepFigures&) const = default;
 };
 
-// The first sample is from before the step. An error says why there is no result.
+// The first sample is from before the step. An error explains why there is no result.
 [[nodiscard]] Result<StepFigures> stepFigures(Samples samples, Angle band);
 
 }  // namespace boresight::response

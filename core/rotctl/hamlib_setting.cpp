@@ -18,10 +18,16 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 2> kOfBoresi
     std::pair{"rot_pathname", "bus.name"}, std::pair{"serial_speed", "bus.baud"}};
 constexpr std::array<std::string_view, 4> kLimits{"min_az", "max_az", "min_el", "max_el"};
 
+bool isSmallLetter(char one)
+{
+    return one >= 'a' && one <= 'z';
+}
+
+// Hamlib also accepts the number of a setting in place of its name.
 bool isNameOfHamlib(std::string_view name)
 {
-    return !name.empty() && std::ranges::all_of(name, [](char one) {
-        return one == '_' || (one >= 'a' && one <= 'z') || (one >= '0' && one <= '9');
+    return !name.empty() && isSmallLetter(name.front()) && std::ranges::all_of(name, [](char one) {
+        return one == '_' || isSmallLetter(one) || (one >= '0' && one <= '9');
     });
 }
 

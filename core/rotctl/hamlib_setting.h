@@ -3,11 +3,15 @@
 
 #include "core/base/result.h"
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
 // A setting of Hamlib for the model that Boresight starts a rotctld for: "min_az=-90". Pure.
 namespace boresight::rotctl {
+
+// Of all settings of one rotctld 4.5 together, in bytes. It joins them by commas.
+inline constexpr std::size_t kMostHamlibSettings = 1000;
 
 struct HamlibSetting
 {

@@ -12,6 +12,19 @@ namespace {
 
 const std::string kMqttProtocol = "MQTT";
 
+// A message that the broker kept is refused, so it never replaces a live one.
+mqtt::Urgency urgencyOf(mqtt::Message& message, const QString& command, const QString& stop)
+{
+    if (message.retain == mqtt::Retain::Yes) {
+        return mqtt::Urgency::None;
+    }
+    if (message.topic == stop) {
+        message.payload.clear();  // any text means STOP
+        return mqtt::Urgency::Stop;
+    }
+    return message.topic == command ? mqtt::CommandTalk::urgencyOf(message.payload) : mqtt::Urgency::None;
+}
+
 }  // namespace
 
 MessageCommands::MessageCommands(AlarmBoard& alarms, const profile::InForce& profile, EventLog& log, const Clock& clock,
@@ -51,8 +64,8 @@ void MessageCommands::open()
     m_commandTopic = toQString(m_profile->mqtt.topic("command"));
     m_stopTopic = toQString(m_profile->mqtt.topic("stop"));
     m_answerTopic = toQString(m_profile->mqtt.topic("answer"));
-    m_broker.keepUrgent([command = m_commandTopic, stop = m_stopTopic](const mqtt::Message& message) {
-        return message.topic == stop || (message.topic == command && mqtt::CommandTalk::isUrgent(message.payload));
+    m_broker.keepUrgent([command = m_commandTopic, stop = m_stopTopic](mqtt::Message& message) {
+        return urgencyOf(message, command, stop);
     });
     m_broker.connection().subscribe(m_commandTopic);
     m_broker.connection().subscribe(m_stopTopic);

@@ -3,7 +3,7 @@
 
 #include "core/alarms/catalogue.h"
 #include "core/base/text.h"
-#include "core/control/time_effect.h"
+#include "core/computer_clock/time_effect.h"
 #include "core/north/calibration_gates.h"
 #include "core/outputs/simulated_output.h"
 #include "core/profile/commissioning.h"
@@ -240,9 +240,12 @@ void Station::tick()
     m_calibration.tick();
     m_tuning.tick();
     m_night.tick();
-    m_brake.order(m_control.releasesBrake());
     m_control.takeBrake(m_brake.answer());
     m_control.tick();
+    // An output that fails is not switched on again, because that may open and close a brake while the antenna stops.
+    if (!m_control.releasesBrake() || m_brake.answer().problem.isEmpty()) {
+        m_brake.order(m_control.releasesBrake());
+    }
     m_tables.tick(m_control.motionId(), m_clock.now());
     m_follow.tick();
     if (m_transmit.isWanted()) {

@@ -38,7 +38,7 @@ public:
     // Whether the messages of the orientation sensor come by the broker.
     void setSensorWanted(bool wanted);
     // As mqtt::ThreadedClient.
-    void keepUrgent(mqtt::IsUrgent isUrgent) { m_client.keepUrgent(std::move(isUrgent)); }
+    void keepUrgent(mqtt::UrgencyOf urgencyOf) { m_client.keepUrgent(std::move(urgencyOf)); }
     // A reader of a topic begins, and ends.
     void addReader();
     void removeReader();

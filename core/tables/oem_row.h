@@ -12,7 +12,7 @@ namespace boresight::tables {
 
 [[nodiscard]] Result<OrbitRow> oemRow(std::string_view line, TimeSystem system);
 
-// Whether a plausible path leads from one row to the next. The error says why not.
+// Whether a plausible path leads from one row to the next. The error explains why not.
 [[nodiscard]] Result<> follows(const OrbitRow& before, const OrbitRow& row);
 
 }  // namespace boresight::tables

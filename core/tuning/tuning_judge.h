@@ -8,7 +8,7 @@
 // The figures and the verdict of a finished tuning run. Pure.
 namespace boresight {
 
-// The error says why the run has no result. The caller fills in the gains and the time.
+// The error explains why the run has no result. The caller fills in the gains and the time.
 [[nodiscard]] Result<TuningResult> resultOf(const TuningRunState& run);
 
 }  // namespace boresight

@@ -13,7 +13,7 @@ say() {
     printf '%s: %s\n' "$BORESIGHT_COMMAND" "$*" >&2
 }
 
-# Ends the script with one line that says why.
+# Ends the script with one line: the reason.
 fail() {
     say "$*"
     exit 1
@@ -29,8 +29,8 @@ quietly() {  # FILE COMMAND ARG…
     fi
 }
 
-# What is being done, the how manieth step of how many, and the time so far. A script says first how many there are; one
-# that does not shows its steps without numbers.
+# Prints the step, its number, the number of steps and the time so far. A script that does not call begin_steps prints
+# its steps without numbers.
 steps_done=0 steps_in_all=0
 
 begin_steps() {  # NUMBER

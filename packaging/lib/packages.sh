@@ -25,7 +25,7 @@ readonly sanitizer_packages=(libclang-rt-16-dev llvm-16)
 # What reads the sources beside the compiler: of the same version, as it takes that one's precompiled headers.
 readonly tidy_packages=(clang-tidy-16)
 
-# What the tests run: User-Mode Linux for a real SocketCAN interface and can-utils as the witness there, Hamlib's rotctl
+# What the tests run: User-Mode Linux for a real SocketCAN interface, can-utils as an independent check there, Hamlib's rotctl
 # and rotctld as peers, the fonts of the usual desktops, the formatter, and the checkers of shell scripts, of the manual
 # pages, of the menu entry and of the metadata; a real MQTT broker, with certificates made by openssl.
 readonly test_packages=(
@@ -83,16 +83,16 @@ apt_get() {
 
 need_packages() {  # PACKAGE…
     if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
-        fail "needs Debian or a relative of it (dpkg and apt); elsewhere see README.md, Building by hand"
+        fail "needs Debian or a system based on it (dpkg and apt). On other systems see packaging/README.md, Building by hand"
     fi
     local -a missing
     mapfile -t missing < <(missing_packages "$@")
     [[ ${#missing[@]} -gt 0 ]] || return 0
     [[ $EUID -eq 0 ]] || command -v sudo >/dev/null ||
-        fail "missing packages and neither root nor sudo; run as root: apt-get install ${missing[*]}"
+        fail "packages are missing, and there is no sudo. Run as root: apt-get install ${missing[*]}"
     say "installing ${missing[*]}"
     # An update that fails for one of several archives is no reason to give up: the installation decides.
-    apt_get update >/dev/null || say "apt-get update reported a problem; going on with the lists at hand"
+    apt_get update >/dev/null || say "apt-get update reported a problem. The stored package lists are used"
     mapfile -t missing < <(missing_packages "$@")
     apt_get install -y --no-install-recommends "${missing[@]}" >/dev/null ||
         fail "could not install ${missing[*]} (see the lines above)"

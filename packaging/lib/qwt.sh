@@ -31,7 +31,7 @@ qwt_of_the_distribution() {
     if ! package_is_installed libqwt-qt6-dev && package_is_known libqwt-qt6-dev; then
         need_packages libqwt-qt6-dev
     fi
-    # The library's name is what tells a Qwt for Qt 6 from one for Qt 5.
+    # Only the library's name distinguishes a Qwt for Qt 6 from a Qwt for Qt 5.
     /sbin/ldconfig -p 2>/dev/null | grep -qE 'libqwt6?-qt6\.so'
 }
 
@@ -67,7 +67,7 @@ build_qwt() {  # PREFIX
         tarball=$(find "$work/fetch" -name 'qwt_*.orig.tar.*' -print -quit)
     fi
     [[ $(sha256sum <"$tarball") == "$qwt_sha256  -" ]] ||
-        fail "$tarball is not the tarball of Qwt $qwt_version (sha256 differs)"
+        fail "$tarball is not the tarball of Qwt $qwt_version: its sha256 differs"
     mkdir "$work/source"
     tar -xf "$tarball" --no-same-owner --strip-components=1 -C "$work/source"
     compile_qwt "$work" "$prefix"
@@ -104,7 +104,7 @@ fetch_qwt() {  # FOLDER
         apt_get update >/dev/null || true
         archive=$(debian_archive)
     fi
-    [[ -n $archive ]] || fail "apt knows no Debian archive to get Qwt from; set QWT_TARBALL=FILE (qwt $qwt_version)"
+    [[ -n $archive ]] || fail "apt knows no Debian archive with Qwt. Set QWT_TARBALL=FILE to a tarball of Qwt $qwt_version"
     for suite in sid forky; do
         mkdir -p "$folder/$suite/lists/partial" "$folder/$suite/cache/archives/partial" "$folder/$suite/tarball"
         printf 'deb-src [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg] %s %s main\n' \
@@ -121,5 +121,5 @@ fetch_qwt() {  # FOLDER
             quietly "$folder/$suite/log" apt-get "${private[@]}" source --download-only --tar-only "qwt=$version") &&
             return 0
     done
-    fail "Debian's archive no longer has the source of Qwt $qwt_version; set QWT_TARBALL=FILE (offline tarball)"
+    fail "Debian's archive does not have the source of Qwt $qwt_version. Set QWT_TARBALL=FILE to its tarball"
 }

@@ -1350,14 +1350,6 @@ até %1</translation>
         <translation>o adaptador não confirma os nossos quadros (nenhum OK em %1 ms). Esta porta é um fdcanusb? Se for, desconecte-o e conecte-o de novo</translation>
     </message>
     <message>
-        <source>the adapter is gone: plug it in again</source>
-        <translation>o adaptador desapareceu: conecte-o de novo</translation>
-    </message>
-    <message>
-        <source>the adapter is gone: plug it in again, in any socket. Boresight finds it as %1</source>
-        <translation>o adaptador desapareceu: conecte-o de novo, em qualquer porta. O Boresight encontra-o como %1</translation>
-    </message>
-    <message>
         <source>the kernel&apos;s description of the interface cannot be read</source>
         <translation>não é possível ler a descrição que o kernel dá da interface</translation>
     </message>
@@ -1984,10 +1976,6 @@ até %1</translation>
     <message>
         <source>How long a following error may last.</source>
         <translation>Quanto tempo pode durar um erro de seguimento.</translation>
-    </message>
-    <message>
-        <source>%1: is larger than 4 MB</source>
-        <translation>%1: é maior que 4 MB</translation>
     </message>
     <message>
         <source>an argument is longer than %1 characters</source>
@@ -7709,10 +7697,6 @@ até %1</translation>
         <translation>nenhuma placa confirma as tramas: verifique a alimentação dos acionamentos, o cabo, os 120 ohm nas duas pontas e a taxa de bits</translation>
     </message>
     <message>
-        <source>the interface was removed: plug the adapter in again</source>
-        <translation>a interface foi removida: conecte de novo o adaptador</translation>
-    </message>
-    <message>
         <source>%1: &quot;%2&quot; is not a catalogue number.</source>
         <translation>%1: &quot;%2&quot; não é um número de catálogo.</translation>
     </message>
@@ -7879,10 +7863,6 @@ até %1</translation>
     <message>
         <source>Mode 0 switches the motor off. Without commands the axis is free.</source>
         <translation>O modo 0 desliga o motor. Sem comandos, o eixo fica solto.</translation>
-    </message>
-    <message>
-        <source>The gearbox of the profile locks itself, so the profile asks for brake (15).</source>
-        <translation>O redutor do perfil é irreversível, por isso o perfil pede travar (15).</translation>
     </message>
     <message>
         <source>This mode is not safe for a drive without commands.</source>
@@ -9321,10 +9301,6 @@ até %1</translation>
         <translation>Durante quanto tempo o operador pode mover a montagem com vento forte depois de Mover mesmo assim. Depois ela volta a estacionar.</translation>
     </message>
     <message>
-        <source>the topic is read for the sensor or for positions already</source>
-        <translation>o tópico já é lido para o sensor ou para posições</translation>
-    </message>
-    <message>
         <source>%1 is above wind.stow_above_m_s (%2)</source>
         <translation>%1 está acima de wind.stow_above_m_s (%2)</translation>
     </message>
@@ -10479,6 +10455,50 @@ até %1</translation>
     <message>
         <source>is also the transmit output (transmit.output)</source>
         <translation>é também a saída de transmissão (transmit.output)</translation>
+    </message>
+    <message>
+        <source>the adapter is gone. Plug it in again</source>
+        <translation>o adaptador desapareceu. Ligue-o de novo</translation>
+    </message>
+    <message>
+        <source>the adapter is gone. Plug it in again, in any socket. Boresight finds it as %1</source>
+        <translation>o adaptador desapareceu. Ligue-o de novo, em qualquer tomada. O Boresight encontra-o como %1</translation>
+    </message>
+    <message>
+        <source>the interface was removed. Plug the adapter in again</source>
+        <translation>a interface foi retirada. Ligue o adaptador de novo</translation>
+    </message>
+    <message>
+        <source>The profile has a self-locking gearbox, so it asks for brake (15).</source>
+        <translation>O perfil tem uma caixa redutora autobloqueante, por isso pede travão (15).</translation>
+    </message>
+    <message>
+        <source>%1: The file is larger than 4 MB</source>
+        <translation>%1: O ficheiro tem mais de 4 MB</translation>
+    </message>
+    <message>
+        <source>the sensor or the positions already use this topic</source>
+        <translation>o sensor ou as posições já usam este tópico</translation>
+    </message>
+    <message>
+        <source>ends the tracking, because the clock was set: %1</source>
+        <translation>termina o seguimento, porque o relógio foi acertado: %1</translation>
+    </message>
+    <message>
+        <source>has %1 bytes, with a comma between two settings. rotctld accepts at most %2 bytes. Remove a setting.</source>
+        <translation>tem %1 bytes, com uma vírgula entre duas definições. O rotctld aceita no máximo %2 bytes. Retire uma definição.</translation>
+    </message>
+    <message>
+        <source>The brake output does not work: %1. The brake may be open. Secure the antenna, then empty brake.output on the page Profile.</source>
+        <translation>A saída do travão não funciona: %1. O travão pode estar aberto. Segure a antena e depois esvazie brake.output na página Perfil.</translation>
+    </message>
+    <message>
+        <source>the output before it has not answered for %1 s</source>
+        <translation>a saída anterior não responde há %1 s</translation>
+    </message>
+    <message>
+        <source>uses the port of the transmit output (transmit.output)</source>
+        <translation>usa a porta da saída de transmissão (transmit.output)</translation>
     </message>
 </context>
 <context>
@@ -18014,12 +18034,12 @@ Em comparação com a montagem em uso:
 <context>
     <name>boresight::ui::TableQuestion</name>
     <message>
-        <source>%1 was not read within %2 s. Check whether its folder answers.</source>
-        <translation>%1 não foi lido em %2 s. Verifique se a sua pasta responde.</translation>
-    </message>
-    <message>
         <source>Boresight is reading the file. Wait a moment.</source>
         <translation>O Boresight está a ler o ficheiro. Espere um momento.</translation>
+    </message>
+    <message>
+        <source>%1 was not read within %2 s. Its folder or that of an earlier file may not answer. Track tries to read the file all the same.</source>
+        <translation>%1 não foi lido em %2 s. A sua pasta, ou a de um ficheiro anterior, pode não responder. Seguir tenta ler o ficheiro mesmo assim.</translation>
     </message>
 </context>
 <context>

@@ -218,7 +218,8 @@ TEST_F(CtlSkyTest, PassesReportWhatTheListCannotShow)
     const Outcome none = passes(damaged, "--from 2024-05-10 --days 0.1 --norad 33591");
     EXPECT_EQ(none.status, 1);
     EXPECT_EQ(none.output, "");
-    EXPECT_THAT(none.errors, HasSubstr("there is no usable element set of number 33591. Give a file that has one"));
+    EXPECT_THAT(none.errors,
+                HasSubstr("there is no usable element set of number 33591. With --elements name a file that has one"));
     EXPECT_EQ(passes(elements, "--from 2024-05-10 --days 0.1 --site /nowhere/home.qth").status, 1);
 }
 

@@ -14,7 +14,7 @@
 namespace boresight::fakes {
 
 using PlayExchange = std::function<std::string(const QJsonObject&)>;
-// The table of core/rotctld/HAMLIB.md, "Where we differ": name of the exchange -> number of the difference.
+// The table of core/rotctld/HAMLIB.md, "Differences from Hamlib": name of the exchange -> number of the difference.
 using RotctldDifferences = std::map<std::string, int>;
 
 [[nodiscard]] const std::vector<QJsonObject>& recordedExchanges();

@@ -4,7 +4,7 @@
 # installed_files.sh CHECK BUILD_FOLDER WITH_WINDOW
 #
 # Installs the built programs into an empty folder, as a package would be made, and makes one CHECK of what is there.
-# 0: well; 77: the tool for it is absent; else what is wrong is on standard output.
+# Status 0: passed. 77: the tool for the check is missing. Otherwise the reasons are on standard output.
 
 set -euo pipefail
 

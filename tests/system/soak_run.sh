@@ -3,8 +3,8 @@
 #
 # tests/system/soak_run.sh [HOURS]
 #
-# The soak for HOURS of mount time (24), with the release build; SOAK.md says what is counted and what came out. The log
-# of the station goes to build/release/soak.log.
+# Runs the soak for HOURS of mount time (24) with the release build. SOAK.md explains the counts and has the results. The
+# log of the station is build/release/soak.log.
 
 set -eu
 top=$(cd "$(dirname "$0")/../.." && pwd)

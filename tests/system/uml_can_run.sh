@@ -9,7 +9,7 @@
 #     -n 2      vcan0 … vcan(n-1), CAN-FD, up          -l FILE keeps the kernel's log
 #     -p FILE   a library that is loaded into the kernel before its own
 #
-# Status: the command's own; 77 where UML or CAN in it is not to be had (ctest: skipped), with the reason on stderr;
+# Status: the command's own; 77 where UML or its CAN is missing (ctest: skipped), with the reason on stderr;
 # 124 after the time limit, or if three guests do not boot; 125 if UML died under the command. stdout and stderr stay apart.
 set -u
 

@@ -73,18 +73,22 @@ std::optional<targets::Target> TableQuestion::table() const
 
 QString TableQuestion::whyNot() const
 {
-    if (!isOpen()) {
+    if (!isOpen() || isBlocked()) {
         return {};
-    }
-    if (isBlocked()) {
-        return tr("%1 was not read within %2 s. Check whether its folder answers.")
-            .arg(m_path)
-            .arg(kLongestTableReading.count());
     }
     if (!m_content) {
         return tr("Boresight is reading the file. Wait a moment.");
     }
     return m_content->table ? QString() : m_content->table.error().text;
+}
+
+QString TableQuestion::doubt() const
+{
+    return isBlocked() ? tr("%1 was not read within %2 s. Its folder or that of an earlier file may not answer. "
+                            "Track tries to read the file all the same.")
+                             .arg(m_path)
+                             .arg(kLongestTableReading.count())
+                       : QString();
 }
 
 }  // namespace boresight::ui

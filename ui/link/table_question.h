@@ -29,8 +29,12 @@ public:
     [[nodiscard]] bool isReading() const { return isOpen() && !m_content && !isBlocked(); }
     // Empty: there is none, or the file was not read yet.
     [[nodiscard]] std::optional<targets::Target> table() const;
-    // Empty: the file has a table, or nothing was asked.
+    // No answer comes. An earlier one counts no longer.
+    [[nodiscard]] bool isBlocked() const { return isOpen() && m_waits && isPast(kLongestTableReading); }
+    // Empty: the file has a table, or nothing was asked, or no answer comes.
     [[nodiscard]] QString whyNot() const;
+    // Empty: an answer came, or may still come.
+    [[nodiscard]] QString doubt() const;
 
 Q_SIGNALS:
     void answered();  // the file was read, or has changed
@@ -39,7 +43,6 @@ private:
     void send();
     void take(const SharedTableContent& content);
     [[nodiscard]] bool isPast(std::chrono::milliseconds time) const;
-    [[nodiscard]] bool isBlocked() const { return m_waits && isPast(kLongestTableReading); }
 
     HostDesk& m_host;
     QString m_path;

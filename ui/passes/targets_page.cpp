@@ -108,12 +108,13 @@ void TargetsPage::trackTyped()
 }
 
 // The tooltip of Track has the reason for each target. A table has it beside the field, too, because a mistake in a
-// file is not visible in the text that was typed.
+// file is not visible in the text that was typed. It does not replace what the station refused.
 void TargetsPage::showTyped()
 {
     m_trackTyped->setBlocked(m_typedTarget->whyNot());
     const Sentence table = m_typedTarget->aboutTable();
-    if (std::exchange(m_aboutTable, table.text) != table.text) {
+    const QString before = std::exchange(m_aboutTable, table.text);
+    if (before != table.text && (m_refused->text().isEmpty() || m_refused->text() == before)) {
         m_refused->setValue(table.text, table.tone, table.symbol);
     }
 }

@@ -50,7 +50,7 @@ private:
     QPushButton* m_chooseTable;
     AzelBox* m_azel;
     PositionBox* m_position;
-    QString m_aboutTable;  // as the notice line last showed it
+    QString m_aboutTable;  // as it was last judged; the notice line may show a refusal instead
     UtcTime m_now{};
 };
 

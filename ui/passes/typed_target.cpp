@@ -112,13 +112,16 @@ QString TypedTarget::whyNot() const
 
 Sentence TypedTarget::aboutTable() const
 {
+    if (m_table.isBlocked()) {
+        return {m_table.doubt(), Tone::Warning, Symbol::Warning};
+    }
     const QString why = m_table.isOpen() ? whyNotTarget() : QString();
     return m_table.isReading() ? Sentence{why} : Sentence{why, Tone::Warning, Symbol::Warning};
 }
 
 QString TypedTarget::whyNotTarget() const
 {
-    if (const QString why = m_table.whyNot(); !why.isEmpty() || !m_target) {
+    if (const QString why = m_table.whyNot(); !why.isEmpty() || !m_target || m_table.isBlocked()) {
         return why;
     }
     const Result<> may = targets::hasSite(*m_target, m_profile->site.known)

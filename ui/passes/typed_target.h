@@ -32,7 +32,7 @@ public:
 
     // Why the station would refuse it; empty: as far as the window knows it would not.
     [[nodiscard]] QString whyNot() const;
-    // Why the table of a typed file would not be tracked. Empty: it would, or no file was typed.
+    // Why the table of a typed file would not be tracked, or that it is unknown. Empty: it would, or no file was typed.
     [[nodiscard]] Sentence aboutTable() const;
     [[nodiscard]] const std::optional<Request>& request() const { return m_request; }  // empty: whyNot() says why
 

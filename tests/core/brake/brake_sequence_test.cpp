@@ -38,7 +38,8 @@ protected:
     }
 
     SteadyTime now{std::chrono::seconds(1000)};
-    BrakeTimes times{.switching = Seconds(0.4), .setAfter = Seconds(5.0)};
+    BrakeTimes times{
+        .switching = Seconds(0.4), .setAfter = Seconds(5.0), .urgent = Seconds(0.0), .blind = Seconds(2.0)};
     BrakeInput input;
     BrakeSequence sequence;
     bool answers = true;
@@ -136,7 +137,30 @@ TEST_F(BrakeSequenceTest, HoldsAnAxisThatNothingElseHolds)
     EXPECT_FALSE(sequence.releases());
 }
 
-// REQ-BRAKE-05: If a drive is silent, the brake is set after 2 s without motion of the set-points.
+// REQ-BRAKE-03
+TEST_F(BrakeSequenceTest, AfterStopAnAxisWithStepsIsWatchedForLonger)
+{
+    times.urgent = Seconds(3.0);
+    move();
+    input.moves = false;
+    input.isUrgent = true;
+    run(Seconds(2.9));
+    EXPECT_TRUE(sequence.releases());
+    run(Seconds(0.2));
+    EXPECT_FALSE(sequence.releases());
+}
+
+// REQ-BRAKE-32: A longer time to open, applied during a motion, does not interrupt that motion.
+TEST_F(BrakeSequenceTest, IsOpenOnceItIsOpen)
+{
+    move();
+    times.switching = Seconds(10.0);
+    run(Seconds(0.02));
+    EXPECT_TRUE(sequence.mayMove());
+}
+
+// REQ-BRAKE-05: If a drive is silent, the brake is set when the set-points have stood still for the time in which such
+// a drive stops.
 TEST_F(BrakeSequenceTest, ASilentDriveGetsTimeToStop)
 {
     move();

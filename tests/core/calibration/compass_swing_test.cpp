@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/compass_swing.h"
 
+#include "core/calibration/swing_samples.h"
 #include "tests/core/calibration/mentions.h"
 #include "tests/fakes/swung_mount.h"
 #include "tests/fakes/text_of.h"
@@ -9,7 +10,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <random>
+#include <vector>
 
 namespace boresight::calibration {
 namespace {
@@ -186,7 +190,9 @@ TEST(CompassSwing, ALatencyIsSeenAsHysteresisAndDoesNotMoveNorth)
     EXPECT_NEAR(oneWay.systematic.degrees(), std::hypot(std::hypot(1.0, softIron), std::hypot(0.5, latency)), 1e-9);
 }
 
-// REQ-CALIBRATION-06: A sector in which steel deflects the needle is shown, and left out of the fit.
+// REQ-CALIBRATION-06: A sector in which steel deflects the needle is shown, and left out of the fit. It reaches to the
+// first good readings beyond the steel. Sectors that meet are one. Whether the place is hopeless is judged without the
+// room beyond the steel.
 TEST(CompassSwing, PaintsASectorWhereSteelIs)
 {
     SwungMount mount = hidden();
@@ -232,6 +238,85 @@ TEST(CompassSwing, ASectorMayLieAcrossNorth)
     EXPECT_NEAR(swing.curve.unreliable.front().from.degrees(), 347.4, 10.0);
     EXPECT_NEAR(swing.curve.unreliable.front().to.degrees(), 17.4, 10.0);
     EXPECT_NEAR(swing.curve.unreliable.front().residual.degrees(), -15.0, 1.5);
+}
+
+Angle sumOf(const std::vector<UnreliableSector>& sectors)
+{
+    Angle sum;
+    for (const UnreliableSector& sector : sectors) {
+        sum += sector.width();
+    }
+    return sum;
+}
+
+// Story: the room beyond the edges of steel counted as unreliable, and twice where two arcs met. A mount beside four
+// arcs of 10° got no proposal.
+// REQ-CALIBRATION-06
+TEST(CompassSwing, NoiseDoesNotMakeThePlaceHopeless)
+{
+    for (unsigned seed = 1; seed <= 10; ++seed) {
+        SwungMount mount = hidden();
+        mount.noise = 2.0;
+        std::mt19937_64 random(seed);
+        std::vector<SwingSample> samples = fakes::swing(mount, random).samples;
+        for (SwingSample& sample : samples) {
+            const bool isBesideSteel = std::ranges::any_of(
+                std::array{40_deg, 120_deg, 200_deg, 225_deg},
+                [&](Angle from) { return sample.axisAzimuth >= from && sample.axisAzimuth < from + 10_deg; });
+            sample.heading = SensorHeading::folded(sample.heading.angle() + (isBesideSteel ? 15_deg : 0_deg));
+        }
+        const auto swing = fitCompassSwing(samples);
+        ASSERT_TRUE(swing.has_value()) << seed;
+        EXPECT_TRUE(swing->isUsable()) << seed;
+        EXPECT_LE(sumOf(swing->curve.unreliable), 90_deg) << seed;
+    }
+}
+
+// One reading in each degree, with noise of 2°. Steel from 200° to 280°.
+std::vector<SwingResidual> noisyResiduals(unsigned seed)
+{
+    std::mt19937_64 random(seed);
+    std::normal_distribution<double> noise(0.0, 2.0);
+    std::vector<SwingResidual> residuals;
+    for (double heading = 0.5; heading < 360.0; heading += 1.0) {
+        const double steel = heading > 200.0 && heading < 280.0 ? 15.0 : 0.0;
+        residuals.push_back(
+            {.heading = Angle::fromDegrees(heading), .residual = Angle::fromDegrees(steel + noise(random))});
+    }
+    return residuals;
+}
+
+// REQ-CALIBRATION-06
+TEST(CompassSwing, ASectorEndsAtTheFirstGoodReadings)
+{
+    for (unsigned seed = 1; seed <= 20; ++seed) {
+        const std::vector<SwingResidual> residuals = noisyResiduals(seed);
+        const std::vector<UnreliableSector> steps = unreliableSectors(residuals, 3_deg);
+        EXPECT_NEAR(sumOf(steps).degrees(), 80.0, 1e-9) << seed;
+        const std::vector<UnreliableSector> whole = widened(steps, residuals, 3_deg);
+        ASSERT_EQ(whole.size(), 1U) << seed;
+        EXPECT_GE(whole[0].width(), 79.99_deg) << seed;
+        EXPECT_LE(whole[0].width(), 88_deg) << seed;
+    }
+}
+
+// REQ-CALIBRATION-06
+TEST(CompassSwing, SectorsThatMeetAreOne)
+{
+    const std::vector<UnreliableSector> apart{{.from = 20_deg, .to = 100_deg, .residual = 5_deg},
+                                              {.from = 110_deg, .to = 200_deg, .residual = -9_deg},
+                                              {.from = 350_deg, .to = 10_deg, .residual = 4_deg}};
+    const std::vector<UnreliableSector> one = widened(apart, {}, 3_deg);  // no reading is good
+    ASSERT_EQ(one.size(), 1U);
+    EXPECT_NEAR(one[0].from.degrees(), 340.0, 1e-9);
+    EXPECT_NEAR(one[0].to.degrees(), 210.0, 1e-9);
+    EXPECT_EQ(one[0].residual, -9_deg);
+    const std::vector<UnreliableSector> nearlyAll{{.from = 0_deg, .to = 100_deg}, {.from = 110_deg, .to = 350_deg}};
+    const std::vector<UnreliableSector> circle = widened(nearlyAll, {}, 3_deg);
+    ASSERT_EQ(circle.size(), 1U);
+    EXPECT_EQ(circle[0].width(), 360_deg);
+    const std::vector<UnreliableSector> alone{{.from = 0_deg, .to = 350_deg}};
+    EXPECT_EQ(widened(alone, {}, 3_deg)[0].width(), 360_deg) << "not the arc without its room";
 }
 
 // REQ-CALIBRATION-07: At a place where a compass is of no use, the swing says so with plain reasons.

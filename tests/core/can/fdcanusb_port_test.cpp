@@ -28,7 +28,7 @@ TEST_F(FdcanusbLinkTest, UnpluggedAdapterIsLostAtOnceAndOpensAgain)
 {
     adapter.unplug();
     ASSERT_TRUE(waitUntil([this] { return link.status().state == LinkState::Lost; })) << "without a frame to send";
-    EXPECT_THAT(text(), HasSubstr("the adapter is gone: plug it in again"));
+    EXPECT_THAT(text(), HasSubstr("the adapter is gone. Plug it in again"));
     const auto sent = link.send(std::array{frameTo(0x8001, {0x50})});
     ASSERT_FALSE(sent.has_value());
     EXPECT_EQ(textOf(sent.error()), text());

@@ -177,7 +177,7 @@ TEST(SensorWatch, AnUncalibratedCompassIsNoWitness)
     EXPECT_EQ(rig.watch.evidence().elevation, 20_deg);
 }
 
-// By MQTT hardly any calibration level arrives, so the sensor is no evidence. A difference is reported all the same.
+// MQTT brings few calibration levels, so the sensor is not evidence. A difference is reported all the same.
 TEST(SensorWatch, WithoutACalibrationItWarnsButProvesNothing)
 {
     SensorWatchRig rig(withNorth());

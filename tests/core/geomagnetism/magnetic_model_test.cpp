@@ -176,7 +176,7 @@ TEST(MagneticModel, WarnsFromItsLastHalfYearOn)
     EXPECT_EQ(model.expiry(2029.51).toStdString(),
               "The magnetic model TEST is valid until 2030.00. Get the next model before then.");
     EXPECT_EQ(model.expiry(2030.2).toStdString(),
-              "The magnetic model TEST ended with 2030.00. Its declination is less exact each year. Get the "
+              "The magnetic model TEST was valid until 2030.00. Its declination is less exact each year. Get the "
               "present World Magnetic Model (.COF).");
 }
 

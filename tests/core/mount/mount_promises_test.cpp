@@ -253,7 +253,7 @@ TEST_P(MountPromises, MovesOnlyWhileItsBrakeIsOpen)
     runAs(Seconds(4.0), true);
     EXPECT_TRUE(bench->control().releasesBrake());
     ASSERT_TRUE(bench->ask(request::Stop{}));
-    runAs(Seconds(5.0), true);
+    runAs(Seconds(8.0), true);
     EXPECT_FALSE(bench->control().releasesBrake());
     runAs(Seconds(5.0), false);
 }

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mqtt/newest_messages.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 namespace boresight::mqtt {
 namespace {
+
+using testing::IsSupersetOf;
 
 Message numbered(int number, qsizetype bytes = 4)
 {
@@ -71,9 +73,12 @@ Message command(const QByteArray& payload)
     return {.topic = QStringLiteral("command"), .payload = payload};
 }
 
-bool isHoldOrStop(const Message& message)
+Urgency urgencyOf(const Message& message)
 {
-    return message.payload == "hold" || message.payload == "stop";
+    if (message.payload.endsWith("stop")) {
+        return Urgency::Stop;
+    }
+    return message.payload.trimmed() == "hold" ? Urgency::Hold : Urgency::None;
 }
 
 // Story: a hold that arrived on the command topic before a flood of targets was displaced by them, and never obeyed.
@@ -81,7 +86,7 @@ bool isHoldOrStop(const Message& message)
 TEST(NewestMessages, AnUrgentMessageIsNotDisplacedByItsOwnTopic)
 {
     NewestMessages messages;
-    messages.keepUrgent(isHoldOrStop);
+    messages.keepUrgent(urgencyOf);
     messages.add(command("1 1"));
     messages.add(command("hold"));
     for (int i = 0; i < 1000; ++i) {
@@ -100,8 +105,57 @@ TEST(NewestMessages, AnUrgentMessageIsNotDisplacedByItsOwnTopic)
     messages.add(command("30 20"));
     kept = messages.take();
     EXPECT_EQ(kept.size(), NewestMessages::kMost);
-    EXPECT_EQ(kept.front(), command("hold")) << "the first one";
-    EXPECT_EQ(kept.back(), command("stop")) << "a hold that repeats another one goes first";
+    EXPECT_EQ(kept.back(), command("30 20"));
+    EXPECT_EQ(kept[kept.size() - 2], command("stop"));
+    EXPECT_EQ(kept[kept.size() - 3], command("hold")) << "the newest one";
+}
+
+Message atStop(qsizetype bytes)
+{
+    return {.topic = QStringLiteral("stop"), .payload = QByteArray(bytes, 'x') + " stop"};
+}
+
+// Story: a STOP was dropped because 32 holds waited that differed only in their blanks. No two were alike, and the STOP
+// was the newest message.
+// REQ-MQTTCOMMANDS-07
+TEST(NewestMessages, NoFloodOfHoldsDisplacesAStop)
+{
+    NewestMessages messages;
+    messages.keepUrgent(urgencyOf);
+    for (int i = 0; i < 100; ++i) {
+        messages.add(command("hold" + QByteArray(i, ' ')));
+    }
+    messages.add(command("stop"));
+    messages.add(atStop(1));
+    EXPECT_THAT(messages.take(), IsSupersetOf({command("stop"), atStop(1)}));
+
+    messages.add(command("stop"));
+    messages.add(atStop(1));
+    for (int i = 0; i < 100; ++i) {
+        messages.add(command("hold" + QByteArray(i, ' ')));
+        messages.add({.topic = QStringLiteral("sensor") + QString::number(i), .payload = "1"});
+    }
+    EXPECT_THAT(messages.take(), IsSupersetOf({command("stop"), atStop(1), command("hold" + QByteArray(99, ' '))}));
+}
+
+// Story: a STOP of 64 kB was dropped, because a hold waited.
+// REQ-MQTTCOMMANDS-07
+TEST(NewestMessages, ALargeStopStays)
+{
+    constexpr qsizetype kMostText = kLargestMessage - 5;
+    NewestMessages messages;
+    messages.keepUrgent(urgencyOf);
+    messages.add(command("hold"));
+    messages.add(atStop(kMostText));
+    EXPECT_EQ(messages.take(), std::vector{atStop(kMostText)});
+
+    messages.add(atStop(kMostText));
+    messages.add(command("hold"));
+    EXPECT_EQ(messages.take(), std::vector{atStop(kMostText)});
+
+    messages.add(atStop(kMostText));
+    messages.add(command("stop"));
+    EXPECT_EQ(messages.take(), std::vector{command("stop")}) << "one STOP is enough";
 }
 
 // The messages of a sensor pass a flood of holds.
@@ -109,7 +163,7 @@ TEST(NewestMessages, AnUrgentMessageIsNotDisplacedByItsOwnTopic)
 TEST(NewestMessages, UrgentMessagesLeaveOtherTopicsTheirPlace)
 {
     NewestMessages messages;
-    messages.keepUrgent(isHoldOrStop);
+    messages.keepUrgent(urgencyOf);
     const Message wind{.topic = QStringLiteral("wind"), .payload = "3.5"};
     messages.add(wind);
     for (int i = 0; i < 1000; ++i) {

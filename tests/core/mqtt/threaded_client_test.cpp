@@ -228,7 +228,7 @@ TEST_F(MqttThreaded, OfAFloodTheNewestAreReportedInOneReport)
     ClientWorker worker(clock);
     std::vector<ClientReport> reports;
     QObject::connect(&worker, &ClientWorker::reported, [&](const ClientReport& report) { reports.push_back(report); });
-    worker.keepUrgent([](const Message& message) { return message.payload == "7"; });
+    worker.keepUrgent([](const Message& message) { return message.payload == "7" ? Urgency::Stop : Urgency::None; });
     worker.client().subscribe(kThreadedClientTopic);
     worker.open(1, onLoopback(broker->port()), std::nullopt);
     Rig other;

@@ -166,7 +166,8 @@ TEST_F(CommandTalkTest, MovesNothingRightAfterAShortSleep)
 }
 
 // Story: a program that was stopped (SIGSTOP) for an hour obeyed the commands that waited in its socket. The message
-// may be read before the next tick, or after it. REQ-MQTTCOMMANDS-04
+// may be read before the next tick, or after it.
+// REQ-MQTTCOMMANDS-04
 TEST_F(CommandTalkTest, MovesNothingRightAfterTheProgramWasStopped)
 {
     for (const bool ticksFirst : {false, true}) {
@@ -266,13 +267,16 @@ TEST_F(CommandTalkTest, ObeysAHoldInAFlood)
 TEST_F(CommandTalkTest, KnowsWhatIsUrgent)
 {
     for (const QByteArray& message :
-         {QByteArray("stop"), QByteArray(" HOLD\r\n"), QByteArray("10 20\nstop"), QByteArray(300, 'x') + " stop"}) {
-        EXPECT_TRUE(CommandTalk::isUrgent(message)) << message.toStdString();
+         {QByteArray("stop"), QByteArray("10 20\nstop"), QByteArray(300, 'x') + " stop", QByteArray("hold stop")}) {
+        EXPECT_EQ(CommandTalk::urgencyOf(message), Urgency::Stop) << message.toStdString();
+    }
+    for (const QByteArray& message : {QByteArray("hold"), QByteArray(" HOLD\r\n"), "hold" + QByteArray(300, ' ')}) {
+        EXPECT_EQ(CommandTalk::urgencyOf(message), Urgency::Hold) << message.toStdString();
     }
     for (const QByteArray& message :
          {QByteArray(), QByteArray("10 20"), QByteArray("hold on"), QByteArray("?"), QByteArray("park"),
           QByteArray("nonstop"), QByteArray(300, ' ') + QByteArray("?")}) {
-        EXPECT_FALSE(CommandTalk::isUrgent(message)) << message.toStdString();
+        EXPECT_EQ(CommandTalk::urgencyOf(message), Urgency::None) << message.toStdString();
     }
 }
 

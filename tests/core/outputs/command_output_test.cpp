@@ -141,6 +141,22 @@ TEST_F(CommandOutputTest, OffRunsAgainWhenOnEndedWithinIt)
     EXPECT_TRUE(output->isIdle());
 }
 
+// Story: "on" was wanted again while "on" and "off" still ran. The end of that "on" counted, although "off" took effect
+// after it.
+// REQ-TRANSMIT-17
+TEST_F(CommandOutputTest, OnRunsAgainWhenOffRanBesideIt)
+{
+    ASSERT_NO_FATAL_FAILURE(switchOffDuringOn(
+        QStringLiteral("echo $2 >>\"$0/journal\"; while [ ! -e \"$0/go-$2\" ]; do sleep 0.05; done")));
+    output->set(true);
+    letGo("on");
+    ASSERT_TRUE(fakes::waitUntil([this] { return !output->isIdle(); }));
+    letGo("off");
+    ASSERT_TRUE(tells(1));
+    EXPECT_EQ(journal(), "on\noff\non\n");
+    EXPECT_THAT(told, ElementsAre("on"));
+}
+
 // REQ-TRANSMIT-17
 TEST_F(CommandOutputTest, TheLastWordIsOffAlsoWhereOnEndedWithinIt)
 {

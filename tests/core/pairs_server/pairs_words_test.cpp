@@ -93,6 +93,13 @@ TEST(PairsWords, TheRestIsStopParkAndAQuestion)
     EXPECT_TRUE(parsed<Stop>("STOP"));
     EXPECT_TRUE(parsed<Park>("park"));
     EXPECT_TRUE(parsed<Report>("?"));
+    for (const char* const line : {"hold", " HOLD\t"}) {
+        EXPECT_TRUE(isHold(line)) << line;
+        EXPECT_TRUE(parsed<Stop>(line)) << line;
+    }
+    for (const char* const line : {"", "stop", "hold on", "holds", "10 hold"}) {
+        EXPECT_FALSE(isHold(line)) << line;
+    }
 }
 
 // REQ-PAIRSSERVER-02 (PairsWords.Nothing*, PairsThat.*): Text that is incomplete, invalid, too long or of another

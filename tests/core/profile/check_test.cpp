@@ -121,13 +121,15 @@ TEST(CrossCheck, AWatchedBoardHasAnIdOfItsOwn)
 
 // REQ-PROFILE-963: A setting of Hamlib is NAME=VALUE, without blanks and commas, and each name is there once. The port
 // and its speed have keys of their own and are refused here, with the reason. A limit must be a number, because rotctld
-// uses 0 for a word.
+// uses 0 for a word. Numbers in place of names are refused, too. All settings together have at most 1000 bytes, with a
+// comma between two, because rotctld accepts no more.
 TEST(CrossCheck, ASettingOfHamlibHasANameAndAValue)
 {
     Profile profile;
     const Setting& setting = *findSetting("bus.hamlib_settings");
-    for (const char* const bad : {"", "min_az", "min_az=", "=5", "min az=5", "MIN_AZ=5", "stop_bits=2,retry=1",
-                                  "stop_bits=2 ", "a=b=c", "timeout=1\n", "-C=1", "min_az=abc", "max_el=9O"}) {
+    for (const char* const bad :
+         {"", "min_az", "min_az=", "=5", "min az=5", "MIN_AZ=5", "stop_bits=2,retry=1", "stop_bits=2 ", "a=b=c",
+          "timeout=1\n", "-C=1", "min_az=abc", "max_el=9O", "1073741834=/tmp/xyz", "_az=5"}) {
         EXPECT_FALSE(setting.set(profile, TextList{bad})) << bad;
     }
     EXPECT_FALSE(setting.set(profile, TextList{"timeout=" + std::string(100, '1')}));
@@ -141,6 +143,25 @@ TEST(CrossCheck, ASettingOfHamlibHasANameAndAValue)
     EXPECT_TRUE(crossCheck(profile).empty());
     ASSERT_TRUE(setting.set(profile, TextList{"min_az=-90", "stop_bits=2", "min_az=0"}));
     EXPECT_EQ(keysOf(crossCheck(profile)), std::vector<std::string>{"bus.hamlib_settings"});
+}
+
+// Story: rotctld ended at once, and no alarm gave the reason.
+// REQ-PROFILE-963
+TEST(CrossCheck, TheSettingsOfHamlibTogetherFitIntoRotctld)
+{
+    Profile profile;
+    const Setting& setting = *findSetting("bus.hamlib_settings");
+    TextList list;
+    for (int i = 0; i < 10; ++i) {
+        list.push_back("name_" + std::to_string(i) + "=" + std::string(93, '1'));
+    }
+    list.back().resize(list.back().size() - 9);  // 9 commas
+    ASSERT_TRUE(setting.set(profile, list));
+    EXPECT_TRUE(crossCheck(profile).empty()) << "1000 bytes";
+    list.back() += '1';
+    ASSERT_TRUE(setting.set(profile, list));
+    ASSERT_EQ(keysOf(crossCheck(profile)), std::vector<std::string>{"bus.hamlib_settings"});
+    EXPECT_TRUE(crossCheck(profile).front().text.contains(QStringLiteral("has 1001 bytes")));
 }
 
 // REQ-PROFILE-04
@@ -422,6 +443,8 @@ TEST(CrossCheck, TheBrakeHasAnOutputOfItsOwn)
     profile.transmit.output = "rts:/dev/ttyUSB0";
     profile.brake.output = "rts:/dev/ttyUSB0";
     EXPECT_EQ(keysOf(crossCheck(profile)), std::vector<std::string>{"brake.output"});
+    profile.brake.output = "dtr:/dev/ttyUSB0";
+    EXPECT_EQ(keysOf(crossCheck(profile)), std::vector<std::string>{"brake.output"}) << "one program has the port";
     profile.brake.output = "dtr:/dev/ttyUSB1";
     EXPECT_TRUE(crossCheck(profile).empty());
     profile.mqtt.commands = BrokerCommands::Stop;

@@ -5,6 +5,7 @@
 #include "tests/fakes/manual_clock.h"
 #include "tests/fakes/played_output.h"
 
+#include <QCoreApplication>
 #include <QFile>
 #include <QTemporaryDir>
 
@@ -18,6 +19,7 @@
 namespace boresight {
 namespace {
 
+using testing::Contains;
 using testing::Each;
 
 // A whole station with the simulated mount and a brake.
@@ -133,6 +135,22 @@ TEST_F(BrakeSwitchingTest, AFailureIsAnAlarm)
     EXPECT_TRUE(std::ranges::any_of(status.alarms, isOfTheBrake));
 }
 
+// REQ-BRAKE-33: An output that has failed is not switched on again while the antenna stops.
+TEST_F(BrakeSwitchingTest, AFailureIsNotFollowedByOn)
+{
+    play();
+    open();
+    goTo(170_deg);
+    run(6.0);
+    output->trouble = QStringLiteral("unplugged");
+    run(1.2);
+    ASSERT_EQ(station->status().state, StationState::Fault);
+    calls.clear();
+    run(10.0);
+    EXPECT_FALSE(calls.empty());
+    EXPECT_THAT(calls, Each("off"));
+}
+
 // REQ-BRAKE-24: Another output takes the place of the first one, which is off before.
 TEST_F(BrakeSwitchingTest, AnotherOutputBeginsOff)
 {
@@ -146,6 +164,35 @@ TEST_F(BrakeSwitchingTest, AnotherOutputBeginsOff)
     goTo(20_deg);
     run(0.5);
     EXPECT_NE(rate(), AngularRate{}) << "there is no brake to wait for";
+}
+
+// REQ-BRAKE-24
+TEST_F(BrakeSwitchingTest, AnotherOutputWaitsForTheOneBefore)
+{
+    play();
+    open();
+    fakes::PlayedOutput* const before = output;
+    before->answers = false;
+    before->idle = false;
+    profile::Profile next = *station->status().profile;
+    next.brake.output += "2";
+    ask(request::ApplyProfile{next});
+    run(1.0);
+    EXPECT_EQ(output, before);
+    run(5.0);
+    EXPECT_EQ(station->status().brake.problem, QStringLiteral("the output before it has not answered for 5 s"));
+    goTo(20_deg);
+    run(1.0);
+    EXPECT_EQ(rate(), AngularRate{});
+    before->idle = true;
+    Q_EMIT before->reached(false);
+    QCoreApplication::processEvents();
+    run(1.0);
+    EXPECT_THAT(calls, Contains("gone")) << "the one before";
+    EXPECT_TRUE(station->status().brake.problem.isEmpty());
+    goTo(20_deg);
+    run(2.0);
+    EXPECT_NE(rate(), AngularRate{});
 }
 
 // REQ-BRAKE-25: With a simulated mount the real brake is never released.

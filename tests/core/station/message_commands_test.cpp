@@ -312,9 +312,11 @@ TEST_F(MessageCommandsTest, HomeAssistantForgetsWhenTheBrokerIsBack)
     build(profile);
     profile.mqtt.prefix = "roof/";
     apply(profile);
+    // The next attempt needs the clock, so `home` reads before the station connects.
+    ASSERT_TRUE(fakes::waitUntil([this] { return !station->status().broker.problem.isEmpty(); }));
     ASSERT_TRUE(away.start());
     HomeRig home(away.port());
-    ASSERT_TRUE(home.connected());
+    ASSERT_TRUE(fakes::waitUntil([&] { return away.count("homeassistant/# (QoS 0)") == 1; }));
     ASSERT_TRUE(fakes::waitUntil([this] {
         run(50);
         return station->status().broker.connected;

@@ -105,7 +105,7 @@ TEST_F(CanUpTest, TakesTheLargestJumpWidthThatIsNotRefused)
     put("largest_dsjw", "3");
     const auto [status, words] = canUp();
     EXPECT_EQ(status, 0) << words;
-    EXPECT_THAT(words, HasSubstr("refuses the jump widths 10 and 5; it took 10 and 3"));
+    EXPECT_THAT(words, HasSubstr("refuses the jump widths 10 and 5. It accepted 10 and 3"));
     EXPECT_THAT(asked().last().toStdString(), HasSubstr(" sjw 10 dsjw 3 sample-point 0.666 "));
 }
 
@@ -150,10 +150,10 @@ TEST_F(CanUpTest, AdapterThatRefusesEverythingIsToldWithTheKernelsWords)
 TEST_F(CanUpTest, NeedsRootAndAnInterface)
 {
     put("denied", "");
-    EXPECT_THAT(canUp().second, HasSubstr("run this as root (sudo packaging/can-up can0)"));
+    EXPECT_THAT(canUp().second, HasSubstr("Run as root: sudo packaging/can-up can0"));
     const auto [status, words] = canUp(QStringLiteral("can7"));
     EXPECT_EQ(status, 1);
-    EXPECT_THAT(words, HasSubstr("there is no interface can7: is the adapter plugged in"));
+    EXPECT_THAT(words, HasSubstr("there is no interface can7. Is the adapter plugged in"));
 }
 
 }  // namespace

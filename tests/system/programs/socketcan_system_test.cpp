@@ -173,7 +173,7 @@ TEST_F(SocketCanOutage, InterfaceDownInMotionStopsTheMountUntilReArmed)
 TEST_F(SocketCanOutage, InterfaceRemovedInMotionStopsTheMountUntilItIsBackAndReArmed)
 {
     expectStop("interface removed", "ip link del vcan0",
-               "socketcan:vcan0: the interface was removed: plug the adapter in again");
+               "socketcan:vcan0: the interface was removed. Plug the adapter in again");
     expectRestUntilReArmed(std::string("ip link add vcan0 type vcan && ip link set vcan0 mtu 72 up && ") + kPlugIn);
 }
 

@@ -213,7 +213,7 @@ TEST_F(NorthPagesTest, TheDeclinationIsToldWithItsModelAndWhatIsWrongWithIt)
     status.sensor.declinationDoubt =
         QStringLiteral("The magnetic model WMM-2025 is valid until 2030.00. Get the next model before then.");
     show(CalibrationStep::Sensor, status);
-    EXPECT_TRUE(line.text().contains(QStringLiteral("ends with 2030")));
+    EXPECT_TRUE(line.text().contains(QStringLiteral("valid until 2030")));
     EXPECT_EQ(Tone::Warning, line.tone());
 }
 

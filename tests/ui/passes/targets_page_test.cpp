@@ -307,7 +307,7 @@ TEST_F(TableOfAFileTest, IsChosenThenTracked)
 // Story: a table that was over, or had a mistake, was refused only after Track was pressed.
 // REQ-TARGETS-964: Track is offered for the table of a file only while the station would track it. The file is read
 // beside the window. The reason is beside the field: the file and the line of a mistake, a path that is over or far
-// off, a site that is missing.
+// off, a site that is missing. It does not replace what the station refused.
 TEST_F(TableOfAFileTest, IsOfferedOnlyIfTheStationTracksIt)
 {
     type();
@@ -344,6 +344,48 @@ TEST_F(TableOfAFileTest, IsOfferedOnlyIfTheStationTracksIt)
     status.permissions.refuse(Action::Track, QStringLiteral("STOP is latched."));
     show(status);
     EXPECT_EQ(whyNot(), "STOP is latched.");
+}
+
+// Story: each change of the file erased what the station had refused.
+// REQ-TARGETS-964
+TEST_F(TableOfAFileTest, ItsReasonKeepsTheRefusalOfAnotherTarget)
+{
+    type();
+    answer(failure(ErrorCode::InvalidInput, QStringLiteral("/tmp/way.csv:2: The elevation is 200°.")));
+    QTest::mouseClick(named<CommandButton>("Track selected"), Qt::LeftButton);
+    ASSERT_EQ(asked<request::Track>().size(), 1U);
+    StationUpdate refused = samples::update(status);
+    refused.answers.push_back({.requestId = requests.back().id,
+                               .error = Error{ErrorCode::Refused, QStringLiteral("It is behind the mast.")}});
+    give(refused);
+    const QString refusal = QStringLiteral("Track selected: It is behind the mast.");
+    ASSERT_TRUE(isTold(refusal));
+    answer(failure(ErrorCode::InvalidInput, QStringLiteral("/tmp/way.csv:3: The elevation is 300°.")));
+    EXPECT_TRUE(isTold(refusal));
+    answer(rows(std::chrono::minutes(0), std::chrono::minutes(3)));
+    EXPECT_TRUE(isTold(refusal));
+}
+
+// REQ-TARGETS-967
+TEST_F(TableOfAFileTest, TheStationDecidesWhenItIsNotRead)
+{
+    type();
+    elapseShown(kLongestTableReading);
+    EXPECT_TRUE(isTold(QStringLiteral("/tmp/way.csv was not read within 30 s.")));
+    QTest::mouseClick(&track(), Qt::LeftButton);
+    EXPECT_EQ(asked<request::TrackFile>().size(), 1U);
+}
+
+// Also where an earlier answer would not have been tracked.
+// REQ-TARGETS-967
+TEST_F(TableOfAFileTest, AnEarlierTableDoesNotCountWhenItIsNotReadAgain)
+{
+    type();
+    answer(rows(std::chrono::minutes(-9), std::chrono::minutes(-1)));
+    elapseShown(std::chrono::seconds(2));
+    EXPECT_NE(whyNot(), "");
+    elapseShown(kLongestTableReading);
+    EXPECT_EQ(whyNot(), "");
 }
 
 // REQ-TARGETS-964

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/station/clock_guard.h"
+#include "core/computer_clock/clock_guard.h"
 
 #include "core/alarms/catalogue.h"
 #include "core/base/text.h"

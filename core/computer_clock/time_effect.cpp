@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/control/time_effect.h"
+#include "core/computer_clock/time_effect.h"
 
 #include "core/base/text.h"
 #include "core/units/angle_between.h"

@@ -6,7 +6,7 @@
 #include "core/base/kept_clock.h"
 #include "core/base/result.h"
 #include "core/base/sleep_watch.h"
-#include "core/control/time_effect.h"
+#include "core/computer_clock/time_effect.h"
 #include "core/messages/station_status.h"
 
 #include <functional>
