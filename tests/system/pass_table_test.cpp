@@ -288,7 +288,7 @@ std::vector<PassRow> passRows()
         {.name = "ESP32, each step",
          .beam = 10_deg,
          .make = esp32Box,
-         .allowed = {.rms = 2.0, .peak = 4.0, .inBeam = 99.9, .starts = 60.0, .commands = 10.0}},
+         .allowed = {.rms = 2.3, .peak = 4.0, .inBeam = 99.9, .starts = 16.0, .commands = 5.5}},
         {.name = "rotctld, each step",
          .beam = 2_deg,
          .make = rotctldBox(rotctl::rotctldProfile()),

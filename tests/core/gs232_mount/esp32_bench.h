@@ -15,7 +15,8 @@ inline profile::Profile esp32Profile(profile::AxisDriver azimuth = profile::Axis
                                      profile::AxisDriver elevation = profile::AxisDriver::Gs232)
 {
     profile::Profile profile = slowProfile(azimuth, elevation);
-    profile.azimuth.geometry.travel = {.min = 5_deg, .max = 355_deg};
+    profile.azimuth.geometry.travel = {.min = 0_deg, .max = 350_deg};
+    profile.limits.azimuth = profile.azimuth.geometry.travel;
     for (profile::AxisSettings* const axis : {&profile.azimuth, &profile.elevation}) {
         axis->limits.speed = AngularRate::fromDegrees(2.8);
         axis->limits.acceleration = 3_deg_s2;

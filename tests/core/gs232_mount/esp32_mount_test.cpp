@@ -116,7 +116,7 @@ TEST(Esp32Mount, ATravelWithoutAGapIsRefused)
     EXPECT_TRUE(refused.error().text.contains(QStringLiteral("azimuth.travel_min_deg")));
     EXPECT_FALSE(wide.ordered());
 
-    profile.azimuth.geometry.travel = {.min = -175_deg, .max = 175_deg};
+    profile.azimuth.geometry.travel = profile.limits.azimuth = {.min = -175_deg, .max = 175_deg};
     Esp32Bench folded(profile);
     folded.run(Seconds(1.0));
     ASSERT_TRUE(folded.goTo(-40.0, 45.0));
