@@ -15,6 +15,9 @@ inline constexpr std::string_view kSwitchReports = "DEBUG\r";  // on, or off if 
 // Switches both relays off. The box keeps its targets, and switches the relays on again within half a second.
 inline constexpr std::string_view kRelaysOff = "SA\rSE\r";
 
+// A typed line that moves the rotator: a target, HOME or DANCE.
+[[nodiscard]] bool movesWhenTyped(std::string_view line);
+
 // "AZ 123.4": the target of one axis.
 [[nodiscard]] std::string goTo(Axis axis, Angle angle);
 

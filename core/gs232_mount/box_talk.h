@@ -53,6 +53,10 @@ public:
     void stop() override;
     [[nodiscard]] std::string send(SteadyTime now) override;
 
+    [[nodiscard]] Result<> mayType(std::string_view line) const override;
+    [[nodiscard]] std::string type(std::string_view line, SteadyTime::duration pause, SteadyTime now) override;
+    [[nodiscard]] bool takesLines() const override { return true; }
+
     [[nodiscard]] Proof proof() const override { return m_proof; }
     [[nodiscard]] Dialect dialect() const { return m_dialect; }
     [[nodiscard]] bool echoes() const { return m_echoes; }    // our commands came back since the last answer
@@ -67,6 +71,7 @@ private:
     void takeLine(std::string_view line, SteadyTime now);
     void takeStrange(std::string_view bytes, SteadyTime now);
     void judge(SteadyTime now);
+    [[nodiscard]] bool mustWait(SteadyTime now) const;
     [[nodiscard]] bool isWhole(const Position& position) const;
     [[nodiscard]] SteadyTime::duration timeOf(std::size_t bytes) const;  // time of so many bytes on the line
     [[nodiscard]] std::string say(std::string command, SteadyTime now);

@@ -3,6 +3,7 @@
 
 #include "core/gs232/esp32_command.h"
 #include "core/gs232_mount/strange_text.h"
+#include "core/gs232_mount/typed_motion.h"
 
 #include <algorithm>
 #include <utility>
@@ -110,10 +111,36 @@ std::string Esp32Talk::say(std::string bytes, SteadyTime now, int answers)
     return bytes;
 }
 
+Result<> Esp32Talk::mayType(std::string_view line) const
+{
+    return esp32::movesWhenTyped(line) ? refusalOfMotion() : RotatorTalk::mayType(line);
+}
+
+// The line may change what the box measures. So the known position is no place to stay any more.
+std::string Esp32Talk::type(std::string_view line, SteadyTime::duration pause, SteadyTime now)
+{
+    if (m_stop || mustWait(now)) {
+        return {};
+    }
+    m_targets = {};
+    m_untilPin = 0;
+    m_known.reset();
+    m_places.reset();
+    m_times.free = now + pause;
+    return say(std::string(line) + '\r', now, 0);
+}
+
+// An answer is awaited, or the pause after a typed line has not ended.
+bool Esp32Talk::mustWait(SteadyTime now) const
+{
+    return now < m_times.free || (m_times.open > 0 && now - m_times.said < kAnswerTime);
+}
+
 // One piece, because it may be the last one before the line is closed.
 std::string Esp32Talk::stopAt(SteadyTime now)
 {
     m_untilPin = kReadings;
+    m_times.free = now;
     std::string bytes(esp32::kRelaysOff);
     if (!m_known) {
         return say(std::move(bytes), now, 2);
@@ -163,7 +190,7 @@ std::string Esp32Talk::send(SteadyTime now)
     if (m_proof == Proof::Box && std::exchange(m_stop, false)) {  // otherwise it waits for the proof
         return stopAt(now);
     }
-    if (m_times.open > 0 && now - m_times.said < kAnswerTime) {
+    if (mustWait(now)) {
         return {};
     }
     if (m_proof != Proof::Box) {

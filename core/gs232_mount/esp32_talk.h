@@ -45,6 +45,10 @@ public:
     void stop() override;
     [[nodiscard]] std::string send(SteadyTime now) override;
 
+    [[nodiscard]] Result<> mayType(std::string_view line) const override;
+    [[nodiscard]] std::string type(std::string_view line, SteadyTime::duration pause, SteadyTime now) override;
+    [[nodiscard]] bool takesLines() const override { return true; }
+
     [[nodiscard]] Proof proof() const override { return m_proof; }
     [[nodiscard]] const Counts& counts() const override { return m_counts; }
     [[nodiscard]] const std::string& strange() const override { return m_strange.text; }
@@ -57,6 +61,7 @@ private:
     void takeStrange(std::string_view line);
     void answered();
     [[nodiscard]] std::string say(std::string bytes, SteadyTime now, int answers = 1);
+    [[nodiscard]] bool mustWait(SteadyTime now) const;
     [[nodiscard]] std::string stopAt(SteadyTime now);
     [[nodiscard]] std::string nextTarget(SteadyTime now);
     [[nodiscard]] std::string ask(std::string_view question, std::chrono::milliseconds pause, SteadyTime now);
@@ -87,6 +92,7 @@ private:
     {
         int open = 0;  // answers that are still to come
         SteadyTime said{};
+        SteadyTime free{};  // end of the pause after a typed line
         std::optional<SteadyTime> asked;
         std::optional<SteadyTime> switched;  // when its reports were last switched
     } m_times;

@@ -220,6 +220,28 @@ TEST(Gs232Connection, ReportsTheCalibrationOfAnEsp32)
     EXPECT_TRUE(status.line.condition.contains(QStringLiteral("gyroscope 2"))) << status.line.condition.toStdString();
 }
 
+// REQ-GS232-96: The status has the typed lines with their answers, and the log has both.
+TEST(Gs232Connection, ShowsAndLogsTheAnswerToATypedLine)
+{
+    Rig rig;
+    rig.connection->open();
+    rig.run(Seconds(0.1));
+    rig.wire->say("+0010+0020\r\n");
+    rig.run(Seconds(0.1));
+    EXPECT_FALSE(rig.connection->admits(request::TypeLine{"M100"}));
+    ASSERT_TRUE(rig.connection->admits(request::TypeLine{"H"}));
+    ASSERT_TRUE(rig.connection->carryOut(request::TypeLine{"H"}));
+    rig.wire->written.clear();
+    rig.run(Seconds(0.3));
+    EXPECT_TRUE(rig.wire->written.endsWith("H\r")) << rig.wire->written.toStdString();
+    rig.wire->say("help\r\n");
+    rig.run(Seconds(1.0));
+    StationStatus status;
+    rig.connection->describe(status);
+    EXPECT_EQ(status.console, QStringList({QStringLiteral("> H"), QStringLiteral("help")}));
+    EXPECT_TRUE(rig.log.since(0, 1).back().text.contains(QStringLiteral("help")));
+}
+
 // REQ-GS232-61: The status, the diagnostics and the window show how often each motor was started, and the coast.
 TEST(Gs232Connection, ReportsTheMotorStartsOfItsAxes)
 {

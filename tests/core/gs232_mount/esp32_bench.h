@@ -44,6 +44,7 @@ public:
         m_clock.advance(kOneTick);
         const std::string answers = m_box.answers(m_clock.now());
         if (m_connected) {
+            m_mount.console().take(answers);
             m_mount.take(answers, m_clock.now());
         }
         m_control.tick();
