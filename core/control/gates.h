@@ -56,6 +56,7 @@ public:
     [[nodiscard]] Result<> maySet(Axis axis) const;
 
     [[nodiscard]] Result<> drivesRest() const;  // required for work on the drives themselves
+    [[nodiscard]] Result<> axesStand() const;   // as measured
     [[nodiscard]] Result<> mayReadDrives() const;
     [[nodiscard]] Result<> mayFixDrives() const;
     [[nodiscard]] Result<> mayChangeBoards() const;  // an id or a gear ratio; some drives may be silent
@@ -90,7 +91,6 @@ private:
     [[nodiscard]] Result<> mayMoveInWind(const Source& source) const;
     [[nodiscard]] Result<> isPlaced(Axis axis) const;
     [[nodiscard]] Result<> drivesAnswer() const;
-    [[nodiscard]] Result<> axesStand() const;  // as measured
     [[nodiscard]] Result<> mayJogSlowly(const AxisRates& rates) const;
     [[nodiscard]] Result<> insideTravel() const;
 

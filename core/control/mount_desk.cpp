@@ -2,6 +2,7 @@
 #include "core/control/mount_desk.h"
 
 #include "core/base/text.h"
+#include "core/control/typed_line_gate.h"
 
 namespace boresight {
 
@@ -54,6 +55,17 @@ Result<> MountDesk::ask(const request::TakeBus&, const Source& by)
         .map([&] {
             m_log.add(Severity::Advisory, by.name, Text::tr("takes the bus back, and reads the drives again"));
         });
+}
+
+// The next target of a client would move the mount before its box was seen standing still. So the operator takes the
+// control.
+Result<> MountDesk::ask(const request::TypeLine& wanted, const Source& by)
+{
+    return operatorOnly(by).and_then([this] { return mayTypeLine(m_helm.view()); }).map([&] {
+        m_helm.takeOver(by);
+        m_helm.hold(Activity::None);
+        m_log.add(Severity::Warning, by.name, Text::tr("types to the control box: %1").arg(toQString(wanted.line)));
+    });
 }
 
 Result<> MountDesk::ask(const request::ChooseTurn& wanted, const Source& by)

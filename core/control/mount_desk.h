@@ -25,6 +25,7 @@ public:
     Result<> ask(const request::SwitchOff& wanted, const Source& by);
     Result<> ask(const request::ReleaseBus& wanted, const Source& by);
     Result<> ask(const request::TakeBus& wanted, const Source& by);
+    Result<> ask(const request::TypeLine& wanted, const Source& by);
     Result<> ask(const request::ChooseTurn& wanted, const Source& by);
     Result<> ask(const request::ProveCrashStop& wanted, const Source& by);
     Result<> ask(const request::EndProof& wanted, const Source& by);

@@ -178,6 +178,9 @@ QString stationText(const StationStatus& status)
                       QStringLiteral("rotctld: listens on %1").arg(orUnknown(status.listening)),
                       axisLine("azimuth", status.azimuth, drives.azimuth),
                       axisLine("elevation", status.elevation, drives.elevation)};
+    if (!status.line.condition.isEmpty()) {
+        lines << status.line.condition;
+    }
     lines << startsLine("azimuth", status.azimuth) << startsLine("elevation", status.elevation);
     if (status.broker.wanted) {
         lines << QStringLiteral("mqtt: %1%2%3")

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/gs232/box_command.h"
 
+#include "core/base/upper.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -38,6 +40,17 @@ std::optional<std::string> goToAzimuth(Angle azimuth)
 {
     const auto digits = threeDigits(azimuth, kAzimuthReach);
     return digits ? std::optional("M" + *digits + "\r") : std::nullopt;
+}
+
+// The first letter is the command. T begins to step through a list.
+TypedEffect effectOfTyped(std::string_view line)
+{
+    const auto first = line.find_first_not_of(' ');
+    const char letter = first == std::string_view::npos ? ' ' : upper(line[first]);
+    if (std::string_view("MWRLUDT").find(letter) != std::string_view::npos) {
+        return TypedEffect::Moves;
+    }
+    return letter == 'O' || letter == 'F' ? TypedEffect::AsksBack : TypedEffect::None;
 }
 
 bool isOwnCommand(std::string_view line)

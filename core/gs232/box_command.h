@@ -25,6 +25,15 @@ inline constexpr std::string_view kStopAll = "S\r";
 // For a box without an elevation.
 [[nodiscard]] std::optional<std::string> goToAzimuth(Angle azimuth);
 
+// What a typed line would do besides being answered.
+enum class TypedEffect
+{
+    None,
+    Moves,    // it moves the rotator, at once or later
+    AsksBack  // the box waits for the operator, and takes the next question for his answer
+};
+[[nodiscard]] TypedEffect effectOfTyped(std::string_view line);
+
 // One of the commands above, without its line end. Such a line from the box is the echo of our own command.
 [[nodiscard]] bool isOwnCommand(std::string_view line);
 

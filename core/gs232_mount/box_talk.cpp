@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/gs232_mount/box_talk.h"
 
-#include "core/base/control_characters.h"
+#include "core/base/text.h"
 #include "core/gs232/box_command.h"
+#include "core/gs232/esp32_reply.h"
+#include "core/gs232_mount/strange_text.h"
+#include "core/gs232_mount/typed_motion.h"
 
 #include <algorithm>
 #include <utility>
@@ -11,23 +14,14 @@
 namespace boresight::gs232 {
 namespace {
 
-constexpr std::size_t kBitsOfAByte = 10;     // 8N1
-constexpr std::size_t kLongestAnswer = 20;   // bytes, with those before the answer
-constexpr std::size_t kShownOfStrange = 24;  // bytes
+constexpr std::size_t kBitsOfAByte = 10;    // 8N1
+constexpr std::size_t kLongestAnswer = 20;  // bytes, with those before the answer
 
 // A break of the line is received as NUL.
 std::string withoutNulls(std::string_view bytes)
 {
     std::string text(bytes);
     std::erase(text, '\0');
-    return text;
-}
-
-std::string shown(std::string_view bytes)
-{
-    std::string text = printable(std::string(bytes.substr(0, kShownOfStrange)));
-    std::ranges::replace_if(
-        text, [](char one) { return static_cast<unsigned char>(one) >= 0x80; }, '?');
     return text;
 }
 
@@ -66,6 +60,10 @@ void BoxTalk::takePiece(std::string_view text, SteadyTime now)
 
 void BoxTalk::takeLine(std::string_view line, SteadyTime now)
 {
+    if (m_proof == Proof::Unknown && esp32::isLineOfEsp32(line)) {
+        m_speaksWords = true;
+        return;
+    }
     const Reply reply = parseReply(line);
     const auto* const position = std::get_if<Position>(&reply);
     if (position != nullptr && isWhole(*position)) {
@@ -93,7 +91,7 @@ void BoxTalk::takeStrange(std::string_view bytes, SteadyTime now)
     if (m_strange.first && now - m_strange.last > kNoise) {
         m_strange = {};
     }
-    m_strange.text = shown(bytes);
+    m_strange.text = shownOfStrange(bytes);
     m_strange.first = m_strange.first.value_or(now);
     m_strange.last = now;
     m_strange.questions += std::exchange(m_strange.sinceAsked, true) ? 0 : 1;
@@ -140,6 +138,41 @@ std::string BoxTalk::say(std::string command, SteadyTime now)
     return command;
 }
 
+Result<> BoxTalk::mayType(std::string_view line) const
+{
+    switch (effectOfTyped(line)) {
+        case TypedEffect::Moves:
+            return refusalOfMotion();
+        case TypedEffect::AsksBack:
+            return failure(ErrorCode::Refused,
+                           Text::tr("After this line the box waits for an answer, and takes the questions of Boresight "
+                                    "for it. Close Boresight, and send this line with a terminal program."));
+        case TypedEffect::None:
+            break;
+    }
+    return RotatorTalk::mayType(line);
+}
+
+std::string BoxTalk::type(std::string_view line, SteadyTime::duration pause, SteadyTime now)
+{
+    if (m_stop || mustWait(now)) {
+        return {};
+    }
+    m_go.clear();
+    m_places.reset();
+    m_splitter.clear();
+    std::string bytes = say(std::string(line) + '\r', now);
+    m_times.free = now + pause;
+    return bytes;
+}
+
+// An answer is awaited, or the pause after the last command has not ended.
+bool BoxTalk::mustWait(SteadyTime now) const
+{
+    const bool isAsked = m_times.asked && now - *m_times.asked < kAnswerTime + timeOf(kAskBoth.size() + kLongestAnswer);
+    return now < m_times.free || isAsked;
+}
+
 std::string BoxTalk::send(SteadyTime now)
 {
     judge(now);
@@ -152,8 +185,7 @@ std::string BoxTalk::send(SteadyTime now)
     if (m_proof == Proof::Box && std::exchange(m_stop, false)) {  // otherwise it waits for the proof
         return say(std::string(kStopAll), now);
     }
-    const bool waits = m_times.asked && now - *m_times.asked < kAnswerTime + timeOf(kAskBoth.size() + kLongestAnswer);
-    if (now < m_times.free || waits) {
+    if (mustWait(now)) {
         return {};
     }
     if (!m_go.empty() && (!m_times.lastGo || now - *m_times.lastGo >= kBetweenGoes)) {

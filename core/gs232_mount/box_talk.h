@@ -53,10 +53,16 @@ public:
     void stop() override;
     [[nodiscard]] std::string send(SteadyTime now) override;
 
+    [[nodiscard]] Result<> mayType(std::string_view line) const override;
+    [[nodiscard]] std::string type(std::string_view line, SteadyTime::duration pause, SteadyTime now) override;
+    [[nodiscard]] bool takesLines() const override { return true; }
+
     [[nodiscard]] Proof proof() const override { return m_proof; }
     [[nodiscard]] Dialect dialect() const { return m_dialect; }
     [[nodiscard]] bool echoes() const { return m_echoes; }    // our commands came back since the last answer
     [[nodiscard]] bool refuses() const { return m_refuses; }  // the answer was ?> since the last good answer
+    // It answered like an ESP32 relay controller, which needs another conversation.
+    [[nodiscard]] bool speaksWords() const { return m_speaksWords; }
     [[nodiscard]] const Counts& counts() const override { return m_counts; }
     [[nodiscard]] const std::string& strange() const override { return m_strange.text; }
 
@@ -65,6 +71,7 @@ private:
     void takeLine(std::string_view line, SteadyTime now);
     void takeStrange(std::string_view bytes, SteadyTime now);
     void judge(SteadyTime now);
+    [[nodiscard]] bool mustWait(SteadyTime now) const;
     [[nodiscard]] bool isWhole(const Position& position) const;
     [[nodiscard]] SteadyTime::duration timeOf(std::size_t bytes) const;  // time of so many bytes on the line
     [[nodiscard]] std::string say(std::string command, SteadyTime now);
@@ -79,6 +86,7 @@ private:
     bool m_stop = false;
     bool m_echoes = false;
     bool m_refuses = false;
+    bool m_speaksWords = false;
     struct
     {
         std::string text;

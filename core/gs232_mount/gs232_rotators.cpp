@@ -42,7 +42,7 @@ RotatorOffer gs232Offer()
             .example = Text::tr("/dev/ttyUSB0 or 192.168.1.20:4001"),
             .onSerialPort = true,
             .network = "tcp",
-            .promise = {Text::tr("The box is a GS-232A, a GS-232B or a compatible box."),
+            .promise = {Text::tr("The box is a GS-232A, a GS-232B, a compatible box or the ESP32 relay controller."),
                         Text::tr("Connect asks for the position. Nothing moves."),
                         Text::tr("A device of another kind is left alone.")},
             .checks = {Text::tr("Check the power of the box, and the cable."),

@@ -22,6 +22,7 @@ struct MountLine
     QString kind = {};           // a short word for the screen; empty: the screen does not show the line
     QString name = {};           // as in the profile
     QString problem = {};        // what, where, what to do; empty: no problem
+    QString condition = {};      // what the device reports of itself, for people; empty: nothing
     std::uint64_t sent = 0;      // frames
     std::uint64_t received = 0;  // frames
     std::uint64_t dropped = 0;   // frames that were lost or unreadable

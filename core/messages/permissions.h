@@ -87,6 +87,7 @@ enum class Action
     ChooseAzimuthTurn,  // answers which wrap the axis is on
     ChooseElevationTurn,
     TakeBus,
+    TypeLine,  // to the control box
     EndProof,
     ReadAzimuthGains,  // of this drive
     ReadElevationGains,

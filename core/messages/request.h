@@ -169,6 +169,10 @@ struct ReleaseBus  // leave the adapter to other tools
 {};
 struct TakeBus
 {};
+struct TypeLine  // send this line to the control box as it is; the answer is in StationStatus::console
+{
+    std::string line;
+};
 struct ChooseTurn  // the operator has looked at the mount: the axis stands at this angle
 {
     Axis axis = Axis::Azimuth;
@@ -314,10 +318,10 @@ using AnyRequest =
                  request::AcknowledgeAlarm, request::ApplyProfile, request::Reconnect, request::ReadDrives,
                  request::FixDrives, request::AssignBoard, request::SetGear, request::SwitchOff, request::ReleaseBus,
                  request::TakeBus, request::ChooseTurn, request::ProveCrashStop, request::EndProof, request::ReadGains,
-                 request::SetGain, request::PutGainsBack, request::StoreGains, request::Trial, request::FollowAzel,
-                 request::FollowPosition, request::FollowRotator, request::Rehearse, request::TrackFile,
-                 request::UseAntenna, request::OverrideWind, request::UseNewTime, TuningRequest, CalibrationRequest,
-                 ScheduleRequest>;
+                 request::TypeLine, request::SetGain, request::PutGainsBack, request::StoreGains, request::Trial,
+                 request::FollowAzel, request::FollowPosition, request::FollowRotator, request::Rehearse,
+                 request::TrackFile, request::UseAntenna, request::OverrideWind, request::UseNewTime, TuningRequest,
+                 CalibrationRequest, ScheduleRequest>;
 
 // Copying so many alternatives is compiled once in request.cpp, and not in every source that includes this header.
 struct Request : AnyRequest

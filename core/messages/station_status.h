@@ -298,6 +298,9 @@ struct StationStatus
     Capabilities capabilities;           // of the mount
     std::optional<DrivesStatus> drives;  // empty: the drives cannot be read or set
     MountLine line;
+    // The lines that were typed to the control box, each after "> ", with the answers, oldest first. Empty: the mount
+    // takes no typed lines.
+    std::optional<QStringList> console;
     bool simulated = false;
     QString listening;  // "127.0.0.1:4533", empty when the server could not listen
     std::vector<ClientStatus> clients;

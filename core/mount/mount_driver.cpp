@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mount/mount_driver.h"
 
+#include "core/base/text.h"
 #include "core/mount/mount_service.h"
 
 #include <algorithm>
@@ -19,6 +20,11 @@ bool either(const MountDriver& mount, bool AxisReport::*is)
 }
 
 }  // namespace
+
+Result<> MountDriver::mayType() const
+{
+    return failure(ErrorCode::NotAvailable, Text::tr("this rotator does not have this function"));
+}
 
 std::optional<AxisPosition> MountDriver::measured() const
 {

@@ -43,6 +43,8 @@ public:
     [[nodiscard]] virtual Result<> available() const = 0;
     // Why the mount must not be moved: its own safety settings are wrong.
     [[nodiscard]] virtual const Result<>& interlock() const = 0;
+    // Whether a line that the operator types may be sent to the device now, otherwise the reason.
+    [[nodiscard]] virtual Result<> mayType() const;
     // Null if the mount has no functions but moving.
     [[nodiscard]] virtual MountService* service() = 0;
     [[nodiscard]] virtual const MountService* service() const = 0;

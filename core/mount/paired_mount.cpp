@@ -29,6 +29,12 @@ const Result<>& PairedMount::interlock() const
     return first ? of(Axis::Elevation).interlock() : first;
 }
 
+Result<> PairedMount::mayType() const
+{
+    const Result<> first = m_drivers[0]->mayType();
+    return first ? first : m_drivers[1]->mayType();
+}
+
 MountService* PairedMount::service()
 {
     return onlyOne(of(Axis::Azimuth).service(), of(Axis::Elevation).service());

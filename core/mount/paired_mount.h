@@ -23,6 +23,7 @@ public:
     [[nodiscard]] AxisReport report(Axis axis) const override { return of(axis).report(axis); }
     [[nodiscard]] Result<> available() const override;
     [[nodiscard]] const Result<>& interlock() const override;
+    [[nodiscard]] Result<> mayType() const override;
     // The service of the only driver that has one, for its axis. If both have one, the pair has none, because each
     // service would act on both axes.
     [[nodiscard]] MountService* service() override;

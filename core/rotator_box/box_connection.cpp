@@ -24,7 +24,9 @@ BoxConnection::BoxConnection(std::unique_ptr<BoxLine> line, std::unique_ptr<BoxM
 {
     m_line->setParent(this);  // so that it moves to the station thread together with this object
     connect(m_line.get(), &BoxLine::received, this, [this](const QByteArray& bytes) {
-        m_mount->take({bytes.constData(), static_cast<std::size_t>(bytes.size())}, m_clock.now());
+        const std::string_view text(bytes.constData(), static_cast<std::size_t>(bytes.size()));
+        m_mount->console().take(text);
+        m_mount->take(text, m_clock.now());
     });
     connect(m_line.get(), &BoxLine::stateChanged, this, &BoxConnection::showLine);
 }
@@ -71,9 +73,30 @@ void BoxConnection::send()
         m_line->write(QByteArray::fromStdString(bytes));
     }
     watchProof();
+    if (const auto answer = m_mount->console().takeAnswer()) {
+        m_log.add(Severity::Advisory, kSource,
+                  answer->isEmpty() ? Text::tr("no answer to the typed line")
+                                    : Text::tr("answers the typed line: %1").arg(*answer));
+    }
     if (m_mount->talk().wantsAnotherLine() && m_line->state() == BoxLine::State::Up) {
         m_line->close();  // open() is called again within a second
     }
+}
+
+Result<> BoxConnection::admits(const Request& request) const
+{
+    const auto* const wanted = std::get_if<request::TypeLine>(&request);
+    return wanted != nullptr && m_mount->talk().takesLines() ? m_mount->talk().mayType(wanted->line) : Result<>{};
+}
+
+Result<> BoxConnection::carryOut(const Request& request)
+{
+    const auto* const wanted = std::get_if<request::TypeLine>(&request);
+    if (wanted != nullptr && m_mount->talk().takesLines()) {
+        m_mount->leave(profile::OnExit::Hold);
+        m_mount->console().type(wanted->line);
+    }
+    return {};
 }
 
 void BoxConnection::watchProof()
@@ -100,9 +123,13 @@ void BoxConnection::describe(StationStatus& status) const
                    .kind = m_mount->kind(),
                    .name = m_line->name(),
                    .problem = m_line->problem(),
+                   .condition = m_mount->condition(),
                    .sent = talk.counts().sent,
                    .received = talk.counts().received,
                    .dropped = talk.counts().unknown};
+    if (talk.takesLines()) {
+        status.console = m_mount->console().lines();
+    }
     for (const Axis axis : kAxes) {
         if (const auto starts = m_mount->starts(axis)) {
             (axis == Axis::Azimuth ? status.azimuth : status.elevation).starts = starts;

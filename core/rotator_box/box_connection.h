@@ -29,8 +29,8 @@ public:
     void open() override;
     void close() override;
     void send() override;
-    [[nodiscard]] Result<> admits(const Request& /*request*/) const override { return {}; }
-    [[nodiscard]] Result<> carryOut(const Request& /*request*/) override { return {}; }
+    [[nodiscard]] Result<> admits(const Request& request) const override;
+    [[nodiscard]] Result<> carryOut(const Request& request) override;
     void profileChanged(const profile::Profile& /*before*/, const profile::Profile& /*after*/) override {}
     void setCourse(const std::optional<SensorCourse>& /*course*/) override {}
     void describe(StationStatus& status) const override;

@@ -31,8 +31,9 @@ BoxMount::BoxMount(const profile::InForce& profile, AlarmBoard& alarms, const Ax
       m_each(each),
       m_count(count),
       m_names{QStringLiteral("azimuth drive"), QStringLiteral("elevation drive")},
-      m_axes{AxisOfBox{.watch = ObedienceWatch(each.rareStarts ? 2.0 * count : Angle{})},
-             AxisOfBox{.watch = ObedienceWatch(each.rareStarts ? 2.0 * count : Angle{})}},
+      m_axes{
+          AxisOfBox{.watch = ObedienceWatch(each.rareStarts ? 2.0 * count : Angle{}), .spared = SparedAlarm(alarms)},
+          AxisOfBox{.watch = ObedienceWatch(each.rareStarts ? 2.0 * count : Angle{}), .spared = SparedAlarm(alarms)}},
       m_motors(profile, m_capabilities, each.step, count)
 {}
 
@@ -93,6 +94,11 @@ void BoxMount::lineOpened()
         m_opened.reset();
     }
     talk().restart();
+    forgetPlaces();
+}
+
+void BoxMount::forgetPlaces()
+{
     for (AxisOfBox& axis : m_axes) {
         axis.filter.forget();
         axis.watch.release();
@@ -149,6 +155,9 @@ MountFindings BoxMount::supervise(const MountSituation& /*known*/)
         beginSilence(found);
     }
     showNoAnswer();
+    if (m_console.ends(m_now)) {
+        stop();  // the line may have started a motor
+    }
     for (const Axis axis : kAxes) {
         if (m_capabilities.has(axis)) {
             superviseAxis(axis, found);
@@ -156,7 +165,7 @@ MountFindings BoxMount::supervise(const MountSituation& /*known*/)
     }
     // A rotator that still moves after a stop is not taken over: its stop would not be watched any more.
     const bool isStopping = std::ranges::any_of(kAxes, [this](Axis axis) { return of(axis).watch.stopping(); });
-    if (m_state.wanted && !m_state.follows && !isStopping && answers() && placed()) {
+    if (m_state.wanted && !m_state.follows && !isStopping && !m_console.isBusy() && answers() && placed()) {
         begin();
     }
     return found;
@@ -199,15 +208,18 @@ void BoxMount::showNoAnswer()
 
 void BoxMount::superviseAxis(Axis axis, MountFindings& found)
 {
-    if (const auto jump = std::exchange(of(axis).jump, std::nullopt)) {
+    AxisOfBox& mine = of(axis);
+    if (const auto jump = std::exchange(mine.jump, std::nullopt)) {
         lose(found, axis,
              {alarmEntry("rotator.jumped"), {label(axis), degreesText(jump->from, 0), degreesText(jump->to, 0)}});
     }
-    showSpared(axis);
+    const Angle away = abs(mine.setpoint.position - mine.filter.place().value_or(mine.setpoint.position));
+    mine.spared.look({.axis = axis, .label = label(axis), .away = away, .follows = m_state.follows}, m_motors,
+                     m_profile->rotator, m_now);
     if (!answers()) {
         return;
     }
-    switch (of(axis).watch.judge(m_now)) {
+    switch (mine.watch.judge(m_now)) {
         case ObedienceWatch::Verdict::Obeys:
             break;
         case ObedienceWatch::Verdict::SendAgain:
@@ -216,7 +228,7 @@ void BoxMount::superviseAxis(Axis axis, MountFindings& found)
         case ObedienceWatch::Verdict::Stuck:
             lose(found, axis,
                  {alarmEntry("rotator.stuck"),
-                  {label(axis), degreesText(*of(axis).filter.place(), 0), degreesText(*targetOf(axis), 0)}});
+                  {label(axis), degreesText(*mine.filter.place(), 0), degreesText(*targetOf(axis), 0)}});
             break;
         case ObedienceWatch::Verdict::StopAgain:
             talk().stop();
@@ -414,29 +426,21 @@ void BoxMount::sendTo(const SwitchedMotors::Targets& targets)
     }
 }
 
-// The alarm stays until the limit was no hindrance for a minute.
-void BoxMount::showSpared(Axis axis)
-{
-    constexpr std::chrono::minutes kOver{1};
-    AxisOfBox& mine = of(axis);
-    const AlarmKey spared = alarmEntry("rotator.spared").of(axis);
-    const Angle away = abs(mine.setpoint.position - mine.filter.place().value_or(mine.setpoint.position));
-    const tracking::Leeway& leeway = m_motors.leeway(axis);
-    if (m_motors.axis(axis).spared() && leeway.follows && away > leeway.halfBeam) {
-        mine.late = m_now;
-        m_alarms.raise(spared, {label(axis), degreesText(away, 0), QString::number(m_profile->rotator.mostStarts)});
-    } else if (mine.late && (!m_state.follows || m_now - *mine.late > kOver)) {
-        mine.late.reset();
-        m_alarms.clear(spared);
-    }
-}
-
+// A typed line may change what the box counts.
 std::string BoxMount::send()
 {
     if (m_state.follows) {
         order();
     }
-    return m_lineOpen ? talk().send(m_now) : std::string();
+    if (!m_lineOpen) {
+        return {};
+    }
+    std::string typed = m_console.send(talk(), m_now);
+    if (typed.empty()) {
+        return talk().send(m_now);
+    }
+    forgetPlaces();
+    return typed;
 }
 
 }  // namespace boresight

@@ -4,9 +4,11 @@
 #include "core/alarms/alarm_board.h"
 #include "core/mount/mount_driver.h"
 #include "core/profile/in_force.h"
+#include "core/rotator_box/box_console.h"
 #include "core/rotator_box/obedience_watch.h"
 #include "core/rotator_box/place_filter.h"
 #include "core/rotator_box/rotator_talk.h"
+#include "core/rotator_box/spared_alarm.h"
 #include "core/rotator_box/switched_motors.h"
 
 #include <array>
@@ -24,6 +26,8 @@ class BoxMount : public MountDriver
 {
 public:
     void take(std::string_view bytes, SteadyTime now) { talk().take(bytes, now); }
+    // After each typed line the rotator is stopped, and must be seen standing still before it is taken over.
+    [[nodiscard]] BoxConsole& console() { return m_console; }
     // Call it after the control has commanded. Returns the bytes to send.
     [[nodiscard]] std::string send();
     // The line was opened again, perhaps to another device.
@@ -32,6 +36,7 @@ public:
     {
         m_lineOpen = false;
         m_broke = true;
+        m_console.drop();
     }
     [[nodiscard]] virtual RotatorTalk& talk() = 0;
     [[nodiscard]] virtual const RotatorTalk& talk() const = 0;
@@ -39,6 +44,9 @@ public:
     [[nodiscard]] virtual QString kind() const = 0;
     // The kind with its article, for the alarm about a foreign device: "a GS-232 rotator".
     [[nodiscard]] virtual QString kindInWords() const = 0;
+
+    // What the box reports of itself, in words. Empty: nothing.
+    [[nodiscard]] virtual QString condition() const { return {}; }
 
     [[nodiscard]] Capabilities capabilities() const override { return m_capabilities; }
     [[nodiscard]] const QString& name(Axis axis) const override { return m_names[index(axis)]; }
@@ -49,6 +57,7 @@ public:
     // Empty: the rotator does not turn this axis.
     [[nodiscard]] std::optional<MotorStarts> starts(Axis axis) const;
     [[nodiscard]] Result<> available() const override { return {}; }
+    [[nodiscard]] Result<> mayType() const override { return m_console.admits(talk(), answers()); }
     [[nodiscard]] MountService* service() override { return nullptr; }
     [[nodiscard]] const MountService* service() const override { return nullptr; }
     void observe(SteadyTime now) override;
@@ -87,13 +96,13 @@ private:
     struct AxisOfBox
     {
         ObedienceWatch watch;
+        SparedAlarm spared;
         PlaceFilter filter{};
         std::optional<PlaceFilter::Jump> jump{};  // not yet reported
         tracking::Setpoint setpoint{};
         // Without rare starts, in steps: the last target, or the position at which it was taken over.
         std::optional<Angle> ordered{};
-        std::optional<SteadyTime> late{};  // when the limit of starts last kept it far from its target
-        bool begins = false;               // starts to follow, but takeFollowing() was not called yet
+        bool begins = false;  // starts to follow, but takeFollowing() was not called yet
     };
     struct State
     {
@@ -123,7 +132,7 @@ private:
     void sendOrdered();
     void sendAgain(Axis axis);
     void sendTo(const SwitchedMotors::Targets& targets);
-    void showSpared(Axis axis);
+    void forgetPlaces();
 
     const profile::InForce& m_profile;
     AlarmBoard& m_alarms;
@@ -133,6 +142,7 @@ private:
     std::array<QString, 2> m_names;
     std::array<AxisOfBox, 2> m_axes;
     SwitchedMotors m_motors;  // with rare starts
+    BoxConsole m_console;
     State m_state;
     std::optional<SteadyTime> m_heard;   // when the last answer came
     std::optional<SteadyTime> m_opened;  // when the line was opened or a position was last known

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/clock.h"
+#include "core/base/result.h"
 #include "core/units/sky.h"
 
 #include <cstdint>
@@ -46,6 +47,16 @@ public:
     virtual void stop() = 0;
     // The bytes to send now. Once per tick.
     [[nodiscard]] virtual std::string send(SteadyTime now) = 0;
+
+    // Success if the operator may send this line to such a device, otherwise the reason.
+    [[nodiscard]] virtual Result<> mayType(std::string_view line) const;
+    // The bytes of a typed line. Then nothing else but a stop is sent during `pause`. Empty: not now, call it again.
+    [[nodiscard]] virtual std::string type(std::string_view /*line*/, SteadyTime::duration /*pause*/,
+                                           SteadyTime /*now*/)
+    {
+        return {};
+    }
+    [[nodiscard]] virtual bool takesLines() const { return false; }
 
     // The line must be closed and opened again, because answers do not fit the questions any more, or none come.
     [[nodiscard]] virtual bool wantsAnotherLine() const { return false; }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Each kind of mount tracks the same pass of a satellite. Prints the table of core/mount/README.md.
 #include "core/units/angle_between.h"
+#include "tests/core/gs232_mount/esp32_bench.h"
 #include "tests/core/gs232_mount/gs232_bench.h"
 #include "tests/core/mount/mount_bench.h"
 #include "tests/core/rotctld_mount/rotctld_bench.h"
@@ -239,6 +240,11 @@ std::function<std::unique_ptr<PassMount>(Angle)> rotctldBox(const profile::Profi
     return [profile](Angle beam) { return std::make_unique<PassBench<rotctl::RotctldBench>>(inLisbon(profile, beam)); };
 }
 
+std::unique_ptr<PassMount> esp32Box(Angle beam)
+{
+    return std::make_unique<PassBench<gs232::Esp32Bench>>(inLisbon(gs232::esp32Profile(), beam));
+}
+
 std::unique_ptr<PassMount> simpleMount(Angle beam)
 {
     return std::make_unique<PassBench<SimpleBench>>(SimpleMount::Axes{}, inLisbon(slowProfile(), beam));
@@ -279,6 +285,10 @@ std::vector<PassRow> passRows()
          .beam = 20_deg,
          .make = rareStarts,
          .allowed = {.rms = 2.6, .peak = 4.8, .inBeam = 99.9, .starts = 5.0, .commands = 5.0}},
+        {.name = "ESP32, each step",
+         .beam = 10_deg,
+         .make = esp32Box,
+         .allowed = {.rms = 2.3, .peak = 4.0, .inBeam = 99.9, .starts = 16.0, .commands = 5.5}},
         {.name = "rotctld, each step",
          .beam = 2_deg,
          .make = rotctldBox(rotctl::rotctldProfile()),

@@ -41,9 +41,9 @@ Permissions withoutPointing(const QString& why, Permissions may)
 
 Permissions inMotion(Permissions may)
 {
-    for (const Action action :
-         {Action::SetAzimuth, Action::SetElevation, Action::ReadDrives, Action::SwitchOff, Action::SwitchOffAzimuth,
-          Action::SwitchOffElevation, Action::ReleaseBus, Action::ProveCrashStop, Action::Reconnect}) {
+    for (const Action action : {Action::SetAzimuth, Action::SetElevation, Action::ReadDrives, Action::SwitchOff,
+                                Action::SwitchOffAzimuth, Action::SwitchOffElevation, Action::ReleaseBus,
+                                Action::ProveCrashStop, Action::Reconnect, Action::TypeLine}) {
         may.refuse(action, QStringLiteral("The mount moves. Stop it first."));
     }
     return may;

@@ -283,6 +283,9 @@ QStringList RotatorChoice::wordsInUse() const
         return lines + numbered(offer().checks);
     }
     lines.prepend(tr("In use. It answers as: %1.").arg(m_status.line.kind));
+    if (!m_status.line.condition.isEmpty()) {
+        lines << m_status.line.condition;
+    }
     for (const Axis axis : kAxes) {
         if (const auto& actual = axisOf(m_status, axis).actual; actual && m_status.capabilities.has(axis)) {
             lines << QStringLiteral("%1: %2").arg(name(axis), angleText(*actual, 1));

@@ -151,13 +151,15 @@ QString brakeHelp(const BrakeStatus& brake)
 QString lineHelp(const StationStatus& status)
 {
     const MountLine& line = status.line;
-    QString text = LinkLabels::tr("%1: %2 frames sent, %3 received, %4 dropped, %5 bus errors")
-                       .arg(line.name)
-                       .arg(line.sent)
-                       .arg(line.received)
-                       .arg(line.dropped)
-                       .arg(line.errors);
-    return line.problem.isEmpty() ? text : line.problem + QLatin1Char('\n') + text;
+    const QString text = LinkLabels::tr("%1: %2 frames sent, %3 received, %4 dropped, %5 bus errors")
+                             .arg(line.name)
+                             .arg(line.sent)
+                             .arg(line.received)
+                             .arg(line.dropped)
+                             .arg(line.errors);
+    QStringList lines{line.problem, line.condition, text};
+    lines.removeAll(QString());
+    return lines.join(QLatin1Char('\n'));
 }
 
 QString widestMountLine(const QString& kind)

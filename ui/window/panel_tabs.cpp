@@ -4,6 +4,7 @@
 #include "ui/charts/charts_panel.h"
 #include "ui/charts/strip_charts.h"
 #include "ui/clients/clients_panel.h"
+#include "ui/drives/box_console_panel.h"
 #include "ui/drives/drives_panel.h"
 #include "ui/drives/protection_panel.h"
 #include "ui/drives/readings_table.h"
@@ -50,6 +51,7 @@ PanelTabs::PanelTabs(const Clock& clock, RequestDesk& desk, HostDesk& host, Prof
       m_readings(new ReadingsTable(this)),
       m_protection(new ProtectionPanel(desk, this)),
       m_tuning(new TuningPanel(desk, this)),
+      m_console(new BoxConsolePanel(desk, this)),
       m_profile(new ProfilePage(draft, desk, settings.configDir, this)),
       m_north(new CalibrationPanel(clock, desk, draft, this)),
       m_turn(new TurnPage(desk, this)),
@@ -157,6 +159,7 @@ void PanelTabs::fillMountTabs()
     addPanel(*m_mountTabs, *m_protection, tr("Protection"), tr("Safety settings of the drives (Ctrl+7)"), Qt::Key_7);
     m_mountTabs->setTabToolTip(m_mountTabs->addTab(m_tuning, tr("Tuning")),
                                tr("Measure the axes and tune the gains of the drives"));
+    m_mountTabs->setTabToolTip(m_mountTabs->addTab(m_console, tr("Console")), tr("Type a line to the control box"));
     addPanel(*m_mountTabs, *m_profile, tr("Profile"), tr("All settings, and the stored mounts (Ctrl+8)"), Qt::Key_8);
     keepHeightOfShownPage(*m_mountTabs);
 }
@@ -292,6 +295,7 @@ void PanelTabs::showStatus(const StationStatus& status)
     m_readings->showStatus(status);
     m_protection->showStatus(status);
     m_tuning->showStatus(status);
+    m_console->showStatus(status);
     m_profile->showStatus(status);
     m_north->showStatus(status);
     m_turn->showStatus(status);
@@ -299,15 +303,19 @@ void PanelTabs::showStatus(const StationStatus& status)
     showQuestion(status);
 }
 
-// For a mount without such drives there is nothing to show.
+// For a mount without such drives, or without a control box, there is nothing to show.
 void PanelTabs::showMountTabs(const StationStatus& status)
 {
-    for (QWidget* const panel : std::initializer_list<QWidget*>{m_drives, m_readings, m_protection, m_tuning}) {
+    const auto offer = [this](QWidget* panel, bool on) {
         const int tab = m_mountTabs->indexOf(panel);
-        if (m_mountTabs->isTabVisible(tab) != status.drives.has_value()) {
-            m_mountTabs->setTabVisible(tab, status.drives.has_value());  // this lays the tabs out each time
+        if (m_mountTabs->isTabVisible(tab) != on) {
+            m_mountTabs->setTabVisible(tab, on);  // this lays the tabs out each time
         }
+    };
+    for (QWidget* const panel : std::initializer_list<QWidget*>{m_drives, m_readings, m_protection, m_tuning}) {
+        offer(panel, status.drives.has_value());
     }
+    offer(m_console, status.console.has_value());
 }
 
 void PanelTabs::showQuestion(const StationStatus& status)

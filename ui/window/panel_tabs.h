@@ -17,6 +17,7 @@
 // More than 15 members: the panels that it composes.
 namespace boresight::ui {
 
+class BoxConsolePanel;
 class CalibrationPanel;
 class ChartsPanel;
 class ClientsPanel;
@@ -94,6 +95,7 @@ private:
     ReadingsTable* m_readings;
     ProtectionPanel* m_protection;
     TuningPanel* m_tuning;
+    BoxConsolePanel* m_console;
     ProfilePage* m_profile;
     CalibrationPanel* m_north;
     TurnPage* m_turn;

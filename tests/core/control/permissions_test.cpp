@@ -198,6 +198,8 @@ Request requestOf(Action action, const StationRig& rig)
             return request::ChooseTurn{Axis::Elevation, placeOf(rig, Axis::Elevation)};
         case Action::TakeBus:
             return request::TakeBus{};
+        case Action::TypeLine:
+            return request::TypeLine{"C2"};
         case Action::EndProof:
             return request::EndProof{};
         case Action::ReadAzimuthGains:
@@ -231,6 +233,7 @@ constexpr std::array kAsked{Action::Point,
                             Action::SwitchOffElevation,
                             Action::ReleaseBus,
                             Action::TakeBus,
+                            Action::TypeLine,
                             Action::Reconnect,
                             Action::ProveCrashStop,
                             Action::EndProof,

@@ -205,6 +205,43 @@ TEST(Gs232Connection, AByteOfNoiseClosesNoLine)
     EXPECT_EQ(status.line.kind, QStringLiteral("GS-232A"));
 }
 
+// REQ-GS232-86
+TEST(Gs232Connection, ReportsTheCalibrationOfAnEsp32)
+{
+    Rig rig;
+    rig.connection->open();
+    rig.run(Seconds(0.1));
+    rig.wire->say("RPRT -1\r");
+    rig.run(Seconds(0.1));
+    rig.wire->say("VEAdamESP32v1.0\rDEBUG | RawX:33.4 | CalcAZ:123.4 | Calib[S:3 G:2 A:1 M:0]\r\n");
+    StationStatus status;
+    rig.connection->describe(status);
+    EXPECT_EQ(status.line.kind, QStringLiteral("ESP32"));
+    EXPECT_TRUE(status.line.condition.contains(QStringLiteral("gyroscope 2"))) << status.line.condition.toStdString();
+}
+
+// REQ-GS232-96: The status has the typed lines with their answers, and the log has both.
+TEST(Gs232Connection, ShowsAndLogsTheAnswerToATypedLine)
+{
+    Rig rig;
+    rig.connection->open();
+    rig.run(Seconds(0.1));
+    rig.wire->say("+0010+0020\r\n");
+    rig.run(Seconds(0.1));
+    EXPECT_FALSE(rig.connection->admits(request::TypeLine{"M100"}));
+    ASSERT_TRUE(rig.connection->admits(request::TypeLine{"H"}));
+    ASSERT_TRUE(rig.connection->carryOut(request::TypeLine{"H"}));
+    rig.wire->written.clear();
+    rig.run(Seconds(0.3));
+    EXPECT_TRUE(rig.wire->written.endsWith("H\r")) << rig.wire->written.toStdString();
+    rig.wire->say("help\r\n");
+    rig.run(Seconds(1.0));
+    StationStatus status;
+    rig.connection->describe(status);
+    EXPECT_EQ(status.console, QStringList({QStringLiteral("> H"), QStringLiteral("help")}));
+    EXPECT_TRUE(rig.log.since(0, 1).back().text.contains(QStringLiteral("help")));
+}
+
 // REQ-GS232-61: The status, the diagnostics and the window show how often each motor was started, and the coast.
 TEST(Gs232Connection, ReportsTheMotorStartsOfItsAxes)
 {

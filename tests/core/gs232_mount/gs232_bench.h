@@ -50,10 +50,10 @@ public:
     void tick() override
     {
         m_clock.advance(kOneTick);
+        const std::string answers = m_box.answers(m_clock.now());
         if (m_connected) {
-            m_mount.take(m_box.answers(m_clock.now()), m_clock.now());
-        } else {
-            (void)m_box.answers(m_clock.now());
+            m_mount.console().take(answers);
+            m_mount.take(answers, m_clock.now());
         }
         m_control.tick();
         const std::string bytes = m_mount.send();

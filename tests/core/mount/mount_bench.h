@@ -79,7 +79,7 @@ public:
     // time within which a silence is reported
     [[nodiscard]] Seconds silence() { return can().axes[index(someAxis())]->silence; }
     // The resolution of the coarsest axis, at least that of the simulation.
-    [[nodiscard]] Angle resolution()
+    [[nodiscard]] virtual Angle resolution()
     {
         Angle resolution = Angle::fromDegrees(0.01);
         for (const auto& axis : can().axes) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The promises of every rotator behind the port of the mount, tested with the control above it.
+#include "tests/core/gs232_mount/esp32_bench.h"
 #include "tests/core/gs232_mount/gs232_bench.h"
 #include "tests/core/mount/mount_bench.h"
 #include "tests/core/rotctld_mount/rotctld_bench.h"
@@ -290,6 +291,11 @@ std::unique_ptr<Bench> gs232Bench(gs232::Dialect dialect, bool azimuth = true, b
     return std::make_unique<gs232::Gs232Bench>(habits, axesIf(azimuth, elevation));
 }
 
+std::unique_ptr<Bench> esp32Bench(bool azimuth, bool elevation)
+{
+    return std::make_unique<gs232::Esp32Bench>(axesIf(azimuth, elevation));
+}
+
 std::unique_ptr<Bench> rotctldBench(bool azimuth, bool elevation)
 {
     return std::make_unique<rotctl::RotctldBench>(axesIf(azimuth, elevation));
@@ -311,6 +317,9 @@ INSTANTIATE_TEST_SUITE_P(
                     Kind{"Gs232B", [] { return gs232Bench(gs232::Dialect::B); }},
                     Kind{"Gs232AzimuthOnly", [] { return gs232Bench(gs232::Dialect::B, true, false); }},
                     Kind{"Gs232ElevationOnly", [] { return gs232Bench(gs232::Dialect::A, false, true); }},
+                    Kind{"Esp32", [] { return esp32Bench(true, true); }},
+                    Kind{"Esp32AzimuthOnly", [] { return esp32Bench(true, false); }},
+                    Kind{"Esp32ElevationOnly", [] { return esp32Bench(false, true); }},
                     Kind{"Rotctld", [] { return rotctldBench(true, true); }},
                     Kind{"RotctldAzimuthOnly", [] { return rotctldBench(true, false); }},
                     Kind{"RotctldElevationOnly", [] { return rotctldBench(false, true); }},

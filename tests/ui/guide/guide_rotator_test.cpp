@@ -226,6 +226,9 @@ TEST_F(GuideRotatorTest, WhatAnswersAndWhatToCheckIsShown)
     EXPECT_TRUE(words().contains(QStringLiteral("It answers as: rotctld"))) << words().toStdString();
     EXPECT_TRUE(words().contains(QStringLiteral("azimuth: 10.0°"))) << words().toStdString();
     EXPECT_FALSE(words().contains(QStringLiteral("firewall")));
+    status.line.condition = QStringLiteral("Its sensor is half calibrated");
+    give(samples::update(status));
+    EXPECT_TRUE(words().contains(status.line.condition)) << words().toStdString();
 
     status.state = StationState::Disconnected;
     status.alarms = {{.name = QStringLiteral("rotator.line-down"),

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/drives/box_console_panel.h"
+
+#include "tests/ui/drives/drives_fixture.h"
+#include "tests/ui/sample_permissions.h"
+
+#include <QLineEdit>
+
+namespace boresight::ui {
+namespace {
+
+StationStatus withConsole(const QStringList& lines)
+{
+    StationStatus status = samples::idle();
+    status.console = lines;
+    return status;
+}
+
+// REQ-UI-1720: A mount with a control box has a panel to type a line to the box, which shows the answers. A mount
+// without one has no such panel.
+TEST_F(DrivesTest, ALineIsTypedToTheControlBox)
+{
+    const QTabWidget& mount = *named<QTabWidget>("The mount itself");
+    auto* const panel = window.findChild<BoxConsolePanel*>();
+    EXPECT_FALSE(mount.isTabVisible(mount.indexOf(panel)));
+    give(samples::update(withConsole({})));
+    EXPECT_TRUE(mount.isTabVisible(mount.indexOf(panel)));
+    open<BoxConsolePanel>();
+
+    auto* const line = named<QLineEdit>("Line for the control box");
+    line->setFocus();
+    QTest::keyClicks(line, QStringLiteral("CALSTATS"));
+    QTest::keyClick(line, Qt::Key_Return);
+    ASSERT_EQ(asked<request::TypeLine>().size(), 1U);
+    EXPECT_EQ(asked<request::TypeLine>().front().line, "CALSTATS");
+    give(samples::refusal(withConsole({}), requests.back().id, "The mount moves."));
+    EXPECT_EQ(line->text(), QStringLiteral("CALSTATS")) << "a refusal keeps the line";
+    click("Send line");
+    give(samples::acceptance(withConsole({QStringLiteral("> CALSTATS"), QStringLiteral("Accel Rad: 1000")}),
+                             requests.back().id));
+    EXPECT_EQ(line->text(), QString());
+    EXPECT_EQ(named<QPlainTextEdit>("Answers of the control box")->toPlainText(),
+              QStringLiteral("> CALSTATS\nAccel Rad: 1000"));
+
+    StationStatus moving = withConsole({});
+    moving.permissions.refuse(Action::TypeLine, QStringLiteral("The mount moves. Stop it first."));
+    give(samples::update(moving));
+    expectBlocked("Send line", "The mount moves. Stop it first.");
+    QTest::keyClicks(line, QStringLiteral("C2"));
+    QTest::keyClick(line, Qt::Key_Return);
+    EXPECT_EQ(asked<request::TypeLine>().size(), 2U);
+}
+
+}  // namespace
+}  // namespace boresight::ui
