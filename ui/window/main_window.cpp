@@ -10,6 +10,7 @@
 #include "ui/jog/places_bar.h"
 #include "ui/kit/accessibility.h"
 #include "ui/kit/focus_frame.h"
+#include "ui/kit/focus_scroll.h"
 #include "ui/kit/format.h"
 #include "ui/kit/theme.h"
 #include "ui/kit/value_label.h"
@@ -44,7 +45,6 @@
 #include <QIcon>
 #include <QResizeEvent>
 #include <QScrollArea>
-#include <QScrollBar>
 #include <QShortcut>
 #include <QVBoxLayout>
 
@@ -192,22 +192,7 @@ QWidget* MainWindow::makeSide(QWidget& ground)
     // The guide needs the room and moves the mount by its own buttons.
     connect(m_side, &GuideRoom::guideShown, m_places, &QWidget::setHidden);
     // While an alarm takes room in a low window, the panel scrolls.
-    auto* const scroll = new QScrollArea(side);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setWidgetResizable(true);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setFocusPolicy(Qt::NoFocus);
-    scroll->setWidget(m_side);
-    scroll->setMinimumWidth(m_side->minimumSizeHint().width() + scroll->verticalScrollBar()->sizeHint().width());
-    // A control that receives the focus from another control is scrolled into view. Nothing moves under a pressed mouse
-    // button, when the window is activated again, or when a blocked button gives its focus to its page.
-    connect(qApp, &QApplication::focusChanged, scroll, [scroll](const QWidget* before, QWidget* now) {
-        const bool isControl = before != nullptr && now != nullptr && now->focusPolicy() != Qt::NoFocus;
-        if (isControl && scroll->widget()->isAncestorOf(now) && QGuiApplication::mouseButtons() == Qt::NoButton) {
-            scroll->ensureWidgetVisible(now, 0, kGrid);
-        }
-    });
-    column->addWidget(scroll, 1);
+    column->addWidget(makeFocusScroll(*m_side, *side), 1);
     column->addWidget(m_places);
     m_lastCommand->setStretching(true);
     return side;
@@ -224,22 +209,28 @@ void MainWindow::addPrompts()
 
 void MainWindow::addKeys()
 {
-    addKey(Qt::CTRL | Qt::Key_G, &MainWindow::goTo);
-    addKey(Qt::CTRL | Qt::Key_H, &MainWindow::hold);
-    addKey(Qt::CTRL | Qt::Key_P, &MainWindow::park);
-    addKey(Qt::CTRL | Qt::Key_D, &MainWindow::nextTheme);
-    addKey(Qt::CTRL | Qt::Key_E, &MainWindow::toggleEditing);
-    addKey(Qt::CTRL | Qt::Key_0, &MainWindow::toggleZoom);
-    addKey(Qt::CTRL | Qt::Key_Plus, &MainWindow::zoomIn);
-    addKey(Qt::CTRL | Qt::Key_Equal, &MainWindow::zoomIn);  // the same key without Shift
-    addKey(Qt::CTRL | Qt::Key_Minus, &MainWindow::zoomOut);
-    addKey(Qt::CTRL | Qt::Key_B, &MainWindow::saveDiagnostics);
-    addKey(Qt::Key_F8, &MainWindow::acknowledge);
-    addKey(Qt::Key_F10, &MainWindow::openMenu);
-    addKey(Qt::Key_F11, &MainWindow::toggleFullScreen);
-    addKey(Qt::Key_F1, &MainWindow::showManual);
-    addKey(Qt::SHIFT | Qt::Key_F1, &MainWindow::showHelp);
-    addKey(Qt::Key_F3, &MainWindow::toggleGuide);
+    const auto add = [this](const QKeySequence& key, auto* receiver, auto act) {
+        auto* const shortcut = new QShortcut(key, this);
+        shortcut->setAutoRepeat(false);
+        connect(shortcut, &QShortcut::activated, receiver, act);
+    };
+    const auto zoomIn = [this] { m_plot->zoomBy(1); };
+    add(Qt::CTRL | Qt::Key_G, this, &MainWindow::goTo);
+    add(Qt::CTRL | Qt::Key_H, &m_panels->jog(), &JogPanel::hold);
+    add(Qt::CTRL | Qt::Key_P, this, &MainWindow::park);
+    add(Qt::CTRL | Qt::Key_D, this, &MainWindow::nextTheme);
+    add(Qt::CTRL | Qt::Key_E, this, &MainWindow::toggleEditing);
+    add(Qt::CTRL | Qt::Key_0, m_plot, &PolarPlot::toggleZoom);
+    add(Qt::CTRL | Qt::Key_Plus, m_plot, zoomIn);
+    add(Qt::CTRL | Qt::Key_Equal, m_plot, zoomIn);  // the same key without Shift
+    add(Qt::CTRL | Qt::Key_Minus, m_plot, [this] { m_plot->zoomBy(-1); });
+    add(Qt::CTRL | Qt::Key_B, this, &MainWindow::saveDiagnostics);
+    add(Qt::Key_F8, m_alarms, &AlarmCard::acknowledge);
+    add(Qt::Key_F10, this, &MainWindow::openMenu);
+    add(Qt::Key_F11, this, &MainWindow::toggleFullScreen);
+    add(Qt::Key_F1, this, &MainWindow::showManual);
+    add(Qt::SHIFT | Qt::Key_F1, this, &MainWindow::showHelp);
+    add(Qt::Key_F3, m_side, &GuideRoom::toggle);
 }
 
 void MainWindow::connectMenu()
@@ -259,13 +250,6 @@ void MainWindow::connectMenu()
     connect(m_menu, &MainMenu::profileWanted, this, [this] { m_panels->bringUp(m_panels->profile()); });
     connect(m_menu, &MainMenu::diagnosticsWanted, this, &MainWindow::saveDiagnostics);
     connect(m_menu, &MainMenu::aboutWanted, this, [this] { showBelowHead(*m_about); });
-}
-
-void MainWindow::addKey(const QKeySequence& key, void (MainWindow::*act)())
-{
-    auto* const shortcut = new QShortcut(key, this);
-    shortcut->setAutoRepeat(false);
-    connect(shortcut, &QShortcut::activated, this, act);
 }
 
 void MainWindow::showUpdate(const StationUpdate& update)
@@ -427,21 +411,6 @@ void MainWindow::toggleEditing()
     m_plot->setEditing(!m_plot->editor().isEditing());
 }
 
-void MainWindow::toggleZoom()
-{
-    m_plot->toggleZoom();
-}
-
-void MainWindow::zoomIn()
-{
-    m_plot->zoomBy(1);
-}
-
-void MainWindow::zoomOut()
-{
-    m_plot->zoomBy(-1);
-}
-
 void MainWindow::toggleFullScreen()
 {
     setWindowState(windowState() ^ Qt::WindowFullScreen);
@@ -491,31 +460,16 @@ WindowLayout MainWindow::arrangement() const
     return m_panels->arrangement();
 }
 
-void MainWindow::toggleGuide()
-{
-    m_side->toggle();
-}
-
 void MainWindow::goTo()
 {
     m_side->showPanels();
     m_places->focusGoTo();
 }
 
-void MainWindow::hold()
-{
-    m_panels->jog().hold();
-}
-
 void MainWindow::park()
 {
     m_side->showPanels();  // a refusal is shown below the panels
     m_places->park();
-}
-
-void MainWindow::acknowledge()
-{
-    m_alarms->acknowledge();
 }
 
 }  // namespace boresight::ui

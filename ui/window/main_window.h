@@ -89,7 +89,6 @@ private:
     [[nodiscard]] QWidget* makeSide(QWidget& ground);
     void addKeys();
     void connectMenu();
-    void addKey(const QKeySequence& key, void (MainWindow::*act)());
     void stop();
     void showStatus(const StationStatus& status);
     void beat();
@@ -97,20 +96,14 @@ private:
     void chooseTheme(ThemeKind theme, Brightness brightness);
     void showEditing(bool on);  // of the limits on the plot
     void toggleEditing();
-    void toggleZoom();
-    void zoomIn();
-    void zoomOut();
     void toggleFullScreen();
     void openMenu();
     void showManual();
     void showHelp();
     void showBelowHead(QWidget& page);
     void saveDiagnostics();
-    void toggleGuide();
     void goTo();
-    void hold();
     void park();
-    void acknowledge();
 
     const Clock& m_clock;
     RequestDesk m_desk;
