@@ -37,6 +37,7 @@ void CurrentMotion::forgetDetails()
     m_asked.reset();
     m_limitedReason.clear();
     m_limitedDirection.reset();
+    m_heldBy.reset();
 }
 
 bool CurrentMotion::isForClient(std::uint64_t clientId) const

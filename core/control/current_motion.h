@@ -35,6 +35,9 @@ public:
     void begin(Activity activity, const Source& source, const QString& text);
     // `left` is None or Holding. The source that asked last stays known.
     void end(Activity left);
+    // A source asked the mount to hold. Known until the next motion begins.
+    void setHeldBy(const Source& source) { m_heldBy = source; }
+    [[nodiscard]] const std::optional<Source>& heldBy() const { return m_heldBy; }
     // The source of the stream is gone. Its last point becomes a place to go to.
     void settleStream() { m_activity = Activity::Pointing; }
 
@@ -83,6 +86,7 @@ private:
 
     Activity m_activity = Activity::None;
     Source m_commander;
+    std::optional<Source> m_heldBy;
     std::uint64_t m_motionId = 0;
     QString m_text;
     std::optional<AxisPosition> m_point;

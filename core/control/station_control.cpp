@@ -166,6 +166,7 @@ Result<> StationControl::handle(const request::Hold&, const Source& source)
     if (moves()) {
         tell(Severity::Advisory, source, Text::tr("ends the motion, and the mount holds"));
         holdHere(Activity::Holding);
+        m_current.setHeldBy(source);
     }
     return {};
 }

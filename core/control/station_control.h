@@ -89,6 +89,8 @@ public:
     [[nodiscard]] std::optional<TickSample> sample() const { return report().sample(); }
     // Whether the mount still carries out the last motion of this source.
     [[nodiscard]] bool obeys(const Source& source) const { return m_current.isFor(source) && moves(); }
+    // Who asked the mount to hold since its last motion began. Empty: nobody.
+    [[nodiscard]] const std::optional<Source>& heldBy() const { return m_current.heldBy(); }
     [[nodiscard]] bool followsClient() const { return m_current.commander().kind == SourceKind::Client && moves(); }
     // Changes each time that the mount is sent somewhere or control is given away. Jogs and steps of the operator, Hold
     // and STOP do not change it.

@@ -241,6 +241,9 @@ std::optional<NightDesk::Interruption> NightDesk::interruption() const
     }
     const bool isOver = m_tracked && m_clock.utc() + kAboutToSet >= m_tracked->ends();
     if (m_tracked && !isOver && !m_control.obeys(scheduleSource())) {
+        if (const std::optional<Source>& by = m_control.heldBy()) {
+            return because(schedule::PassEnd::Manual, Text::tr("%1 sent another command").arg(sourceText(by->name)));
+        }
         return because(schedule::PassEnd::Refused,
                        Text::tr("The station ended the tracking. The log shows the reason"));
     }

@@ -12,7 +12,8 @@ std::string referencePath(const std::string& name)
 {
     const QString folder =
         qEnvironmentVariable("BORESIGHT_REFERENCE_DATA", QStringLiteral(BORESIGHT_REFERENCE_DATA_BESIDE));
-    return folder.toStdString() + "/" + name;
+    const std::string there = folder.toStdString() + "/" + name;
+    return QFile::exists(QString::fromStdString(there)) ? there : BORESIGHT_TEST_DATA "/" + name;
 }
 
 bool hasReference(const std::string& name)

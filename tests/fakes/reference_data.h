@@ -4,8 +4,9 @@
 #include <string>
 #include <vector>
 
-// Published files that we may not redistribute. They lie beside the checkout, or in the folder named by the environment
-// variable BORESIGHT_REFERENCE_DATA.
+// Reference files. Those that we may not redistribute lie beside the checkout, or in the folder named by the
+// environment variable BORESIGHT_REFERENCE_DATA. Our own tables are also in tests/data, and are read from there if the
+// folder does not have them.
 namespace boresight::fakes {
 
 [[nodiscard]] std::string referencePath(const std::string& name);

@@ -128,6 +128,12 @@ TEST_F(NightDeskTest, AnyManualActDisarms)
             EXPECT_EQ(rig.control.authority(), Authority::Clients) << "it does not take it back";
         },
         [&] { ASSERT_TRUE(rig.ask(request::Stop{}, kClient)); },
+        // Story: the S of a client was in the report as a fault without a name.
+        [&] {
+            ASSERT_TRUE(rig.ask(request::Hold{}, kClient));
+            run(Seconds(0.1));
+            EXPECT_THAT(status().why.toStdString(), testing::HasSubstr(kClient.name.toStdString()));
+        },
     };
     intoAPass();
     int count = 0;
