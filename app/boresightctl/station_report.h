@@ -11,7 +11,7 @@
 //   reason, motion      text: the reason of the state, and the present motion. May be empty
 //   wind                {speed in m/s or null, age in s, silent, obstacle, overriddenUntil: UTC or null}.
 //                       Missing: no wind is read
-//   clockSetBy          seconds by which the clock was set while the station uses the time before. Missing: it does not
+//   clockSetBy          seconds by which the clock was set while the station uses the old time. Missing: it does not
 //   transmit            the state of the transmit output. Missing: the station has none
 // Control and alarms are in the window and in the log of the station.
 namespace boresight::ctl {
