@@ -126,8 +126,8 @@ void NextProfile::simulate(const profile::Profile& own, const profile::Profile& 
     m_kept.begin(opened.value_or(fresh), m_simulated.fileOf(own));
 }
 
-// If the file cannot be written, the real mount is connected all the same. If the file cannot be read, or the edits do
-// not fit it, the file is left unchanged and the simulation goes on.
+// If the file cannot be written, the real mount is connected anyway. If the file cannot be read, or the edits do
+// not fit it, the file is left unchanged and the simulation continues.
 Result<> NextProfile::leaveSimulation(const profile::Profile& wanted)
 {
     const Result<profile::Profile> own = m_ownPath.isEmpty() ? profile::Profile{} : profile::loadProfile(m_ownPath);

@@ -12,9 +12,12 @@
 //   wind                {speed in m/s or null, age in s, silent, obstacle, overriddenUntil: UTC or null}.
 //                       Missing: no wind is read
 //   brake               {state: "set", "opens", "open", "closes" or "failed", output, problem}. Missing: there is none
-//   clockSetBy          seconds by which the clock was set while the station uses the time before. Missing: it does not
+//   clockSetBy          seconds by which the clock was set while the station uses the old time. Missing: it does not
 //   transmit            the state of the transmit output. Missing: the station has none
-// Control and alarms are in the window and in the log of the station.
+//   rises, sets         UTC: the next of the tracked target. Missing: nothing is tracked, or it is unknown
+//   schedule            whether it is armed
+//   alarms              the active alarms, in sentences
+// Control is in the window and in the log of the station.
 namespace boresight::ctl {
 
 // One line for each key, for a person.

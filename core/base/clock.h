@@ -5,7 +5,7 @@
 #include <optional>
 
 // The clock is injected, so that tests can set the time by hand. Ages and control use steady time, orbits and logs use
-// UTC. Steady time goes on while the computer sleeps. Any thread may read a SystemClock.
+// UTC. Steady time continues while the computer sleeps. Any thread may read a SystemClock.
 namespace boresight {
 
 using Seconds = std::chrono::duration<double>;

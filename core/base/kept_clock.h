@@ -4,7 +4,7 @@
 #include "core/base/clock.h"
 
 // The clock by which the mount is pointed. It follows the clock of this computer in small corrections. When that clock
-// is set, this one goes on as before until follow() is called. Nobody vouches for it meanwhile. Station thread only.
+// is set, this one continues as before until follow() is called. Nobody vouches for it meanwhile. Station thread only.
 namespace boresight {
 
 class KeptClock final : public Clock

@@ -21,7 +21,7 @@ struct BrakeTimes
     Seconds switching;  // the time that the brake needs to open or to close
     Seconds setAfter;   // the brake is set after this time without motion
     Seconds urgent;     // the same after STOP, after a fault and at the end of the program
-    Seconds blind;      // the same while a drive is silent: by then it has stopped its axis
+    Seconds blind;      // the same while a drive is silent. Its axis stands still after this time
 };
 
 // The situation in one tick.

@@ -12,9 +12,9 @@
 #include <functional>
 
 // Watches the clock of this computer. Reports the error of the clock, and alarms when the clock was set or the computer
-// slept. Decides when a clock that was set points the mount. If nothing depends on the time, it does so at once. A new
-// time that a time source confirms does so if the time before was never confirmed, and else when no target is tracked
-// by the time. The operator may use a new time at any moment. Station thread only.
+// slept. Decides when a clock that was set points the mount. If nothing depends on the time, the new time
+// counts at once. A new time that a time source confirms counts at once if the old time was never confirmed. Otherwise
+// it counts when no target is tracked by the time. The operator may use a new time at any moment. Station thread only.
 namespace boresight {
 
 class ClockGuard

@@ -316,7 +316,7 @@ void StationControl::tick()
     }
     // Before every source, because an axis that was lost in this tick must not move on.
     superviseMount();
-    // After the supervision: a drive that was lost in this tick may hold its axis no more.
+    // After the supervision, because a drive that was lost in this tick may not hold its axis any more.
     watchBrake();
     // After the supervision, because only then it is known which drives are back. A drive that moves in spite of STOP
     // is stopped again. This is before the sources, so that they find the drive stopped.

@@ -95,7 +95,7 @@ public:
     // Changes each time that the mount is sent somewhere or control is given away. Jogs and steps of the operator, Hold
     // and STOP do not change it.
     [[nodiscard]] std::uint64_t motionId() const { return m_current.motionId(); }
-    // Whether the operator is asked for the cable wrap of the axis. The wrap may then differ from the one before.
+    // Whether the operator is asked for the cable wrap of the axis. The wrap may then differ from the previous one.
     [[nodiscard]] bool isTurnAsked(Axis axis) const { return m_mount.report(axis).wrapAsked; }
     [[nodiscard]] Authority authority() const { return m_arming.authority(); }
     // Whether this source may send the mount to a place now. The error names what is in the way.

@@ -84,7 +84,7 @@ void SensorWatch::setSiteDeclination(const std::optional<Result<Angle>>& declina
     correct();
 }
 
-// Starts the comparison anew, because a wrong setting may have caused the old difference.
+// Starts the comparison again, because a wrong setting may have caused the old difference.
 void SensorWatch::correct()
 {
     m_inForce.convertBy(SensorToSky(settings(), m_site.of(settings())));

@@ -14,7 +14,7 @@
 // Pure.
 namespace boresight::drive_check {
 
-// A setting, or the board itself, differs from the reading before.
+// A setting, or the board itself, differs from the previous reading.
 struct Change
 {
     QString text;          // "azimuth: servo.timeout_mode was 12, is 10"

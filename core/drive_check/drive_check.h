@@ -75,7 +75,7 @@ public:
     [[nodiscard]] Result<> fitToMove() const;
     // The findings of the last finished check, the most serious first. A running check keeps them.
     [[nodiscard]] const std::vector<Finding>& findings() const { return m_findings; }
-    // The differences from the reading before.
+    // The differences from the previous reading.
     [[nodiscard]] std::vector<Change> takeChanges();
     // The number of power-ups that were detected, also while the bus was lost. After each one the drives are checked
     // again.

@@ -11,7 +11,7 @@
 // ends with one CR: the second CR that some programs send is an empty command to the box. Pure.
 namespace boresight::gs232 {
 
-// The range of targets of such a box, in its own count: it passes north and goes on to 450°. It flips over at the
+// The range of targets of such a box, in its own count: it passes north and continues to 450°. It flips over at the
 // zenith.
 inline constexpr TravelRange kAzimuthReach{.min = Angle::fromDegrees(0.0), .max = Angle::fromDegrees(450.0)};
 inline constexpr TravelRange kElevationReach{.min = Angle::fromDegrees(0.0), .max = Angle::fromDegrees(180.0)};

@@ -26,7 +26,7 @@ public:
     // All arguments but the parent outlive this.
     StationFollow(StationControl& control, const profile::InForce& profile, const Clock& clock, QObject* parent);
 
-    // `name` is "rotctld:HOST:PORT". `then` is called once. Until then the mount goes on following another rotator.
+    // `name` is "rotctld:HOST:PORT". `then` is called once. Until then the mount still follows another rotator.
     void find(const QString& name, Then then);
     // The mount got another command: the request that waits is refused.
     void forget();

@@ -195,7 +195,7 @@ Result<> checkAnswers(const Listener& listener)
     return {};
 }
 
-// A datagram has no connection that proves its sender, so a list of senders is the least that is asked for.
+// A datagram has no connection that proves its sender, so a list of senders is always required.
 Result<> checkSenders(const Listener& listener)
 {
     if (listener.udp && isOpenToAll(listener)) {

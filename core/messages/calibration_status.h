@@ -161,9 +161,9 @@ struct CalibrationStatus
     calibration::TermSheet sheet;  // `present` with all known details, for the export
     QString otherMount;            // set if the last applied calibration was for another drive or site; else empty
     std::optional<calibration::SensorOffset> sensorOffset;
-    QString sensorObstacle;                         // why the sensor cannot be used now; empty: it can
-    QString averageObstacle;                        // why MeasureSensorOffset would be refused now; empty: it would not
-    SwingPlan swingPlan;                            // of the last PlanSwing request, at first with the usual rate
+    QString sensorObstacle;   // why the sensor cannot be used now; empty: it can
+    QString averageObstacle;  // why MeasureSensorOffset would be refused now; empty: it would be accepted
+    SwingPlan swingPlan;      // of the last PlanSwing request, at first with the usual rate
     std::vector<calibration::SwingDot> swingSoFar;  // of the running swing, thinned to a few hundred
     std::shared_ptr<const SwingOutcome> swing;      // of the last swing; null before the first
     QString noSite;                                 // why Sun and Moon are not computed; empty: they are
@@ -174,7 +174,7 @@ struct CalibrationStatus
     bool following = false;      // the mount follows `body` now
     bool overTheTop = false;     // with the boom past the zenith
     QString warning;             // about eyes and feed, while the beam points at the Sun
-    QString pointObstacle;       // why TakePoint would be refused now; empty: it would not
+    QString pointObstacle;       // why TakePoint would be refused now; empty: it would be accepted
     QString knownPointObstacle;  // the same for TakeKnownPoint
     QString noRoom;              // why no further point can be added; empty: it can
     std::vector<PointStatus> points;
@@ -189,7 +189,7 @@ struct CalibrationStatus
     QString historyProblem;                        // why the history could not be read or written; else empty
     bool canUndo = false;
     bool canRedo = false;
-    QString undoObstacle;  // why Undo would be refused now, if there is something to undo; empty: it would not
+    QString undoObstacle;  // why Undo would be refused now, if there is something to undo; empty: it would be accepted
     QString redoObstacle;  // the same for Redo
 };
 

@@ -13,7 +13,7 @@ struct MotorStarts
 {
     int lastMinute = 0;
     std::uint64_t total = 0;       // since the program connected the mount
-    std::optional<Angle> coast{};  // measured: how far the axis goes on beyond its target
+    std::optional<Angle> coast{};  // measured: how far the axis coasts beyond its target
 
     bool operator==(const MotorStarts&) const = default;
 };

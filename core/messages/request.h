@@ -271,9 +271,8 @@ struct EndCalibration  // the run ends without a result, the mount holds
 {};
 struct ApplyCalibration
 {
-    std::uint64_t proposal = 0;  // CalibrationProposal::number
-    bool overridesDoubts =
-        false;  // the operator applies an unreliable result all the same: CalibrationProposal::doubts
+    std::uint64_t proposal = 0;    // CalibrationProposal::number
+    bool overridesDoubts = false;  // the operator applies an unreliable result anyway: CalibrationProposal::doubts
 };
 struct DiscardCalibration  // drop the proposal; the points stay
 {

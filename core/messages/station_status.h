@@ -257,7 +257,7 @@ struct ClockStatus
 {
     bool synchronised = true;      // a time source sets it
     std::optional<Seconds> error;  // as reported by the time source
-    // The clock was set by this, and Boresight still points by the time before. Empty: it points by the clock.
+    // The clock was set by this, and Boresight still points by the old time. Empty: it points by the clock.
     std::optional<Seconds> ahead = {};
 };
 

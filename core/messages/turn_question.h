@@ -15,7 +15,7 @@ namespace boresight {
 struct TurnQuestion
 {
     std::vector<Angle> candidates;  // in order; empty: the drive knows nothing, an angle must be entered
-    std::optional<Angle> proposed;  // the candidate that the evidence speaks for
+    std::optional<Angle> proposed;  // the candidate that the evidence supports
     std::vector<QString> evidence;  // one sentence each, for the operator; the last is the sensor's
     Angle period;                   // between two candidates
     Angle movedSince;               // by jogging since the question arose

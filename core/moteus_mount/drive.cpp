@@ -16,8 +16,8 @@ constexpr Seconds kBrakingTime{0.6};
 // Stalls excused in one phase. Without this limit a computer that stalls all the time would hide a drive that does not
 // obey.
 constexpr int kMostStalls = 20;
-// To stand still, the axis must also have moved less since the last reply than this share of the allowance for a
-// position.
+// An axis stands still only if it has moved by less than this share of the allowance for a position since the last
+// reply.
 constexpr double kSteady = 0.2;
 
 const moteus::Field kIgnoreBounds{1.0, moteus::Resolution::Int8};

@@ -60,7 +60,7 @@ private:
         SteadyTime since{};              // the last reply
         std::optional<Angle> place;      // where the axis was, if its wrap was known
         std::optional<SteadyTime> back;  // when the drive answered again
-        bool backTold = false;           // the return was reported, perhaps without how far the axis moved
+        bool backTold = false;           // the return was reported, perhaps before the motion of the axis was known
     };
 
     [[nodiscard]] std::optional<Trouble> watchLoss(Drive& drive, const Context& context);

@@ -149,8 +149,8 @@ void MoteusConnection::send()
     std::vector<CanFrame> frames = m_mount.frames();
     std::ranges::copy(m_care.tick(m_clock.now()), std::back_inserter(frames));
     if (const LinkState state = m_link->status().state; state == LinkState::Up || state == LinkState::Down) {
-        // Also while the bus is down: an adapter finds out only by a new frame that it works again. A frame that could
-        // not be sent shows as a missing reply and in the status of the link.
+        // Also while the bus is down, because an adapter needs a new frame to detect that it works again. A frame that
+        // could not be sent shows as a missing reply and in the status of the link.
         [[maybe_unused]] const Result<> sent = m_link->send(frames);
         m_mount.framesTaken();
     }

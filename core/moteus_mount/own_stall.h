@@ -38,7 +38,7 @@ public:
     void resume(SteadyTime now);
     void end() { m_resuming = false; }
     [[nodiscard]] bool resuming() const { return m_resuming; }
-    // The drives had enough time to come back, even if this computer goes on stalling.
+    // The drives had enough time to come back, even if this computer stalls again.
     [[nodiscard]] bool isLate(SteadyTime now) const;
     [[nodiscard]] Seconds gap() const { return m_gap; }
 

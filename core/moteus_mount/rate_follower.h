@@ -7,7 +7,7 @@
 #include <deque>
 #include <optional>
 
-// Leads one drive along the set-points without chatter. A new position in each tick makes the planner of the drive
+// Moves one drive along the set-points without chatter. A new position in each tick makes the planner of the drive
 // switch its acceleration to and fro. So while the set-points move, the drive gets a velocity, and just the
 // acceleration that reaches this velocity in one tick. Each reply contains the control position of the drive. It is
 // compared with the set-point, and the velocity corrects the difference. The planner gets a position instead in three

@@ -37,7 +37,7 @@ public:
     void follow(const AxisPosition& point, SteadyTime now);  // one point of a stream
     void confirmStream(SteadyTime now);                      // the client of the stream has read the position
     void settleStream();                                     // no more points: stop at the last one
-    void keepOn(SteadyTime now);                             // the stream goes on straight without more points
+    void keepOn(SteadyTime now);                             // the stream continues straight without more points
     // The target is at `place` now and moves at `rates` until the next call. If a target that moved stands where the
     // set-points stop, an axis whose motor starts seldom stays where it is.
     void lead(const AxisPosition& place, const AxisRates& rates, SteadyTime now);

@@ -45,7 +45,7 @@ void ClientWorker::close(int opening)
     m_client.close();
 }
 
-// Drops what was not reported yet, because it belongs to the connection before.
+// Drops what was not reported yet, because it belongs to the previous connection.
 void ClientWorker::begin(int opening)
 {
     m_next = {.opening = opening};

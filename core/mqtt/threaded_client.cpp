@@ -46,7 +46,7 @@ void ThreadedClient::close()
     m_thread->post([worker = m_worker, opening = m_last.opening] { worker->close(opening); });
 }
 
-// Reports that are still on their way belong to the connection before.
+// Reports that are still on their way belong to the previous connection.
 void ThreadedClient::forget()
 {
     const bool hadProblem = !m_last.problem.isEmpty();

@@ -250,7 +250,7 @@ std::optional<NightDesk::Interruption> NightDesk::interruption() const
     return std::nullopt;
 }
 
-// In a strong wind the mount parks by the profile. The tracked pass is lost, and the schedule goes on with the next
+// In a strong wind the mount parks by the profile. The tracked pass is lost, and the schedule continues with the next
 // one.
 void NightDesk::waitOutWind()
 {

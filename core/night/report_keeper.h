@@ -28,7 +28,7 @@ public:
 
     [[nodiscard]] const schedule::NightReport& report() const { return m_report; }
 
-    // The tracking of a pass begins, goes on, and ends.
+    // The tracking of a pass begins, continues, and ends.
     void begun() { m_kept.reset(); }
     void goesOn(const schedule::PassRecord& record);
     void keep(const schedule::PassRecord& record);

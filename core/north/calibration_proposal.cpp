@@ -149,8 +149,8 @@ void setTilt(Proposal& proposal, const calibration::AxisTilt& tilt, const std::o
 }
 
 // Decides whether a difference between the elevation of the sensor and that of the beam is an error of the sensor or of
-// the axis. A sensor that is mounted askew explains a small difference. After the Sun or the Moon has given the zero of
-// the axis, every difference is an error of the sensor. Otherwise a larger difference is an error of the axis
+// the axis. A sensor that is mounted at an angle explains a small difference. After the Sun or the Moon has given the
+// zero of the axis, every difference is an error of the sensor. Otherwise a larger difference is an error of the axis
 // (core/calibration/METHOD.md, Tilt).
 void setZero(Proposal& proposal, calibration::SensorMounting& mounting, const calibration::Estimate& zero,
              const pointing::PointingTerms& present, const std::optional<Angle>& presentSigma)

@@ -33,8 +33,8 @@ struct Proposal
     std::vector<calibration::CalibrationPoint> points;
 };
 
-// `told`: how exactly points gave the terms in force. A term that points know better stays as long as the sensor agrees
-// with it, and the sensor's offset is adapted to the term.
+// `told`: the sigmas of the terms in force, if points gave them. A term that points know better stays as long as the
+// sensor agrees with it, and the sensor's offset is adapted to the term.
 [[nodiscard]] Proposal proposalOf(const calibration::SensorOffset& offset, const profile::Profile& profile,
                                   const TermSigmas& told = {});
 // Call it only if the swing found the compass usable.

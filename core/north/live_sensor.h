@@ -25,7 +25,7 @@ public:
     [[nodiscard]] Result<> isHeard() const;
     // There is a sensor, its data arrive, and it does not report an uncalibrated compass.
     [[nodiscard]] Result<> isUsable() const;
-    // As isUsable(), and the sensor does not report that its heading has lost magnetic north. An average can be taken.
+    // isUsable(), and the sensor does not report that its heading has lost magnetic north. Then an average is possible.
     [[nodiscard]] Result<> isTiedToNorth() const;
     [[nodiscard]] Angle declination() const { return m_declination; }
     [[nodiscard]] std::uint64_t restarts() const { return m_restarts; }

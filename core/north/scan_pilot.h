@@ -10,7 +10,7 @@
 
 #include <optional>
 
-// Leads the beam through a cross scan of a body: points it beside the body place by place, passes the power to ScanRun,
+// Moves the beam through a cross scan of a body: points it beside the body place by place, passes the power to ScanRun,
 // and notices what ends the scan. Station thread only.
 namespace boresight {
 

@@ -34,7 +34,7 @@ public:
     void moves(SteadyTime now);
     // The beam stands still at the place.
     [[nodiscard]] bool wantsPower(SteadyTime now) const { return !comesBack() && rests(now); }
-    // The power at this place. The scan goes on to the next place.
+    // The power at this place. The scan continues to the next place.
     void give(double decibels, SteadyTime now);
     // A value from the receiver. A value from before the beam and the receiver had settled is not used.
     void hear(double decibels, SteadyTime arrival);

@@ -12,7 +12,7 @@ namespace boresight {
 namespace {
 
 const QString kSwingSource = QStringLiteral("calibration");
-// A swing goes on this long without a known position. A stall of this computer is over by then, and the drives have
+// A swing continues this long without a known position. A stall of this computer is over by then, and the drives have
 // their own watchdog.
 constexpr Seconds kUnseen{1.0};
 

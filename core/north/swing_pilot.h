@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <optional>
 
-// Leads the mount through a swing of the compass: asks StationControl for the motions that SwingRun wants, stands still
+// Moves the mount through a swing of the compass: asks StationControl for the motions that SwingRun wants, stands still
 // while the sensor is silent, and notices what ends the swing. Station thread only.
 namespace boresight {
 

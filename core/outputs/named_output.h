@@ -49,7 +49,7 @@ public:
     // Opens the output of the profile in force as soon as the output before is off.
     void reopen();
 
-    // The profile names an output, and the output before has ended.
+    // The profile names an output, and the previous output has ended.
     [[nodiscard]] bool isThere() const { return m_output != nullptr; }
     // The output before has not ended yet.
     [[nodiscard]] bool isAwaited() const { return m_former != nullptr && m_open; }

@@ -9,8 +9,8 @@ namespace boresight::pointing {
 
 class PermittedRegion;
 
-// The permitted place that is nearest on the sky, where azimuth counts as wide as it is at this elevation. Keeps the
-// turn. Empty if nothing is permitted. Pure values, any thread.
+// The permitted place with the smallest angle on the sky, so that a difference in azimuth counts less at a higher
+// elevation. Keeps the turn. Empty if nothing is permitted. Pure values, any thread.
 [[nodiscard]] std::optional<AxisPosition> nearestPermitted(const PermittedRegion& region, const AxisPosition& place);
 
 }  // namespace boresight::pointing

@@ -78,7 +78,7 @@ bool PositionFeed::isKnown(const PositionText& text, SteadyTime now) const
     return later < Seconds(0.0) || (isSame && (later == Seconds(0.0) || arrived < kEcho));
 }
 
-// After a silence the path begins anew at any place. The speed of the mount is limited anyway.
+// After a silence the path may begin again at any place. The speed of the mount is limited anyway.
 Result<> PositionFeed::moveTo(const PositionText& text, SteadyTime now)
 {
     if (isKnown(text, now)) {

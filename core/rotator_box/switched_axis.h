@@ -58,7 +58,7 @@ public:
 
     // The middle of the positions since the axis stands.
     [[nodiscard]] Angle place() const { return 0.5 * (m_same.min + m_same.max); }
-    // The target with which this axis goes on, or stands, as it does. Empty if its position is unknown.
+    // The target with which this axis continues its present motion, or stands. Empty if its position is unknown.
     [[nodiscard]] std::optional<Angle> unchanged() const;
     // The motor was just switched off. Any target may switch it on again.
     [[nodiscard]] bool coasts() const { return m_phase == Phase::Coasts; }

@@ -12,9 +12,9 @@
 #include <optional>
 
 // Both axes of a rotator whose motors are only switched on and off. A command contains a target for each axis, so this
-// decides when a command is sent, and which target the other axis gets: the one with which it goes on, or stands, as it
-// does. Also an axis that the rotator has and this mount does not turn gets such a target. Pure: time and positions are
-// passed in.
+// decides when a command is sent, and which target the other axis gets: the one with which it continues its present
+// motion, or stands. Also an axis that the rotator has and this mount does not turn gets such a target. Pure: time and
+// positions are passed in.
 namespace boresight {
 
 class SwitchedMotors

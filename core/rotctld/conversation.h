@@ -29,7 +29,7 @@ public:
     [[nodiscard]] virtual bool step(std::string& reply) = 0;
 
     [[nodiscard]] virtual const Client& client() const = 0;
-    // Why the conversation is over; empty while it goes on.
+    // Why the conversation is over; empty while it continues.
     [[nodiscard]] virtual const QString& ending() const = 0;
     [[nodiscard]] virtual bool dropped() const = 0;  // by the server; false: the client left by itself
     [[nodiscard]] virtual bool paused() const { return false; }

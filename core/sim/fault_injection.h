@@ -25,7 +25,7 @@ enum class FaultKind
     BusOff,          // the adapter is off the bus
     DuplicateId,     // the drive answers with the id of the other drive
     DriveFault,      // value: fault code, at once. It returns at each enabling, as in a real drive. A code of a limit
-                     // (96…105) is only reported while the drive is on; the drive goes on working
+                     // (96…105) is only reported while the drive is on; the drive still works
     BoardPowerLoss,  // of one drive: a loose plug
     PowerLoss,       // of the whole mount. value: mount angle in degrees to which this axis is turned by hand
     SupplyVoltage,   // value: V

@@ -68,7 +68,7 @@ private:
 
     std::optional<Angle> m_rested;      // where it should stand
     std::optional<Angle> m_candidate;   // where it may stand still
-    SteadyTime m_still{};               // when it was first at the candidate
+    SteadyTime m_still{};               // since when it is at the candidate
     std::optional<SteadyTime> m_since;  // since when it should stand
     Angle m_actual;
     Angle m_lastCommanded;

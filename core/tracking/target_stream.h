@@ -10,7 +10,7 @@
 
 // Turns the points of a client (Gpredict: `P` every 0.8…4 s in steps of its threshold) into a target that moves
 // smoothly. While the points look like a path in the sky, the target follows that path and runs ahead of the last point
-// for a limited time. The time is short, unless the client goes on reading the position without sending a point.
+// for a limited time. The time is short, unless the client still reads the position without sending a point.
 // Otherwise, and when no more points come, the target is the last point itself. Pure values, times are steady, any one
 // thread. Limits and measured errors: METHOD.md.
 namespace boresight::tracking {

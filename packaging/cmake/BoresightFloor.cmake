@@ -2,11 +2,12 @@
 
 # boresight_floor(NAME ROOMS folder… LINKS library… [INSIDE library…] [HEADERS header… | HEADERS_OF floor])
 # The library boresight_NAME of a floor of the house. A room adds its sources by target_sources(${floor} …).
-#   LINKS       the floors below, and what their users see of other libraries
-#   INSIDE      what only this floor's own sources use
-#   HEADERS     compiled once for all its sources; HEADERS_OF: with those of that floor
-# The program floor_NAME is all of a floor, linked with the floors below it and nothing else. It is never run: what reaches
-# up to a higher floor does not link there. A wrong arrow within a floor is found by tests/rooms_test.cpp.
+#   LINKS       the floors below, and other libraries that the headers of this floor use
+#   INSIDE      libraries that only the sources of this floor use
+#   HEADERS     headers that are compiled once for all sources of the floor
+#   HEADERS_OF  the floor whose compiled headers are used
+# The program floor_NAME links a floor only with the floors below it. It is never run. A source that uses a higher floor does
+# not link there. tests/rooms_test.cpp finds a wrong include within a floor.
 function(boresight_floor name)
   cmake_parse_arguments(F "" "HEADERS_OF" "ROOMS;LINKS;INSIDE;HEADERS" ${ARGN})
   set(floor boresight_${name})

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What belongs to an installed Boresight beside the programs: service, adapter rules, manual pages, menu entry,
-# metadata for software centres, icon.
+# The installed files beside the programs: service, adapter rules, man pages, menu entry, metadata for software centres,
+# icon.
 include(GNUInstallDirs)
 
 configure_file("${CMAKE_SOURCE_DIR}/packaging/systemd/boresightd.service.in" boresightd.service @ONLY)
 install(FILES "${CMAKE_BINARY_DIR}/boresightd.service" DESTINATION lib/systemd/system)
-# Before 73-seat-late.rules, which acts on the tag uaccess.
+# The number is below 73, because 73-seat-late.rules uses the tag uaccess.
 install(FILES packaging/udev/70-boresight-fdcanusb.rules DESTINATION lib/udev/rules.d)
 install(FILES packaging/man/boresightctl.1 packaging/man/boresightd.1 DESTINATION "${CMAKE_INSTALL_MANDIR}/man1")
 if(BORESIGHT_UI)

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What every target of ours is compiled with: C++20, warnings as errors, the sanitizers of the preset.
+# The options of every target of Boresight: C++20, warnings as errors, the sanitizers of the preset.
 
 set(BORESIGHT_SANITIZE "" CACHE STRING "Sanitizers to build with, e.g. address,undefined or thread")
 
 add_library(boresight_options INTERFACE)
-# Programs like libraries, so that they share precompiled headers.
+# Programs are compiled like libraries, so that they share precompiled headers.
 target_compile_options(boresight_options INTERFACE -fPIC)
 target_compile_features(boresight_options INTERFACE cxx_std_20)
 target_compile_options(boresight_options INTERFACE
@@ -14,35 +14,36 @@ target_compile_definitions(boresight_options INTERFACE
   BORESIGHT_VERSION="${PROJECT_VERSION}"
   QT_NO_CAST_FROM_ASCII QT_NO_CAST_TO_ASCII QT_NO_FOREACH QT_NO_KEYWORDS QT_DISABLE_DEPRECATED_BEFORE=0x060400)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  # GCC 12 at -O2 takes a union that was moved from (tl::expected) for untouched, and destroys its string twice.
+  # GCC 12 at -O2 does not notice that a union was moved from (tl::expected), and destroys its string twice.
   target_compile_options(boresight_options INTERFACE -fno-ipa-modref)
 else()
-  # What GCC does not ask for with these names.
+  # Warnings that GCC does not have under these names.
   target_compile_options(boresight_options INTERFACE -Wno-sign-conversion)
 endif()
 target_include_directories(boresight_options INTERFACE "${CMAKE_SOURCE_DIR}")
 if(BORESIGHT_SANITIZE)
-  # Every use of a pointer is AddressSanitizer's to judge; these checks beside it take a third of the compiler's time.
-  # The check of alignment takes 10 to 20 % more, and pointers are cast to sockaddr and to bytes only.
+  # AddressSanitizer checks every use of a pointer. These additional checks take a third of the compiler's time. The
+  # check of alignment takes 10 to 20 % more. It is not needed, because pointers are only cast to sockaddr and to bytes.
   target_compile_options(boresight_options INTERFACE
     -fsanitize=${BORESIGHT_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer
     -fno-sanitize=null,object-size,vptr,pointer-overflow,alignment)
   if(BORESIGHT_SANITIZE MATCHES "address" AND CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
-    # To find a use of a local after its function has returned costs a third of the time of all tests. The compiler warns
-    # of most.
+    # The search for uses of a local variable after the return of its function costs a third of the time of all tests.
+    # The compiler warns of most of them.
     target_compile_options(boresight_options INTERFACE -fsanitize-address-use-after-return=never)
   endif()
   target_compile_definitions(boresight_options INTERFACE BORESIGHT_SANITIZED)
   target_link_options(boresight_options INTERFACE -fsanitize=${BORESIGHT_SANITIZE})
   if(BORESIGHT_SANITIZE MATCHES "thread")
     target_compile_definitions(boresight_options INTERFACE BORESIGHT_THREAD_SANITIZED)
-    # Qt's own library is not instrumented: this object tells ThreadSanitizer what Qt's event queue orders.
+    # Qt's own library is not instrumented. This object informs ThreadSanitizer about the order that Qt's event queue
+    # ensures.
     add_library(boresight_qt_event_order OBJECT "${CMAKE_SOURCE_DIR}/tests/sanitizers/qt_event_order.cpp")
     target_compile_features(boresight_qt_event_order PRIVATE cxx_std_20)
     target_compile_options(boresight_qt_event_order PRIVATE -fsanitize=${BORESIGHT_SANITIZE})
     target_link_libraries(boresight_qt_event_order PRIVATE Qt6::Core)
     target_link_libraries(boresight_options INTERFACE $<TARGET_OBJECTS:boresight_qt_event_order>)
-    # Its operator new takes the place of clang's own, which it cannot where that is linked statically.
+    # Its operator new replaces the one of clang. This is not possible if that one is linked statically.
     execute_process(COMMAND ${CMAKE_CXX_COMPILER} -print-runtime-dir
       OUTPUT_VARIABLE runtimes OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
     target_link_options(boresight_options INTERFACE -shared-libsan "-Wl,-rpath,${runtimes}")
@@ -53,7 +54,7 @@ if(BORESIGHT_SANITIZE)
   endif()
 endif()
 
-# Some 70 programs are linked: mold takes a tenth of the time for it.
+# More than 100 programs are linked. mold takes a tenth of the time.
 include(CheckLinkerFlag)
 check_linker_flag(CXX -fuse-ld=mold BORESIGHT_HAS_MOLD)
 if(BORESIGHT_HAS_MOLD)
@@ -66,7 +67,7 @@ set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/bin")
 set(CMAKE_AUTOMOC ON)
 set(CMAKE_AUTORCC ON)
 
-# A precompiled header is compared by what it defines rather than by its date.
+# A precompiled header is compared by its definitions, not by its date.
 find_program(CCACHE_PROGRAM ccache)
 if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER
@@ -80,13 +81,13 @@ if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
 endif()
 
 # boresight_precompile(TARGET HEADER…)
-# Headers that nearly every source of a target includes are compiled once for it: half of the time of a build from
+# Compiles headers that nearly every source of a target includes once. This saves half of the time of a build from
 # nothing.
 function(boresight_precompile target)
   target_precompile_headers(${target} PRIVATE ${ARGN})
 endfunction()
 
-# boresight_moc_alone(TARGET): its classes with Q_OBJECT are read by moc_alone.sh.in.
+# boresight_moc_alone(TARGET): moc_alone.sh.in reads the classes of the target that have Q_OBJECT.
 function(boresight_moc_alone target)
   get_target_property(BORESIGHT_MOC Qt6::moc IMPORTED_LOCATION)
   configure_file("${CMAKE_SOURCE_DIR}/packaging/cmake/moc_alone.sh.in" "${CMAKE_BINARY_DIR}/moc_alone.sh" @ONLY
@@ -97,10 +98,10 @@ endfunction()
 option(BORESIGHT_UNITY "Compile several sources of a folder at once: half of the time of a build from nothing" ON)
 
 # boresight_unite(TARGET [FOLDERS_TOGETHER])
-# Call after all sources were added. Sources of different folders are never compiled together, so that a name in an
-# anonymous namespace has to be the only one of its folder. With FOLDERS_TOGETHER they are, for a target of many small
-# folders, and the name has to be the only one of the target. What a source needs it includes itself: the preset dev
-# compiles each alone.
+# Call it after all sources were added. It compiles several sources of a folder together, so a name in an anonymous
+# namespace must be unique in its folder. With FOLDERS_TOGETHER it also compiles sources of different folders together,
+# for a target with many small folders. Then the name must be unique in the target. Each source includes all headers
+# that it needs, because the preset dev compiles each source alone.
 function(boresight_unite target)
   if(NOT BORESIGHT_UNITY)
     return()
@@ -136,7 +137,8 @@ function(boresight_unite target)
   endforeach()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    # It sees a type of an anonymous namespace in an included file, and cannot know that it is included once.
+    # GCC sees a type of an anonymous namespace in an included file, and does not know that the file is included only
+    # once.
     target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
   endif()
 endfunction()

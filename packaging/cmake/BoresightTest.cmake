@@ -2,34 +2,36 @@
 
 option(BORESIGHT_UNIT_TESTS "Build the tests that the presets with sanitizers run (labels unit and ui), too" ON)
 
-# How much of what ctest --parallel counts a test takes that computes. A test that waits for programs in slow time takes 1.
+# The share of a test that computes, in the units of ctest --parallel. A test that waits for programs in slow time has
+# 1.
 set(BORESIGHT_COMPUTES 3)
 
 set(BORESIGHT_TEST_RESULTS "${CMAKE_BINARY_DIR}/test-results")  # one XML file of GoogleTest for each test of ctest
 
-# The line numbers of tests cost a tenth of their compilation, and a failure names its line without them. Only the preset
-# dev has them, for a debugger.
+# Line numbers for a debugger take a tenth of the time to compile a test. A failed check names its line without them.
+# Only the preset dev has them.
 set(test_options -O0)
 if(BORESIGHT_UNITY)
   list(APPEND test_options -g0)
 endif()
 
 # boresight_add_test(NAME LABEL unit|ui|system|long SOURCES … [LIBRARIES …])
-# A GoogleTest program, which is one test of ctest: it runs from its first to its last case. LIBRARIES is what is tested,
-# boresight_core if it is not said. The label says where it runs, so that nothing runs twice without need:
-#   unit, ui    with the sanitizers: of classes, of a station in one process, and of the window
-#   system      with the sanitizers and in the release build: of whole programs, and of the window before a real station
-#   long        in the release build: its cases take the paths of others again, for hours of simulated time, with other
-#               fonts or in other themes
-#   QT_MAIN     its main() has a QCoreApplication; OWN_MAIN: it brings a main() of its own
-#   ONE_THREAD  ThreadSanitizer has nothing to find in it, or nothing that another test does not show: left out there
-#   SHARDS n    a long one, run as n tests of ctest beside each other
-#   TIMEOUT s   of each; 600 s if it is not said
-#   SLOW_TIME   its programs must keep the watchdog of a drive: their time passes slower (tests/system/programs/slow_clock.cpp)
-#   FOLDERS_TOGETHER  its sources lie in many small folders (boresight_unite)
-#   HEADERS_OF  station or ui: shares the headers that tests/CMakeLists.txt precompiles for programs before a whole station
-#               or for those of the window
-#   OPTIMISED   for a long one; tests are not, for what they test is, and half of a build from nothing goes into them
+# A GoogleTest program. It is one test of ctest, which runs all its cases. LIBRARIES are the tested libraries (default:
+# boresight_core). The label decides in which builds the test runs, so that no test runs twice without need:
+#   unit, ui    with the sanitizers. Tests of classes, of a station in one process, and of the window
+#   system      with the sanitizers and in the release build. Tests of whole programs, and of the window with a real station
+#   long        in the release build. Cases that repeat others for hours of simulated time, with other fonts or themes
+#   QT_MAIN     main() has a QCoreApplication
+#   OWN_MAIN    the test has its own main()
+#   ONE_THREAD  not under ThreadSanitizer, because the test has one thread, or because another test shows the same races
+#   SHARDS n    a long test, run as n tests of ctest at the same time
+#   TIMEOUT s   of each shard (default: 600 s)
+#   SLOW_TIME   the programs of the test must keep the watchdog of a drive, so their time passes slower
+#               (tests/system/programs/slow_clock.cpp)
+#   FOLDERS_TOGETHER  the sources are in many small folders (boresight_unite)
+#   HEADERS_OF  station or ui: the test shares the headers that tests/CMakeLists.txt precompiles for tests of a whole station
+#               or of the window
+#   OPTIMISED   for a long test. Other tests are not optimised, because half of a build from nothing compiles tests
 function(boresight_add_test name)
   cmake_parse_arguments(T "QT_MAIN;OWN_MAIN;ONE_THREAD;SLOW_TIME;OPTIMISED;FOLDERS_TOGETHER" "LABEL;TIMEOUT;SHARDS;HEADERS_OF"
     "SOURCES;LIBRARIES" ${ARGN})
@@ -69,8 +71,9 @@ function(boresight_add_test name)
   boresight_add_runs(${name} "${T_LABEL}" "${T_SHARDS}" "${T_TIMEOUT}" "${T_SLOW_TIME}")
 endfunction()
 
-# boresight_test_headers(NAME LIBRARIES … HEADERS …): compiled once for many test programs, by a program that is never run,
-# for it has to be compiled as they are.
+# boresight_test_headers(NAME LIBRARIES … HEADERS …)
+# Compiles headers once for many test programs. A program that is never run does this, because it has the same options
+# as the tests.
 function(boresight_test_headers name)
   cmake_parse_arguments(H "" "" "LIBRARIES;HEADERS" ${ARGN})
   file(CONFIGURE OUTPUT ${name}.cpp CONTENT "int main()\n{}\n")
@@ -81,7 +84,7 @@ function(boresight_test_headers name)
   boresight_precompile(${name} ${test_headers} ${H_HEADERS})
 endfunction()
 
-# Tests that run at the same time do not find each other's settings.
+# Each test has its own settings, so that tests that run at the same time do not disturb each other.
 function(boresight_give_home run)
   foreach(kind CONFIG DATA STATE CACHE)
     set_property(TEST ${run} APPEND PROPERTY
@@ -89,7 +92,8 @@ function(boresight_give_home run)
   endforeach()
 endfunction()
 
-# For a program with SDL: lsan.supp knows a leak of it by who allocated, which takes too long to be noted everywhere.
+# For a program with SDL: lsan.supp identifies a leak of SDL by the stack of its allocation. To record these stacks in
+# every test takes too long.
 function(boresight_note_allocations run)
   if(TEST ${run})
     set_property(TEST ${run} APPEND PROPERTY ENVIRONMENT_MODIFICATION
@@ -97,7 +101,7 @@ function(boresight_note_allocations run)
   endif()
 endfunction()
 
-# Those of label system wait for programs that keep real time: the others reckon behind them.
+# Tests with the label system wait for programs in real time, so the other tests compute at a lower priority.
 function(boresight_add_runs name label shards timeout slow_time)
   if(NOT shards)
     set(shards 1)
@@ -122,14 +126,14 @@ function(boresight_add_runs name label shards timeout slow_time)
     if(NOT slow_time)
       set_tests_properties(${run} PROPERTIES PROCESSORS ${BORESIGHT_COMPUTES})
     else()
-      set_tests_properties(${run} PROPERTIES COST 1500)  # first: they wait longest
-      # AddressSanitizer wants to be loaded first, and the order makes no difference to it.
+      set_tests_properties(${run} PROPERTIES COST 1500)  # first, because they wait longest
+      # AddressSanitizer requires to be loaded first, but works in any order.
       set_property(TEST ${run} APPEND PROPERTY ENVIRONMENT_MODIFICATION
         "LD_PRELOAD=set:$<TARGET_FILE:slow_clock>"
         "ASAN_OPTIONS=string_append::verify_asan_link_order=0")
     endif()
     if(shards GREATER 1 AND NOT slow_time)
-      set_tests_properties(${run} PROPERTIES COST 1000)  # early, or the last core is alone with them
+      set_tests_properties(${run} PROPERTIES COST 1000)  # early, because otherwise one core runs them at the end
     endif()
   endforeach()
 endfunction()

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Configuring and building a preset of CMakePresets.json. Sourced after qwt.sh.
 
-# One job per core, but no more than memory allows: a compiler on Qt code takes up to 1 GB, with sanitizers 1.5 GB.
+# One job per core, but no more than the memory permits: a compiler on Qt code takes up to 1 GB, with sanitizers 1.5 GB.
 parallel_jobs() {
     local cores memory
     cores=$(nproc)
@@ -11,7 +11,7 @@ parallel_jobs() {
     echo $((cores < memory ? cores : memory))
 }
 
-# Ninja decides what there is to do, and runs CMake again by itself when a CMakeLists.txt has changed.
+# Ninja decides what to build, and runs CMake again when a CMakeLists.txt has changed.
 build_preset() {  # PRESET [TARGET…]
     step "building build/$1"
     local preset=$1 folder=$BORESIGHT_TOP/build/$1 wanted compiler=()

@@ -1,6 +1,6 @@
 # shellcheck shell=bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What every script in packaging/ starts from: strict mode, the top folder, messages. Sourced, never run.
+# The beginning of every script in packaging/: strict mode, the top folder, messages. It is sourced, never run.
 
 set -euo pipefail
 
@@ -46,7 +46,7 @@ step_number() {
     [[ $steps_in_all -eq 0 ]] || printf 'step %d of %d, ' "$steps_done" "$steps_in_all"
 }
 
-# What ninja writes in front of each of its lines.
+# The text that ninja writes at the beginning of each line.
 ninja_status() {
     printf '%s: %spart %%f of %%t: ' "$BORESIGHT_COMMAND" "$(step_number)"
 }

@@ -1,6 +1,6 @@
 # shellcheck shell=bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The Debian packages Boresight needs, by purpose, and need_packages which installs what is missing. Sourced.
+# The Debian packages that Boresight needs, by purpose. need_packages installs the missing ones. Sourced.
 #
 # Names as in Debian 12. A name with alternatives, "a|b", means the first one this machine knows.
 # shellcheck disable=SC2034  # the lists are used by the scripts that source this file
@@ -15,27 +15,27 @@ readonly build_packages=(
     libsdl2-dev libgtest-dev libgmock-dev libbenchmark-dev
 )
 
-# What building Qwt from Debian's source package needs on top.
+# Further packages to build Qwt from Debian's source package.
 readonly qwt_source_packages=(bzip2 debian-archive-keyring)
 
-# What the programs of the presets with sanitizers run with. The runtime of clang-16 names functions by
-# llvm-symbolizer-16 and by no other version. Without names no line of tests/sanitizers/*.supp counts.
+# Packages to run the programs of the presets with sanitizers. The runtime of clang-16 names functions only by
+# llvm-symbolizer-16. Without names no line of tests/sanitizers/*.supp has an effect.
 readonly sanitizer_packages=(libclang-rt-16-dev llvm-16)
 
-# What reads the sources beside the compiler: of the same version, as it takes that one's precompiled headers.
+# The checker of the sources. It has the version of the compiler, because it uses the precompiled headers of the
+# compiler.
 readonly tidy_packages=(clang-tidy-16)
 
-# What the tests run: User-Mode Linux for a real SocketCAN interface, can-utils as an independent check there, Hamlib's rotctl
-# and rotctld as peers, the fonts of the usual desktops, the formatter, and the checkers of shell scripts, of the manual
-# pages, of the menu entry and of the metadata; a real MQTT broker, with certificates made by openssl.
+# Programs that the tests run: User-Mode Linux for a real SocketCAN interface, can-utils as an independent check there,
+# Hamlib's rotctl and rotctld as peers, the fonts of the usual desktops, the formatter, a real MQTT broker with
+# certificates made by openssl, and the checkers of shell scripts, man pages, menu entry and metadata.
 readonly test_packages=(
     user-mode-linux kmod iproute2 can-utils libhamlib-utils clang-format-14 shellcheck
     fonts-dejavu-core fonts-noto-core fonts-noto-mono fonts-liberation fonts-cantarell
     man-db desktop-file-utils appstream mosquitto openssl "${sanitizer_packages[@]}" "${tidy_packages[@]}"
 )
 
-# What showing the window on a real display needs beyond the libraries that are linked: with Qt's own texts in other
-# languages.
+# Further packages to show the window on a real display, with Qt's own texts in other languages.
 readonly display_packages=(qt6-wayland libqt6svg6 qt6-translations-l10n fonts-dejavu-core)
 
 # What tests/bench/run needs.
@@ -49,7 +49,7 @@ package_is_known() {
     apt-cache show --no-all-versions "$1" >/dev/null 2>&1
 }
 
-# Prints one name for each missing entry; of alternatives the first known one.
+# Prints one name for each missing entry. Of alternatives it prints the first known one.
 missing_packages() {
     local entry name names found
     for entry in "$@"; do
@@ -91,7 +91,8 @@ need_packages() {  # PACKAGE…
     [[ $EUID -eq 0 ]] || command -v sudo >/dev/null ||
         fail "packages are missing, and there is no sudo. Run as root: apt-get install ${missing[*]}"
     say "installing ${missing[*]}"
-    # An update that fails for one of several archives is no reason to give up: the installation decides.
+    # An update that fails for one of several archives does not end the script, because the packages may be in the
+    # others.
     apt_get update >/dev/null || say "apt-get update reported a problem. The stored package lists are used"
     mapfile -t missing < <(missing_packages "$@")
     apt_get install -y --no-install-recommends "${missing[@]}" >/dev/null ||

@@ -1,11 +1,11 @@
 # shellcheck shell=bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# need_qwt: leaves in QWT_ARGUMENTS what CMake must be told to find a Qwt for Qt 6. Sourced after packages.sh.
+# need_qwt: stores in QWT_ARGUMENTS the arguments with which CMake finds a Qwt for Qt 6. Sourced after packages.sh.
 #
-# The distribution's own package is used where there is one. Debian 12 and 13 and Ubuntu 24.04 have Qwt for Qt 5 only;
-# there Qwt 6.3.0 is built once from Debian's source package into the user's cache. No host is named: the archive is
-# the one this machine's apt already uses, apt checks signatures and sums, and the tarball's sum is pinned on top.
-# Environment: QWT_ROOT=PREFIX uses a Qwt of your own, QWT_TARBALL=FILE builds from a tarball at hand (offline).
+# It uses the package of the distribution if there is one. Debian 12 and 13 and Ubuntu 24.04 have Qwt only for Qt 5.
+# There it builds Qwt 6.3.0 once from Debian's source package into the user's cache. The script names no host: it uses
+# the archive of this machine's apt. apt checks signatures and sums, and the script checks the sum of the tarball, too.
+# Environment: QWT_ROOT=PREFIX uses another Qwt, QWT_TARBALL=FILE builds from this tarball (offline).
 
 readonly qwt_version=6.3.0
 readonly qwt_sha256=dcb085896c28aaec5518cbc08c0ee2b4e60ada7ac929d82639f6189851a6129a
@@ -35,14 +35,14 @@ qwt_of_the_distribution() {
     /sbin/ldconfig -p 2>/dev/null | grep -qE 'libqwt6?-qt6\.so'
 }
 
-# What the library depends on: another Qt, compiler or choice of parts asks for another build.
+# The things that the library depends on. Another Qt, another compiler or other parts need another build.
 qwt_stamp() {
     printf 'qwt %s qt %s g++ %s parts %s\n' "$qwt_version" \
         "$(dpkg-query -W -f '${Version}' qt6-base-dev)" "$(g++ -dumpfullversion)" \
         "$(cksum <"$BORESIGHT_TOP/packaging/qwt/CMakeLists.txt")"
 }
 
-# The user's cache, so that several checkouts share one build; the checkout's own where there is no home.
+# The user's cache, so that several checkouts share one build. Without a home folder, the folder of the checkout.
 qwt_cache() {
     local cache=${XDG_CACHE_HOME:-${HOME:+$HOME/.cache}}
     if [[ -n $cache ]] && mkdir -p "$cache/boresight" 2>/dev/null && [[ -w $cache/boresight ]]; then
@@ -94,9 +94,9 @@ debian_archive() {
 }
 
 # Fetches the upstream tarball of Debian's source package into FOLDER. apt gets its own list, index and cache there, so
-# the machine's apt state stays as it is. Only the tarball is asked for: Debian's patches are not needed, and a mirror
-# whose index lags its pool has already dropped the files that name the Debian revision. An index that is out of date is
-# taken too: what matters is the tarball, and its sum is known.
+# the apt state of the machine does not change. Only the tarball is fetched. Debian's patches are not needed. A mirror
+# with an old index may have removed the files that name the Debian revision. An old index is accepted, too, because the
+# sum of the tarball is known.
 fetch_qwt() {  # FOLDER
     local folder=$1 archive suite private version
     archive=$(debian_archive)

@@ -109,7 +109,7 @@ TEST(ProfileSaver, SaysWhyItCouldNot)
     EXPECT_TRUE(answers.failed.constFirst().contains(QStringLiteral("gone.toml")));
 }
 
-// The previous mount goes on, and the operator reads the reason.
+// The previous mount continues, and the operator reads the reason.
 TEST(ProfileSaver, SaysWhyTheNextStationIsNotTheOneThatWasWanted)
 {
     ProfileRig rig;

@@ -50,7 +50,8 @@ installed() {
     return "$missing"
 }
 
-# What the program relies on: the limits that it asks for, a watchdog that it feeds, a folder for its local socket.
+# The settings that the program needs: the limits that it requests, the watchdog that it feeds, and a folder for its
+# local socket.
 service_unit() {
     local unit=$there/lib/systemd/system/boresightd.service line status=0
     # shellcheck disable=SC2016  # systemd expands it
@@ -81,7 +82,7 @@ manuals_without_warnings() {
     return "$status"
 }
 
-# Of --help, but those that every Qt program has.
+# The options of --help, without those of every Qt program.
 manuals_name_every_option() {
     local program option options status=0
     for program in "${programs[@]}"; do
@@ -103,7 +104,7 @@ menu_entry() {
     desktop-file-validate --no-hints "$there/share/applications/boresight.desktop"
 }
 
-# The project has no domain that the id could be named after.
+# The project has no domain for its id.
 metadata() {
     need appstreamcli
     appstreamcli validate --no-net --no-color --override=cid-desktopapp-is-not-rdns=info \

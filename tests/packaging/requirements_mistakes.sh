@@ -3,7 +3,7 @@
 #
 # requirements_mistakes.sh TOP
 #
-# Lets packaging/requirements --check look at a small tree, first without a mistake, then with one of each kind.
+# Runs packaging/requirements --check on a small tree, first without an error, then with one error of each kind.
 
 # shellcheck disable=SC2016  # the backticks are those of the pages
 set -euo pipefail
@@ -37,7 +37,7 @@ END
     "$tree/packaging/requirements"
 }
 
-# One line more at the end of FILE must be found, with these words.
+# Adds a line to the end of FILE. The check must report it with these words.
 expect() {  # WORDS FILE LINE…
     local words=$1 file=$2
     shift 2

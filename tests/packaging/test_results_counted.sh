@@ -3,7 +3,7 @@
 #
 # test_results_counted.sh TEST_RESULTS_AWK
 #
-# Lets packaging/lib/test_results.awk count what ctest and GoogleTest write of each kind of end.
+# Runs packaging/lib/test_results.awk on the files that ctest and GoogleTest write, for each kind of result.
 #
 # REQ-PACKAGING-500 (Packaging.resultsAreCounted): packaging/test counts each case once. A program that died, and a
 # program that could test nothing at all, are failures.

@@ -25,7 +25,7 @@ public:
     };
     struct Look
     {
-        Angle azimuth;  // unwrapped: it goes on through north
+        Angle azimuth;  // unwrapped: it continues through north
         Angle elevation;
     };
 

@@ -298,7 +298,7 @@ TEST_F(ScheduleNight, ANightOfTroublesGoesOn)
         EXPECT_LT(rig->farthestFrom(stands), 0.5_deg) << "nobody has re-armed";
         onceMore();
     };
-    // The mount goes on with the time before until the operator wants the new time.
+    // The mount continues with the old time until the operator wants the new time.
     const auto setClock = [&](Seconds by) {
         rig->clock.stepUtc(by);
         rig->tick();

@@ -1,16 +1,17 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Runs a command where real SocketCAN exists: inside User-Mode Linux (Debian package user-mode-linux), a kernel that
-# runs as an ordinary process in about 2 s, without root. The guest's root is this machine's file tree, read-write, so
-# what was built here runs there as it is, in the same folder and environment (plus BORESIGHT_UML=1).
+# Runs a command with real SocketCAN, inside User-Mode Linux (Debian package user-mode-linux). This kernel runs as an
+# ordinary process without root, and boots in 2 s. The root of the guest is the file tree of this machine, read-write.
+# So programs that were built here run there in the same folder and environment (plus BORESIGHT_UML=1).
 #
 #   uml_can_run.sh [-m MEMORY] [-t SECONDS] [-n INTERFACES] [-l KERNEL_LOG] [-p LIBRARY] [--] COMMAND [ARGUMENT…]
 #     -m 512M   guest memory          -t 120  time limit
 #     -n 2      vcan0 … vcan(n-1), CAN-FD, up          -l FILE keeps the kernel's log
 #     -p FILE   a library that is loaded into the kernel before its own
 #
-# Status: the command's own; 77 where UML or its CAN is missing (ctest: skipped), with the reason on stderr;
-# 124 after the time limit, or if three guests do not boot; 125 if UML died under the command. stdout and stderr stay apart.
+# Status: that of the command. 77 (ctest: skipped) if UML or its CAN is missing, with the reason on stderr. 124 after
+# the time limit, or if three guests do not boot. 125 if UML died while the command ran. stdout and stderr stay
+# separate.
 set -u
 
 memory=512M limit=120 interfaces=2 keep_log='' preload=''
@@ -98,7 +99,8 @@ chmod +x "$dir/init"
 
 # Console 1 is our stdout, console 2 our stderr; console 0 and the kernel's messages go to the log.
 exec 3>&1 4>&2
-# A guest keeps real time, and each of its system calls waits for a turn of this machine. Who may, runs it before others.
+# A guest keeps real time, and each of its system calls waits for a turn of this machine. So it gets a higher priority,
+# if the user has the right.
 first=()
 ! chrt --rr 1 true 2>/dev/null || first=(chrt --rr 1)
 run_guest() {
@@ -110,8 +112,8 @@ run_guest() {
 is_running() { kill -0 "$guest" 2>/dev/null; }
 has_begun() { [ -e "$dir/ready" ] || [ -e "$dir/no_can" ]; }
 
-# A guest boots in 2 s, with a slow clock on a busy machine in 20 s. Very rarely one stops on the way, before anything of
-# ours runs in it: then another one is tried.
+# A guest boots in 2 s, with a slow clock on a busy machine in 20 s. Very rarely a guest stops while it boots. Then
+# another one is tried.
 boot_limit=150
 boots() {
   for ((waited = 0; waited < boot_limit; waited++)); do

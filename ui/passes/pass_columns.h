@@ -30,7 +30,7 @@ public:
     [[nodiscard]] QToolButton* makeButton(
         QWidget* parent);  // opens the menu of the columns; so does a right click on a heading
 
-    // Names for the settings file: "rises", "hidden". Empty: as many columns as there is room for.
+    // Names for the settings file: "rises", "hidden". Empty: as many columns as fit.
     [[nodiscard]] QStringList chosen() const;
     void choose(const QStringList& names);  // unknown names are ignored
 

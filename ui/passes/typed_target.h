@@ -30,9 +30,10 @@ public:
     void setText(const QString& text);
     void showStatus(const StationStatus& status);
 
-    // Why the station would refuse it; empty: as far as the window knows it would not.
+    // The reason for which the station would refuse the target. Empty: the window knows no reason.
     [[nodiscard]] QString whyNot() const;
-    // Why the table of a typed file would not be tracked, or that it is unknown. Empty: it would, or no file was typed.
+    // The reason for which the table of a typed file cannot be tracked, or a text that this is unknown. Empty if it can
+    // be tracked, or if no file was typed.
     [[nodiscard]] Sentence aboutTable() const;
     [[nodiscard]] const std::optional<Request>& request() const { return m_request; }  // empty: whyNot() says why
 

@@ -106,7 +106,7 @@ void SkyPath::addEnd(const targets::SkyMoment& moment, bool isBegin)
     m_ends.push_back(end);
 }
 
-// Towards the middle of the sky, level with the end, or else below or above it, where the path does not pass.
+// Towards the middle of the sky, at the height of the end. If the path passes there, below or above the end.
 QRectF SkyPath::boxBeside(const QPointF& end, const QSizeF& size) const
 {
     const bool isWest = end.x() < m_sky.zenith.x();

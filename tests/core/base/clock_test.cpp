@@ -16,7 +16,7 @@ std::chrono::nanoseconds bootTime()
     return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
 }
 
-// REQ-BASE-11: The steady time goes on while the computer sleeps.
+// REQ-BASE-11: The steady time continues while the computer sleeps.
 TEST(Clock, GoesOnWhileTheComputerSleeps)
 {
     const std::chrono::nanoseconds before = bootTime();

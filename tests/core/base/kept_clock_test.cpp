@@ -20,7 +20,7 @@ protected:
 };
 
 // REQ-STATION-233: The time that points the mount follows small corrections of the clock of this computer at once. When
-// that clock is set by more than half a second, it goes on as before until the new time is taken.
+// that clock is set by more than half a second, it continues as before until the new time is taken.
 TEST_F(KeptClockTest, GoesOnWhenTheClockIsSet)
 {
     computer.advance(Seconds(10.0));

@@ -159,8 +159,8 @@ TEST_F(BrakeSequenceTest, IsOpenOnceItIsOpen)
     EXPECT_TRUE(sequence.mayMove());
 }
 
-// REQ-BRAKE-05: If a drive is silent, the brake is set when the set-points have stood still for the time in which such
-// a drive stops.
+// REQ-BRAKE-05: A silent drive stops within a known time. If a drive is silent, the brake is set when the set-points
+// have stood still for this time.
 TEST_F(BrakeSequenceTest, ASilentDriveGetsTimeToStop)
 {
     move();

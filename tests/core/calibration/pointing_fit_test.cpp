@@ -394,9 +394,9 @@ SunStatistics sunStatistics(int count, double limit, fakes::Sides sides = fakes:
     return result;
 }
 
-// REQ-CALIBRATION-17: Points are centred to 0.02°. North means the largest azimuth error of a level beam, all round.
-// With three points of the Sun north is within 0.15° on 99 of 100 days, and with six within 0.05° on 97 of 100 days.
-// The beam along the whole path of the Sun has the same error on 98 and 90 of 100 days. Tilt is within 0.1°.
+// REQ-CALIBRATION-17: Points are centred to 0.02°. North means the largest azimuth error of a level beam, at any
+// azimuth. With three points of the Sun north is within 0.15° on 99 of 100 days, and with six within 0.05° on 97 of 100
+// days. The beam along the whole path of the Sun has the same error on 98 and 90 of 100 days. Tilt is within 0.1°.
 TEST(PointingFit, ThreePointsOfTheSun)
 {
     const SunStatistics result = sunStatistics(3, 0.15);

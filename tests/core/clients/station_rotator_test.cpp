@@ -264,7 +264,7 @@ TEST(StationRotator, StopOfTheOperatorRefusesTheClient)
     EXPECT_TRUE(rig.rotator.position(kRotatorGpredict));
 }
 
-// A stream that rises by 0.5°/s and ends, while one client goes on reading the position every 0.8 s.
+// A stream that rises by 0.5°/s and ends, while one client still reads the position every 0.8 s.
 StationState afterSilence(RotatorRig& rig, const rotctld::Client& reader)
 {
     for (int i = 0; i < 10; ++i) {

@@ -236,7 +236,7 @@ TEST(StationShell, ReportsTheBrake)
 }
 
 // REQ-STATION-243: Without a screen, the shell confirms the new time of a clock that was set, and reports with the
-// status by how much it was set while the station uses the time before.
+// status by how much it was set while the station uses the old time.
 TEST(StationShell, ConfirmsAClockThatWasSet)
 {
     ShellRig rig;

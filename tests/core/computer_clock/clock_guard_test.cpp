@@ -146,7 +146,7 @@ TEST_F(ClockGuardTest, AnUnconfirmedTimeIsUsedWhenNothingDependsOnIt)
 
 // Story: a computer without a battery clock starts with the time of its last shutdown. NTP sets it when the network is
 // there. Nobody is at a screen.
-// REQ-STATION-241: A new time that a time source confirms, with a small error, is used at once if the time before was
+// REQ-STATION-241: A new time that a time source confirms, with a small error, is used at once if the old time was
 // never confirmed, also while a target is tracked.
 TEST_F(ClockGuardTest, AConfirmedTimeReplacesOneThatNeverWas)
 {
@@ -176,7 +176,7 @@ TEST_F(ClockGuardTest, AConfirmedTimeReplacesOneThatNeverWas)
 }
 
 // Story: after hours of the right time, a wrong server sets the clock in the middle of a pass.
-// REQ-STATION-242: If both the time before and the new time were confirmed, the tracking goes on with the time before.
+// REQ-STATION-242: If both the old time and the new time were confirmed, the tracking continues with the old time.
 // The new time is used when no target is tracked by the time.
 TEST_F(ClockGuardTest, AConfirmedTimeDoesNotBreakAPass)
 {

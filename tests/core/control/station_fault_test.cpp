@@ -238,7 +238,7 @@ TEST(StationControl, DrivesAreNotSwitchedOffInTheMidstOfARearm)
 }
 
 // REQ-CONTROL-930: The drive of one axis can be switched off alone while nothing moves. Its axis shows OFF, and the
-// other axis goes on holding. Nothing is switched on again before the operator moves the mount, and clients are refused
+// other axis still holds. Nothing is switched on again before the operator moves the mount, and clients are refused
 // until then. The action is not offered for a drive that is already off.
 TEST(StationControl, TheDriveOfOneAxisIsSwitchedOffAlone)
 {

@@ -179,8 +179,8 @@ TEST_F(StationSlew, WhatEndsItEndsWhatIsShown)
     EXPECT_TRUE(rig.control.status().route.empty());
 }
 
-// REQ-CONTROL-401: The path that is shown is the long one where the cable ends, and a full turn when the cable is
-// unwrapped.
+// REQ-CONTROL-401: If the cable ends on the short path, the long path is shown. When the cable is unwrapped, a full
+// turn is shown.
 TEST_F(StationSlew, TheLongWayIsShownAsItWillBeGone)
 {
     StationRig rig(settings());  // -90…450°

@@ -177,7 +177,7 @@ TEST(SensorWatch, AnUncalibratedCompassIsNoWitness)
     EXPECT_EQ(rig.watch.evidence().elevation, 20_deg);
 }
 
-// MQTT brings few calibration levels, so the sensor is not evidence. A difference is reported all the same.
+// MQTT brings few calibration levels, so the sensor is not evidence. A difference is still reported.
 TEST(SensorWatch, WithoutACalibrationItWarnsButProvesNothing)
 {
     SensorWatchRig rig(withNorth());

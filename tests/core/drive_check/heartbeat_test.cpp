@@ -83,7 +83,7 @@ TEST_F(HeartbeatTest, AnUptimeThatWentBackIsAPowerUp)
 TEST_F(HeartbeatTest, ASuspendIsNoPowerUp)
 {
     beat(0ms, 3'600'000);
-    beat(20s, 3'620'150);  // the steady clock goes on while the computer sleeps
+    beat(20s, 3'620'150);  // the steady clock continues while the computer sleeps
     EXPECT_EQ(heart.reboots(), 0);
     beat(8h, 3'620'150 + 28'900'000);
     EXPECT_EQ(heart.reboots(), 0);

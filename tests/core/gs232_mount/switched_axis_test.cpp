@@ -215,7 +215,8 @@ TEST_F(SwitchedAxisTest, TheLimitMakesTrackingCoarser)
     EXPECT_EQ(send(following(112_deg)), 114_deg);
 }
 
-// REQ-GS232-36: How far an axis goes on beyond its targets is measured, and its motor is switched off so much earlier.
+// REQ-GS232-36: How far an axis coasts beyond its targets is measured, and its motor is switched off so much
+// earlier.
 TEST_F(SwitchedAxisTest, StopsEarlierByItsCoast)
 {
     EXPECT_FALSE(axis.starts(now).coast);

@@ -151,7 +151,7 @@ TEST_F(CommandTalkTest, MovesNothingRightAfterTheComputerSlept)
     EXPECT_EQ(say("10 20"), "OK");
 }
 
-// Story: the steady clock goes on during a sleep. So after a sleep of 1.9 s a command was obeyed almost at once.
+// Story: the steady clock continues during a sleep. So after a sleep of 1.9 s a command was obeyed almost at once.
 // REQ-MQTTCOMMANDS-04
 TEST_F(CommandTalkTest, MovesNothingRightAfterAShortSleep)
 {

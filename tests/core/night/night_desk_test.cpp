@@ -115,7 +115,7 @@ TEST_F(NightDeskTest, StopDisarms)
 }
 
 // REQ-SCHEDULE-913: Any manual act disarms the schedule: a motion, Hold, handing over control, STOP of a client. When
-// it is armed again the schedule goes on, and the rest of a running pass is tracked.
+// it is armed again the schedule continues, and the rest of a running pass is tracked.
 TEST_F(NightDeskTest, AnyManualActDisarms)
 {
     const std::vector<std::function<void()>> acts{

@@ -41,7 +41,7 @@ TEST(CalibrationFollow, AClockThatIsSetMovesNothing)
 
 // REQ-NORTH-37e: When the clock of this computer is set, also by less than the Sun needs to move visibly, the tracking
 // for a calibration ends and the mount holds. No point is taken from that body until it is tracked again. Points from
-// before get a warning. While the mount is pointed by the time before, no body is tracked for a calibration.
+// before get a warning. While the mount is pointed by the old time, no body is tracked for a calibration.
 TEST(CalibrationFollow, AClockThatIsSetEndsIt)
 {
     SwungRig rig;

@@ -172,10 +172,10 @@ TEST(CalibrationSwing, WaitsAtRestForASensorThatFallsSilent)
 
 // The WiFi of the broker comes and goes. The swing waits only as long as a person at the mast would.
 // REQ-NORTH-42: A sensor may fall silent during a swing (a broker that is restarted, WiFi). The mount turns on until
-// the sensor counts as lost, then stands still and waits. It counts down 30 s in all, and an alarm says that it will go
-// on by itself. When readings arrive again it goes on from there. Otherwise it ends, holds and gives the reason,
-// including the trouble of the broker. STOP, every other end, and a sensor that was restarted end the waiting too. A
-// swing that has ended does not start again by itself.
+// the sensor counts as lost, then stands still and waits. It counts down 30 s in all, and an alarm says that it will
+// continue by itself. When readings arrive again it continues from there. Otherwise it ends, holds and gives the
+// reason, including the trouble of the broker. STOP, every other end, and a sensor that was restarted end the waiting
+// too. A swing that has ended does not start again by itself.
 TEST(CalibrationSwing, WaitsNoLongerInAllThanOnce)
 {
     CalibrationRig rig;

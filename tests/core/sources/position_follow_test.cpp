@@ -230,7 +230,7 @@ TEST_F(PositionFollowTest, AJumpMovesNothing)
 }
 
 // REQ-POSITION-42: The time of a report is judged by the clock of this computer, which the sending program reads, also
-// while the mount is pointed by the time before that clock was set.
+// while the mount is pointed by the old time.
 TEST_F(PositionFollowTest, AReportIsJudgedByTheClockOfTheComputer)
 {
     rig.clock.setAhead(Seconds(3600.0));

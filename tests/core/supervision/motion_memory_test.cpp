@@ -127,7 +127,7 @@ TEST_F(MotionMemoryTest, AnAxisThatCoastsHasNotComeToStand)
     EXPECT_NEAR(standing.moved()->degrees(), 3.0, 0.1);
 }
 
-// An elevation axis that sinks slowly by its own weight never stands still, and is reported all the same.
+// An elevation axis that sinks slowly by its own weight never stands still, and is still reported.
 // REQ-SUPERVISION-04
 TEST_F(MotionMemoryTest, AnAxisThatCreepsIsMeasuredFromTheLongestStop)
 {

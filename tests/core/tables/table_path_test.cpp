@@ -237,8 +237,8 @@ TEST(TablePath, DirectionsGoAlongTheGreatCircle)
     EXPECT_FALSE(north.at(kStart)->kilometres);
 }
 
-// REQ-TABLES-936: A table of directions is up while it is above the horizon, between its rows too, in each of its
-// segments.
+// REQ-TABLES-936: A table of directions is up while its direction is above the horizon. This also holds between two
+// rows, and for each segment.
 TEST(TablePath, DirectionsRiseAndSet)
 {
     TablePath path(tableOf("2026-12-24T00:00:00Z 100 -10\n2026-12-24T00:10:00Z 100 10\n2026-12-24T00:20:00Z 100 -30\n"

@@ -33,7 +33,7 @@ std::string anglesOf(std::string_view datagram)
 }
 
 // REQ-UDPSERVER-01 (PstWords.*): A datagram for PstRotator points one axis or both, stops, parks or asks for azimuth,
-// elevation or target azimuth. Numbers may have a decimal comma, and the end that Hamlib 4.6 writes.
+// elevation or target azimuth. Numbers may have a decimal comma, and the ".2" that Hamlib 4.6 writes at their end.
 TEST(PstWords, PointsOneAxisOrBoth)
 {
     EXPECT_EQ(anglesOf("<PST><AZIMUTH>85</AZIMUTH></PST>"), "85 -");

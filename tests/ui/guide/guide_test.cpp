@@ -22,7 +22,7 @@ namespace boresight::ui {
 namespace {
 
 // REQ-UI-34: The guide covers neither STOP nor state nor plot, makes only requests that the panels can make, and
-// continues where it was left. What the station shows is never stored instead. Nothing that was confirmed on the
+// continues where it was left. The guide stores nothing that the station reports. Nothing that was confirmed on the
 // simulated mount counts for the real one.
 TEST_F(GuideTest, TakesThePlaceOfThePanelsAndCoversNothing)
 {

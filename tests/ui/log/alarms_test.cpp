@@ -205,7 +205,7 @@ TEST_F(AlarmsTest, SaysOnItsButtonHowManyWait)
 }
 
 // REQ-UI-1703: The end of an alarm has the clock of the computer of the station, as its beginning, also while the
-// station uses the time before that clock was set.
+// station uses the old time.
 TEST_F(AlarmsTest, TheEndHasTheClockOfTheComputer)
 {
     StationStatus status = samples::faulted();

@@ -192,8 +192,8 @@ TEST_F(ProfilePageTest, WhatWaitsForAReconnectIsMarkedAndShownAlone)
     EXPECT_TRUE(says("Waits for a reconnect: Set-points per second (Control)"));
 }
 
-// REQ-UI-30: Selecting a mount does nothing. Switching asks with the differences, is one Reconnect, and is not offered
-// during motion or with open edits.
+// REQ-UI-30: Selecting a mount does nothing. Switching to it shows the differences and asks first. Then it is one
+// Reconnect. It is not offered during motion or with open edits.
 TEST_F(ProfilePageTest, SwitchingAsksWithTheDifferencesAndIsOneRequest)
 {
     EXPECT_FALSE(named<CommandButton>("Switch …")->isEnabled()) << "Roof is in force";
