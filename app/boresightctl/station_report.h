@@ -15,8 +15,8 @@
 //   clockSetBy          seconds by which the clock was set while the station uses the old time. Missing: it does not
 //   transmit            the state of the transmit output. Missing: the station has none
 //   rises, sets         UTC: the next of the tracked target. Missing: nothing is tracked, or it is unknown
-//   schedule            whether it is armed
-//   alarms              the active alarms, in sentences
+//   schedule            "armed". Missing: it is not
+//   alarms              the active alarms, in sentences. Missing: there are none
 // Control is in the window and in the log of the station.
 namespace boresight::ctl {
 
