@@ -190,24 +190,24 @@
         <translation>Nunca olhe para o Sol, nem por um tubo de mira. Um prato queima o alimentador: siga a sombra, seja rápido.</translation>
     </message>
     <message>
-        <source>%1: rms %2 now, %3 with the proposal, %5 with their own fit (%4)</source>
-        <translation>%1: rms %2 agora, %3 com a proposta, %5 com o ajuste próprio (%4)</translation>
-    </message>
-    <message>
-        <source>%1: rms %2 now, %4 with their own fit (%3)</source>
-        <translation>%1: rms %2 agora, %4 com o ajuste próprio (%3)</translation>
-    </message>
-    <message>
-        <source>, each predicted from the others %1</source>
-        <translation>, cada um previsto pelos outros %1</translation>
-    </message>
-    <message>
         <source>North %1. The readings cause %2 of the uncertainty. A swing cannot measure the other %3.</source>
         <translation>Norte %1. As leituras causam %2 da incerteza. Uma volta não pode medir os outros %3.</translation>
     </message>
     <message>
         <source>No fit for these points</source>
         <translation>Sem ajuste para estes pontos</translation>
+    </message>
+    <message>
+        <source>%1: rms now %2, with the proposal %3, with the best fit of these points %5 (%4)</source>
+        <translation>%1: rms agora %2, com a proposta %3, com o melhor ajuste destes pontos %5 (%4)</translation>
+    </message>
+    <message>
+        <source>%1: rms now %2, with the best fit of these points %4 (%3)</source>
+        <translation>%1: rms agora %2, com o melhor ajuste destes pontos %4 (%3)</translation>
+    </message>
+    <message>
+        <source>, each point predicted from the others %1</source>
+        <translation>, cada ponto previsto a partir dos outros %1</translation>
     </message>
 </context>
 <context>
@@ -245,10 +245,6 @@
         <translation>Nenhuma fonte de tempo acerta o relógio da estação. Configure NTP ou GPS.</translation>
     </message>
     <message>
-        <source>%1 One second off is %2 for %3.</source>
-        <translation>%1 Um segundo de erro são %2 para %3.</translation>
-    </message>
-    <message>
         <source>%1 A satellite 420 km up moves 1° in a second.</source>
         <translation>%1 Um satélite a 420 km de altitude move-se 1° num segundo.</translation>
     </message>
@@ -265,8 +261,12 @@
         <translation>acertado em %1 s</translation>
     </message>
     <message>
-        <source>The clock of the station was set by %1 s. Boresight still uses the time before, which is shown here. Use new time on the alarm changes that.</source>
-        <translation>O relógio da estação foi acertado em %1 s. O Boresight usa ainda a hora anterior, que se vê aqui. &quot;Usar nova hora&quot; no alarme muda isso.</translation>
+        <source>The clock of the station was set by %1 s. Boresight still uses the old time, which is shown here. To change this, press Use new time on the alarm.</source>
+        <translation>O relógio da estação foi acertado em %1 s. O Boresight ainda usa a hora antiga, que é mostrada aqui. Para mudar isto, prima &quot;Usar nova hora&quot; no alarme.</translation>
+    </message>
+    <message>
+        <source>%1 An error of one second is %2 for %3.</source>
+        <translation>%1 Um erro de um segundo são %2 para %3.</translation>
     </message>
 </context>
 <context>
@@ -643,12 +643,12 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
         <translation>Travão a fechar</translation>
     </message>
     <message>
-        <source>The output %1 is on while the brake is open. Nothing moves before.</source>
-        <translation>A saída %1 está ligada enquanto o travão está aberto. Nada se move antes.</translation>
-    </message>
-    <message>
         <source>Brake</source>
         <translation>Travão</translation>
+    </message>
+    <message>
+        <source>The output %1 is on while the brake is open. Nothing moves before the brake is open.</source>
+        <translation>A saída %1 está ligada enquanto o travão está aberto. Nada se move antes de o travão estar aberto.</translation>
     </message>
 </context>
 <context>
@@ -784,24 +784,28 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
         <translation>Um caminho pelo outro lado do zénite não perde nada. O Boresight só o toma para um cliente que envie elevações acima de 90°.</translation>
     </message>
     <message>
-        <source>The azimuth turns less than 360°, so the mount does not follow all of the pass.</source>
-        <translation>O azimute roda menos de 360°, por isso a montagem não segue toda a passagem.</translation>
+        <source>seen %1 UTC</source>
+        <translation>vista %1 UTC</translation>
     </message>
     <message>
-        <source>elements %1 d old: %2 s, %3 off, beam %4, too old</source>
-        <translation>elementos com %1 d: %2 s, erro %3, feixe %4, velhos demais</translation>
+        <source>elements %1 days old: expected error %2 s or %3, more than half the beam of %4</source>
+        <translation>elementos com %1 dias: erro esperado %2 s ou %3, mais de metade do feixe de %4</translation>
     </message>
     <message>
-        <source>elements %1 d old: %2 s, %3 off, beam %4</source>
-        <translation>elementos com %1 d: %2 s, erro %3, feixe %4</translation>
+        <source>elements %1 days old: expected error %2 s or %3, beam %4</source>
+        <translation>elementos com %1 dias: erro esperado %2 s ou %3, feixe %4</translation>
     </message>
     <message>
-        <source>elements %1 days old: %2 s or %3 off, more than half the beam of %4</source>
-        <translation>elementos com %1 dias: erro de %2 s ou %3, mais de metade do feixe de %4</translation>
+        <source>elements %1 d old: error %2 s, %3, beam %4, too old</source>
+        <translation>elementos com %1 d: erro %2 s, %3, feixe %4, demasiado antigos</translation>
     </message>
     <message>
-        <source>elements %1 days old: %2 s or %3 off, beam %4</source>
-        <translation>elementos com %1 dias: erro de %2 s ou %3, feixe %4</translation>
+        <source>elements %1 d old: error %2 s, %3, beam %4</source>
+        <translation>elementos com %1 d: erro %2 s, %3, feixe %4</translation>
+    </message>
+    <message>
+        <source>The azimuth turns less than 360°, so the mount does not track all of the pass.</source>
+        <translation>O azimute roda menos de 360°, por isso a montagem não segue a passagem toda.</translation>
     </message>
 </context>
 <context>
@@ -1574,14 +1578,6 @@ até %1</translation>
         <translation>Outro programa comanda o acionamento</translation>
     </message>
     <message>
-        <source>The drive broke one of its internal timing checks</source>
-        <translation>O acionamento violou um dos seus controles internos de tempo</translation>
-    </message>
-    <message>
-        <source>An error of the drive&apos;s firmware, seen only with its checks enabled</source>
-        <translation>Um erro do firmware do acionamento, só visto com os controles ativados</translation>
-    </message>
-    <message>
         <source>Back-EMF feedforward is on but no acceleration limit was in force</source>
         <translation>A compensação de força contraeletromotriz está ativa sem limite de aceleração em vigor</translation>
     </message>
@@ -1656,14 +1652,6 @@ até %1</translation>
     <message>
         <source>Limited by the maximum torque of the command</source>
         <translation>Limitado pelo torque máximo do comando</translation>
-    </message>
-    <message>
-        <source>Held back at servopos.position_min/max</source>
-        <translation>Retido em servopos.position_min/max</translation>
-    </message>
-    <message>
-        <source>Braking energy is burnt in the motor to hold the bus voltage</source>
-        <translation>A energia da frenagem é dissipada no motor para manter a tensão do barramento</translation>
     </message>
     <message>
         <source>The drive reports a code that register map 5 does not define</source>
@@ -3489,20 +3477,12 @@ até %1</translation>
         <translation>O sensor repete um valor até ao último dígito. Desligue-o e ligue-o</translation>
     </message>
     <message>
-        <source>Check the elevation offset and mounting of the sensor, the elevation zero and the coupling</source>
-        <translation>Verifique o desvio de elevação e a fixação do sensor, o zero da elevação e o acoplamento</translation>
-    </message>
-    <message>
         <source>Boresight starts no motion and allows only motions away from the Sun</source>
         <translation>O Boresight não inicia movimentos e só permite os que se afastem do Sol</translation>
     </message>
     <message>
         <source>Power-cycle the drive. Check the wiring and configuration of its aux ports</source>
         <translation>Desligue e ligue o acionamento. Verifique a cablagem e a configuração das portas auxiliares</translation>
-    </message>
-    <message>
-        <source>The supply sagged below the driver&apos;s limit, or the hardware is damaged</source>
-        <translation>A alimentação caiu abaixo do limite do driver, ou o hardware está danificado</translation>
     </message>
     <message>
         <source>Let it cool down. Lower the torque or improve the cooling</source>
@@ -3519,14 +3499,6 @@ até %1</translation>
     <message>
         <source>A mistake in the drive&apos;s configuration</source>
         <translation>Um erro na configuração do acionamento</translation>
-    </message>
-    <message>
-        <source>It ends when the board cools down. Fault 38 follows if it gets hotter</source>
-        <translation>Termina quando a placa arrefecer. Segue-se a falha 38 se aquecer mais</translation>
-    </message>
-    <message>
-        <source>It ends when the motor cools down. Fault 38 follows if it gets hotter</source>
-        <translation>Termina quando o motor arrefecer. Segue-se a falha 38 se aquecer mais</translation>
     </message>
     <message>
         <source>A position beyond the drive&apos;s own bounds was commanded, or the axis was pushed there</source>
@@ -3589,10 +3561,6 @@ até %1</translation>
         <translation>o cliente que enviou por último tem o controlo</translation>
     </message>
     <message>
-        <source>%1 has control. It connects for each command and sent its last %2.</source>
-        <translation>%1 tem o controlo. Liga-se para cada comando e enviou o último %2.</translation>
-    </message>
-    <message>
         <source>%1 received control %2.</source>
         <translation>%1 recebeu o controlo %2.</translation>
     </message>
@@ -3633,10 +3601,6 @@ até %1</translation>
         <translation>A volta do cabo de um eixo é desconhecida. Faça jog a %1°/s ou menos.</translation>
     </message>
     <message>
-        <source>In this direction the azimuth cable is already wound least.</source>
-        <translation>Nesta direção o cabo de azimute já está o menos enrolado possível.</translation>
-    </message>
-    <message>
         <source>The mount moves. Stop it first.</source>
         <translation>A montagem move-se. Pare-a primeiro.</translation>
     </message>
@@ -3659,10 +3623,6 @@ até %1</translation>
     <message>
         <source>switches the drives off, so nothing holds the mount</source>
         <translation>desliga os acionamentos, por isso nada mantém a montagem</translation>
-    </message>
-    <message>
-        <source>releases the bus to other tools, and drives that held continue in their time-out mode</source>
-        <translation>liberta o barramento para outras ferramentas, e os acionamentos que mantinham continuam no seu modo de tempo excedido</translation>
     </message>
     <message>
         <source>takes the bus back, and reads the drives again</source>
@@ -3983,10 +3943,6 @@ até %1</translation>
     <message>
         <source>%1: There is no element set in this file.</source>
         <translation>%1: Não há nenhum conjunto de elementos neste ficheiro.</translation>
-    </message>
-    <message>
-        <source>%1: The file is larger than %2 MB.</source>
-        <translation>%1: O ficheiro tem mais de %2 MB.</translation>
     </message>
     <message>
         <source>%1: There are no elements of satellite %2 in %3. Update them in Gpredict.</source>
@@ -5309,14 +5265,6 @@ até %1</translation>
         <translation>%1 chegou a %2 °C</translation>
     </message>
     <message>
-        <source>%1 reached %2 %3 and, rising by %4 %3/min, reaches %5 %3 at %6</source>
-        <translation>%1 chegou a %2 %3 e, a subir %4 %3/min, chega a %5 %3 às %6</translation>
-    </message>
-    <message>
-        <source>%1 fell to %2 %3 and, falling by %4 %3/min, reaches %5 %3 at %6</source>
-        <translation>%1 caiu para %2 %3 e, a descer %4 %3/min, chega a %5 %3 às %6</translation>
-    </message>
-    <message>
         <source>The drive check has not run yet.</source>
         <translation>A verificação dos acionamentos ainda não foi feita.</translation>
     </message>
@@ -6501,10 +6449,6 @@ até %1</translation>
         <translation>o texto é de outro local: norte e inclinação podem diferir</translation>
     </message>
     <message>
-        <source>The antenna points at the Sun. Do not look along it, nor through a sight tube without a solar filter. Watch the heat at the feed</source>
-        <translation>O feixe aponta ao Sol: ninguém olhe ao longo dele, nem por um tubo de visada sem filtro solar; cuidado com o calor no alimentador</translation>
-    </message>
-    <message>
         <source>The mount tracks the %1. Press Hold first.</source>
         <translation>a montagem segue: %1; retenha-a primeiro</translation>
     </message>
@@ -6559,10 +6503,6 @@ até %1</translation>
     <message>
         <source>Track the Sun or the Moon first and centre it.</source>
         <translation>siga primeiro o Sol ou a Lua, e centre-o</translation>
-    </message>
-    <message>
-        <source>By the model in force the beam is %1° off. If the target was not centred, drop point %2</source>
-        <translation>pelo modelo em vigor, o feixe está a %1° dele: se não estava centrado, descarte o ponto %2</translation>
     </message>
     <message>
         <source>The azimuth must be within 360° and the elevation within 90°.</source>
@@ -7021,10 +6961,6 @@ até %1</translation>
         <translation>Se a elevação do sensor cresce (&quot;up&quot;) ou diminui (&quot;down&quot;) quando o feixe sobe. Para um sensor que envia 180° - elevação: &quot;down&quot;, com um desvio de elevação de 180°.</translation>
     </message>
     <message>
-        <source>Check the azimuth offset and mounting of the sensor, iron or a motor current near the compass, and the azimuth zero</source>
-        <translation>Verifique o desvio de azimute e a montagem do sensor, ferro ou uma corrente de motor perto da bússola, e o zero do azimute</translation>
-    </message>
-    <message>
         <source>The board %1 (id %2) reports fault %3</source>
         <translation>A placa %1 (id %2) comunica a falha %3</translation>
     </message>
@@ -7091,10 +7027,6 @@ até %1</translation>
     <message>
         <source>The Moon is no longer tracked by azel.dat: %1</source>
         <translation>A Lua já não é seguida pelo azel.dat: %1</translation>
-    </message>
-    <message>
-        <source>The mount follows the file, in its steps of 0.1°</source>
-        <translation>A montagem segue o ficheiro, nos seus passos de 0,1°</translation>
     </message>
     <message>
         <source>Enter the same locator in WSJT-X and in the profile, with at least six characters</source>
@@ -7169,20 +7101,12 @@ até %1</translation>
         <translation>Intervalo</translation>
     </message>
     <message>
-        <source>The mount moves on to the Moon at most this often. At 1 s it moves all the time.</source>
-        <translation>A montagem avança para a Lua no máximo com este intervalo. Com 1 s move-se continuamente.</translation>
-    </message>
-    <message>
         <source>Part of the beam width</source>
         <translation>Parte da largura do feixe</translation>
     </message>
     <message>
         <source>Move only while receiving</source>
         <translation>Mover só na receção</translation>
-    </message>
-    <message>
-        <source>its Moon is %1 off: the locator in WSJT-X or the site is wrong</source>
-        <translation>a sua Lua está desviada %1: o localizador no WSJT-X ou o local está errado</translation>
     </message>
     <message>
         <source>it does not show whether the radio transmits, and the setting only_while_receiving is on</source>
@@ -7845,14 +7769,6 @@ até %1</translation>
         <translation>O acionamento não tem limite próprio. Só o Boresight termina um movimento.</translation>
     </message>
     <message>
-        <source>With the factory&apos;s ±3.6° every move ends in fault 39.</source>
-        <translation>Com os ±3.6° de fábrica, todos os movimentos terminam na falha 39.</translation>
-    </message>
-    <message>
-        <source>The limit lies inside the travel. The drive stops with fault 39 where the profile permits a move.</source>
-        <translation>O limite fica dentro do curso. O acionamento para com a falha 39 onde o perfil permite um movimento.</translation>
-    </message>
-    <message>
         <source>The drive stops the axis here by itself, a little beyond the travel.</source>
         <translation>Aqui o acionamento para o eixo por si próprio, um pouco além do curso.</translation>
     </message>
@@ -7887,14 +7803,6 @@ até %1</translation>
     <message>
         <source>Above this voltage the drive stops, so that braking energy cannot destroy the board.</source>
         <translation>Acima desta tensão o acionamento para, para que a energia de travagem não destrua a placa.</translation>
-    </message>
-    <message>
-        <source>This far below the highest voltage the motor begins to turn braking energy into heat.</source>
-        <translation>A esta distância abaixo da tensão máxima, o motor começa a transformar a energia de travagem em calor.</translation>
-    </message>
-    <message>
-        <source>The speed of a command that names no speed. The factory sets no limit.</source>
-        <translation>A velocidade de um comando que não indica velocidade. De fábrica não há limite.</translation>
     </message>
     <message>
         <source>The profile trusts the position after power-up (power_up_position), but the drive has no encoder on the axis.</source>
@@ -8753,10 +8661,6 @@ até %1</translation>
         <translation>O Boresight comanda só pequenos passos</translation>
     </message>
     <message>
-        <source>Keep its power switch in reach. If Boresight or the cable fails, the rotator still ends its last step</source>
-        <translation>Tenha o interruptor de alimentação ao alcance. Se o Boresight ou o cabo falhar, o rotor ainda termina o último passo</translation>
-    </message>
-    <message>
         <source>This rotator counts its angles itself: %1.sign and %1.offset_deg have no effect on it. Set them to 1 and 0, and calibrate the count at its box.</source>
         <translation>Este rotor conta ele próprio os seus ângulos: %1.sign e %1.offset_deg não têm efeito nele. Ponha-os a 1 e 0 e calibre a contagem na sua caixa.</translation>
     </message>
@@ -8965,10 +8869,6 @@ até %1</translation>
         <translation>%1 escuta em %2</translation>
     </message>
     <message>
-        <source>The mount no longer follows another rotator: %1</source>
-        <translation>A montagem já não segue outro rotor: %1</translation>
-    </message>
-    <message>
         <source>Another command came before the rotctld had answered. Track it again.</source>
         <translation>Outro comando chegou antes de o rotctld responder. Siga-o outra vez.</translation>
     </message>
@@ -9129,20 +9029,8 @@ até %1</translation>
         <translation>A montagem estaciona. O Boresight recusa qualquer outro movimento</translation>
     </message>
     <message>
-        <source>Wait until the wind stays below %2 m/s, %3 min long. If the mount must move, press Move anyway</source>
-        <translation>Espere até o vento ficar abaixo de %2 m/s durante %3 min. Se a montagem tiver de se mover, prima Mover mesmo assim</translation>
-    </message>
-    <message>
-        <source>The mount is not parked, and Boresight does not start it. Boresight refuses every motion but Park</source>
-        <translation>A montagem não está estacionada e o Boresight não a põe em marcha. O Boresight recusa qualquer movimento exceto Estacionar</translation>
-    </message>
-    <message>
         <source>Press Park now. If the mount must move elsewhere first, press Move anyway</source>
         <translation>Prima Estacionar agora. Se a montagem tiver de ir antes a outro lado, prima Mover mesmo assim</translation>
-    </message>
-    <message>
-        <source>Boresight lets the mount move until %2, as the operator wants. Then the mount parks</source>
-        <translation>O Boresight deixa a montagem mover-se até às %2, como o operador quer. Depois a montagem estaciona</translation>
     </message>
     <message>
         <source>Watch the antenna. Press Park now when the work is done</source>
@@ -9255,10 +9143,6 @@ até %1</translation>
     <message>
         <source>Mean of a gust</source>
         <translation>Média de uma rajada</translation>
-    </message>
-    <message>
-        <source>The mean of the readings of this time counts. 3 s is how weather services define a gust. 0: each reading counts.</source>
-        <translation>Conta a média das leituras deste tempo. 3 s é como os serviços meteorológicos definem uma rajada. 0: conta cada leitura.</translation>
     </message>
     <message>
         <source>Without a reading for this long the wind is unknown.</source>
@@ -9733,10 +9617,6 @@ até %1</translation>
         <translation>Verifique a alimentação do rotor, o cabo e a velocidade (bus.baud, %1)</translation>
     </message>
     <message>
-        <source>The box is a GS-232A, a GS-232B or a compatible box.</source>
-        <translation>A caixa é uma GS-232A, uma GS-232B ou uma caixa compatível.</translation>
-    </message>
-    <message>
         <source>this is not a GS-232 command</source>
         <translation>isto não é um comando GS-232</translation>
     </message>
@@ -9909,20 +9789,12 @@ até %1</translation>
         <translation>Que refração do ar o Boresight aplica. By kind: Sol, Lua e planetas como a luz, fontes de rádio como as ondas de rádio, satélites sem refração. Os outros valores aplicam-se a todos os alvos. AOS e LOS dos satélites ficam geométricos.</translation>
     </message>
     <message>
-        <source>The mount moves on only when the Moon is this part of the beam width away from the direction of the mount. 0: only the interval counts.</source>
-        <translation>A montagem só avança quando a Lua está a esta parte da largura do feixe da direção da montagem. 0: só conta o intervalo.</translation>
-    </message>
-    <message>
         <source>How Boresight receives the position of a balloon or a rocket to track: by UDP on a port of this computer, or by a topic of the MQTT broker.</source>
         <translation>Como o Boresight recebe a posição de um balão ou foguetão para seguir: por UDP numa porta deste computador, ou por um tópico do broker MQTT.</translation>
     </message>
     <message>
         <source>Only reports with this call sign count. Empty: every report counts. Then only one balloon or rocket may fly.</source>
         <translation>Só contam as comunicações com este indicativo. Vazio: conta qualquer comunicação. Nesse caso só pode voar um balão ou foguetão.</translation>
-    </message>
-    <message>
-        <source>A position is refused if the balloon or rocket had to fly faster than this to reach it.</source>
-        <translation>Uma posição é recusada se o balão ou foguetão tivesse de voar mais depressa do que isto para lá chegar.</translation>
     </message>
     <message>
         <source>Name of the antenna. &quot;main&quot; is the antenna that the table mount describes.</source>
@@ -10097,10 +9969,6 @@ até %1</translation>
         <translation>Um datagrama com remetente falsificado pode mover a montagem através de %1</translation>
     </message>
     <message>
-        <source>Boresight obeys every datagram that gives a permitted address</source>
-        <translation>O Boresight obedece a todo o datagrama que indique um endereço permitido</translation>
-    </message>
-    <message>
         <source>Use this listener only in a network that you trust, or let it listen on 127.0.0.1 (listeners.list on the page Profile)</source>
         <translation>Use esta escuta só numa rede em que confia, ou ponha-a em 127.0.0.1 (listeners.list na página Perfil)</translation>
     </message>
@@ -10225,10 +10093,6 @@ até %1</translation>
         <translation>O relógio deste computador foi acertado em %1 s%2</translation>
     </message>
     <message>
-        <source>Boresight still uses the time before, so the mount does not jump</source>
-        <translation>O Boresight usa ainda a hora anterior, por isso a montagem não salta</translation>
-    </message>
-    <message>
         <source>Press Use new time if the new time is right. Otherwise correct the clock</source>
         <translation>Prima &quot;Usar nova hora&quot; se a nova hora estiver certa. Caso contrário, corrija o relógio</translation>
     </message>
@@ -10301,24 +10165,12 @@ até %1</translation>
         <translation>%1 enviou outro comando</translation>
     </message>
     <message>
-        <source>The clock of this computer was set, and Boresight still uses the time before. Press Use new time or correct the clock before you track the %1 here.</source>
-        <translation>O relógio deste computador foi acertado, e o Boresight usa ainda a hora anterior. Prima &quot;Usar nova hora&quot; ou corrija o relógio antes de seguir aqui: %1.</translation>
-    </message>
-    <message>
         <source>The clock of this computer was set, so tracking stopped. Check the clock, then track the %1 again.</source>
         <translation>O relógio deste computador foi acertado, por isso o seguimento parou. Verifique o relógio e depois siga de novo: %1.</translation>
     </message>
     <message>
-        <source>The clock of this computer was set. If the time before was wrong, drop the points of the Sun and the Moon that were taken with it</source>
-        <translation>O relógio deste computador foi acertado. Se a hora anterior estava errada, descarte os pontos do Sol e da Lua que foram medidos com ela</translation>
-    </message>
-    <message>
         <source>overrode this warning by Apply anyway: %1</source>
         <translation>ignorou este aviso com &quot;Aplicar mesmo assim&quot;: %1</translation>
-    </message>
-    <message>
-        <source>This result is unreliable. %1 To use it all the same, press Apply anyway.</source>
-        <translation>Este resultado não é de confiança. %1 Para o usar mesmo assim, prima &quot;Aplicar mesmo assim&quot;.</translation>
     </message>
     <message>
         <source>the settings of Hamlib have no effect, because Boresight starts no rotctld for %1</source>
@@ -10359,10 +10211,6 @@ até %1</translation>
     <message>
         <source>Hamlib refuses a setting of bus.hamlib_settings. &quot;rotctl -m %1 -L&quot; lists the settings of this model</source>
         <translation>O Hamlib recusa uma definição de bus.hamlib_settings. &quot;rotctl -m %1 -L&quot; lista as definições deste modelo</translation>
-    </message>
-    <message>
-        <source>the clock of this computer has the time before again</source>
-        <translation>o relógio deste computador tem de novo a hora anterior</translation>
     </message>
     <message>
         <source>Boresight already uses the time of this computer.</source>
@@ -10441,10 +10289,6 @@ até %1</translation>
         <translation>Tempo para abrir ou fechar</translation>
     </message>
     <message>
-        <source>The time that the brakes need to open or to close. Boresight waits for it before the mount moves, and before it leaves the drives at its end.</source>
-        <translation>O tempo de que os travões precisam para abrir ou fechar. O Boresight espera por ele antes de a montagem se mover, e antes de deixar os acionamentos no fim.</translation>
-    </message>
-    <message>
         <source>Set after</source>
         <translation>Aplicar após</translation>
     </message>
@@ -10485,20 +10329,236 @@ até %1</translation>
         <translation>termina o seguimento, porque o relógio foi acertado: %1</translation>
     </message>
     <message>
-        <source>has %1 bytes, with a comma between two settings. rotctld accepts at most %2 bytes. Remove a setting.</source>
-        <translation>tem %1 bytes, com uma vírgula entre duas definições. O rotctld aceita no máximo %2 bytes. Retire uma definição.</translation>
-    </message>
-    <message>
         <source>The brake output does not work: %1. The brake may be open. Secure the antenna, then empty brake.output on the page Profile.</source>
         <translation>A saída do travão não funciona: %1. O travão pode estar aberto. Segure a antena e depois esvazie brake.output na página Perfil.</translation>
     </message>
     <message>
-        <source>the output before it has not answered for %1 s</source>
+        <source>uses the port of the transmit output (transmit.output)</source>
+        <translation>usa a porta da saída de transmissão (transmit.output)</translation>
+    </message>
+    <message>
+        <source>The mount no longer tracks another rotator: %1</source>
+        <translation>A montagem já não segue outro rotor: %1</translation>
+    </message>
+    <message>
+        <source>The mount tracks the directions of the file, in steps of 0.1°</source>
+        <translation>A montagem segue as direções do ficheiro, em passos de 0,1°</translation>
+    </message>
+    <message>
+        <source>Boresight still uses the old time, so the mount does not jump</source>
+        <translation>O Boresight ainda usa a hora antiga, para que a montagem não salte</translation>
+    </message>
+    <message>
+        <source>Boresight obeys every datagram with a permitted sender address</source>
+        <translation>O Boresight obedece a qualquer datagrama com um endereço de remetente permitido</translation>
+    </message>
+    <message>
+        <source>Wait until the wind was below %2 m/s for %3 min. If the mount must move, press Move anyway</source>
+        <translation>Espere até o vento ter estado abaixo de %2 m/s durante %3 min. Se a montagem tiver de se mover, prima Mover mesmo assim</translation>
+    </message>
+    <message>
+        <source>The mount is not parked. Boresight does not move it by itself and refuses every motion except Park</source>
+        <translation>A montagem não está estacionada. O Boresight não a move por si e recusa qualquer movimento exceto Estacionar</translation>
+    </message>
+    <message>
+        <source>The operator permitted motion until %2. Then the mount parks</source>
+        <translation>O operador permitiu o movimento até às %2. Depois a montagem estaciona</translation>
+    </message>
+    <message>
+        <source>Keep its power switch in reach. If Boresight or the cable fails, the rotator still completes its last step</source>
+        <translation>Tenha o interruptor dele ao alcance. Se o Boresight ou o cabo falhar, o rotor ainda completa o seu último passo</translation>
+    </message>
+    <message>
+        <source>the clock of this computer has its old time again</source>
+        <translation>o relógio deste computador tem de novo a hora antiga</translation>
+    </message>
+    <message>
+        <source>%1 has control. It connects for each command. It sent its last command %2.</source>
+        <translation>%1 tem o controlo. Liga-se para cada comando. Enviou o seu último comando %2.</translation>
+    </message>
+    <message>
+        <source>The azimuth cable cannot be unwrapped further in this direction.</source>
+        <translation>O cabo do azimute não pode ser mais desenrolado neste sentido.</translation>
+    </message>
+    <message>
+        <source>types to the control box: %1</source>
+        <translation>escreve para a caixa de controlo: %1</translation>
+    </message>
+    <message>
+        <source>The mount tracks a target. Press Hold first.</source>
+        <translation>A montagem segue um alvo. Prima primeiro Manter.</translation>
+    </message>
+    <message>
+        <source>Check the elevation offset and the mounting of the sensor. Check the elevation zero and the coupling</source>
+        <translation>Verifique o desvio de elevação e a montagem do sensor. Verifique o zero da elevação e o acoplamento</translation>
+    </message>
+    <message>
+        <source>Check the azimuth offset and the mounting of the sensor. Look for iron or a motor current near the compass. Check the azimuth zero</source>
+        <translation>Verifique o desvio de azimute e a montagem do sensor. Procure ferro ou uma corrente de motor perto da bússola. Verifique o zero do azimute</translation>
+    </message>
+    <message>
+        <source>The factory limits are ±3.6°. With them every motion ends in fault 39.</source>
+        <translation>Os limites de fábrica são ±3,6°. Com eles todos os movimentos acabam na falha 39.</translation>
+    </message>
+    <message>
+        <source>The limit lies inside the travel. The drive stops with fault 39 where the profile permits motion.</source>
+        <translation>O limite está dentro do curso. O acionamento para com a falha 39 onde o perfil permite o movimento.</translation>
+    </message>
+    <message>
+        <source>At this distance below servo.max_voltage the motor begins to turn braking energy into heat.</source>
+        <translation>A esta distância abaixo de servo.max_voltage o motor começa a transformar a energia de travagem em calor.</translation>
+    </message>
+    <message>
+        <source>The highest speed of a command that has no speed of its own. The factory sets no limit.</source>
+        <translation>A velocidade máxima de um comando que não tem velocidade própria. De fábrica não há limite.</translation>
+    </message>
+    <message>
+        <source>%1: The file is larger than %2 MB. Split it.</source>
+        <translation>%1: O ficheiro tem mais de %2 MB. Divida-o.</translation>
+    </message>
+    <message>
+        <source>After this line the box waits for an answer, and takes the questions of Boresight for it. Close Boresight, and send this line with a terminal program.</source>
+        <translation>Depois desta linha a caixa espera por uma resposta, e toma por ela as perguntas do Boresight. Feche o Boresight e envie esta linha com um programa de terminal.</translation>
+    </message>
+    <message>
+        <source>The travel %1…%2 does not fit this rotator, which reports a heading and does not know its cable wrap. Its travel may be %3 wide. Change azimuth.travel_min_deg and azimuth.travel_max_deg in the profile.</source>
+        <translation>O curso %1…%2 não serve para este rotor, que indica um rumo e não conhece a volta do seu cabo. O seu curso pode ter %3. Mude azimuth.travel_min_deg e azimuth.travel_max_deg no perfil.</translation>
+    </message>
+    <message>
+        <source>system %1, gyroscope %2, accelerometer %3, magnetometer %4</source>
+        <translation>sistema %1, giroscópio %2, acelerómetro %3, magnetómetro %4</translation>
+    </message>
+    <message>
+        <source>Calibration of its sensor, 3 is best: %1</source>
+        <translation>Calibração do seu sensor, 3 é o melhor: %1</translation>
+    </message>
+    <message>
+        <source>The box calibrates its sensor and answers nothing else. Move the antenna until all digits of the box are 3. They are %1</source>
+        <translation>A caixa calibra o seu sensor e não responde a mais nada. Mova a antena até todos os dígitos da caixa serem 3. São %1</translation>
+    </message>
+    <message>
+        <source>The box is a GS-232A, a GS-232B, a compatible box or the ESP32 relay controller.</source>
+        <translation>A caixa é um GS-232A, um GS-232B, uma caixa compatível ou o controlador de relés ESP32.</translation>
+    </message>
+    <message>
+        <source>This line moves the rotator past the limits of Boresight. Use the page Jog.</source>
+        <translation>Esta linha move o rotor sem os limites do Boresight. Use a página Manual.</translation>
+    </message>
+    <message>
+        <source>The supply fell below the limit of the gate driver, or the hardware is damaged</source>
+        <translation>A alimentação desceu abaixo do limite do controlador de portas, ou o hardware está danificado</translation>
+    </message>
+    <message>
+        <source>An internal timing check of the drive failed</source>
+        <translation>Falhou uma verificação interna dos tempos do acionamento</translation>
+    </message>
+    <message>
+        <source>An error of the drive&apos;s firmware, detected only with its checks enabled</source>
+        <translation>Um erro do firmware do acionamento, detetado só com as suas verificações ativas</translation>
+    </message>
+    <message>
+        <source>The limit ends when the board cools down. If the board gets hotter, fault 38 follows</source>
+        <translation>O limite acaba quando a placa arrefecer. Se a placa aquecer mais, segue-se a falha 38</translation>
+    </message>
+    <message>
+        <source>The limit ends when the motor cools down. If the motor gets hotter, fault 38 follows</source>
+        <translation>O limite acaba quando o motor arrefecer. Se o motor aquecer mais, segue-se a falha 38</translation>
+    </message>
+    <message>
+        <source>Limited by servopos.position_min/max</source>
+        <translation>Limitada por servopos.position_min/max</translation>
+    </message>
+    <message>
+        <source>The motor turns braking energy into heat, so that the bus voltage stays in its limits</source>
+        <translation>O motor transforma a energia de travagem em calor, para que a tensão do barramento fique dentro dos limites</translation>
+    </message>
+    <message>
+        <source>releases the bus to other tools. Drives that are on continue in their time-out mode</source>
+        <translation>liberta o barramento para outras ferramentas. Os acionamentos ligados continuam no seu modo de fim de tempo</translation>
+    </message>
+    <message>
+        <source>The clock of this computer was set, and Boresight still uses the old time. Press Use new time or correct the clock before you track the %1 here.</source>
+        <translation>O relógio deste computador foi acertado, e o Boresight ainda usa a hora antiga. Prima &quot;Usar nova hora&quot; ou corrija o relógio antes de seguir aqui o alvo %1.</translation>
+    </message>
+    <message>
+        <source>The antenna points at the Sun. Never look along the beam or a sight tube without a solar filter. Watch the heat at the feed</source>
+        <translation>A antena aponta para o Sol. Nunca olhe ao longo do feixe ou por um tubo de mira sem filtro solar. Vigie o calor no iluminador</translation>
+    </message>
+    <message>
+        <source>The clock of this computer was set. If the old time was wrong, drop the points of the Sun and the Moon that were taken with it</source>
+        <translation>O relógio deste computador foi acertado. Se a hora antiga estava errada, elimine os pontos do Sol e da Lua que foram obtidos com ela</translation>
+    </message>
+    <message>
+        <source>By the model in force the beam is %1° away from the target. If the target was not centred, drop point %2</source>
+        <translation>Segundo o modelo em vigor o feixe está a %1° do alvo. Se o alvo não estava centrado, elimine o ponto %2</translation>
+    </message>
+    <message>
+        <source>This result is unreliable. %1 To use it, press Apply anyway.</source>
+        <translation>Este resultado não é fiável. %1 Para o usar, prima Aplicar mesmo assim.</translation>
+    </message>
+    <message>
+        <source>the previous output has not answered for %1 s</source>
         <translation>a saída anterior não responde há %1 s</translation>
     </message>
     <message>
-        <source>uses the port of the transmit output (transmit.output)</source>
-        <translation>usa a porta da saída de transmissão (transmit.output)</translation>
+        <source>has %1 bytes, with its commas. rotctld accepts at most %2 bytes. Remove a setting.</source>
+        <translation>tem %1 bytes, com as suas vírgulas. O rotctld aceita no máximo %2 bytes. Retire uma definição.</translation>
+    </message>
+    <message>
+        <source>The mount moves to the new direction of the Moon at most once in this time. At 1 s it moves all the time.</source>
+        <translation>A montagem move-se para a nova direção da Lua no máximo uma vez neste tempo. Com 1 s move-se o tempo todo.</translation>
+    </message>
+    <message>
+        <source>The mount moves only when its distance from the Moon is this part of the beam width. 0: only the interval counts.</source>
+        <translation>A montagem só se move quando a sua distância à Lua é esta parte da largura do feixe. 0: só conta o intervalo.</translation>
+    </message>
+    <message>
+        <source>A position is refused if the balloon or rocket would have to fly faster than this to reach it.</source>
+        <translation>Uma posição é recusada se o balão ou o foguete tivesse de voar mais depressa do que isto para a alcançar.</translation>
+    </message>
+    <message>
+        <source>The time that the brakes need to open or to close. Boresight waits for this time before it moves the mount. When Boresight ends, it waits again before it releases the drives.</source>
+        <translation>O tempo de que os travões precisam para abrir ou fechar. O Boresight espera este tempo antes de mover a montagem. Quando o Boresight termina, espera outra vez antes de libertar os acionamentos.</translation>
+    </message>
+    <message>
+        <source>Boresight uses the mean of the readings of this time. Weather services define a gust by 3 s. 0: Boresight uses each reading.</source>
+        <translation>O Boresight usa a média das leituras deste tempo. Os serviços meteorológicos definem uma rajada por 3 s. 0: o Boresight usa cada leitura.</translation>
+    </message>
+    <message>
+        <source>no answer to the typed line</source>
+        <translation>sem resposta à linha escrita</translation>
+    </message>
+    <message>
+        <source>answers the typed line: %1</source>
+        <translation>responde à linha escrita: %1</translation>
+    </message>
+    <message>
+        <source>The control box does not answer.</source>
+        <translation>A caixa de controlo não responde.</translation>
+    </message>
+    <message>
+        <source>The answer to the last line is awaited. Wait a second.</source>
+        <translation>Espera-se a resposta à última linha. Aguarde um segundo.</translation>
+    </message>
+    <message>
+        <source>(no answer)</source>
+        <translation>(sem resposta)</translation>
+    </message>
+    <message>
+        <source>A line has 1 to %1 letters without accents, digits and signs.</source>
+        <translation>Uma linha tem 1 a %1 letras sem acentos, algarismos e sinais.</translation>
+    </message>
+    <message>
+        <source>its Moon is %1 away from the computed Moon. The locator in WSJT-X or the site is wrong</source>
+        <translation>a sua Lua está a %1 da Lua calculada. O localizador no WSJT-X ou o local está errado</translation>
+    </message>
+    <message>
+        <source>%1 reached %2 %3. It rises by %4 %3/min and will reach %5 %3 at %6</source>
+        <translation>%1 atingiu %2 %3. Sobe %4 %3/min e atingirá %5 %3 às %6</translation>
+    </message>
+    <message>
+        <source>%1 fell to %2 %3. It falls by %4 %3/min and will reach %5 %3 at %6</source>
+        <translation>%1 desceu a %2 %3. Desce %4 %3/min e atingirá %5 %3 às %6</translation>
     </message>
 </context>
 <context>
@@ -11448,6 +11508,33 @@ velocidade %1</translation>
     </message>
 </context>
 <context>
+    <name>boresight::ui::BoxConsolePanel</name>
+    <message>
+        <source>Refused</source>
+        <translation>Recusado</translation>
+    </message>
+    <message>
+        <source>Send line</source>
+        <translation>Enviar linha</translation>
+    </message>
+    <message>
+        <source>Send the line to the control box as it is (Enter). The mount must stand still.</source>
+        <translation>Enviar a linha à caixa de controlo tal como está (Enter). A montagem tem de estar parada.</translation>
+    </message>
+    <message>
+        <source>Answers of the control box</source>
+        <translation>Respostas da caixa de controlo</translation>
+    </message>
+    <message>
+        <source>Line for the control box</source>
+        <translation>Linha para a caixa de controlo</translation>
+    </message>
+    <message>
+        <source>A command in the words of the control box. Lines that move the rotator are refused.</source>
+        <translation>Um comando nas palavras da caixa de controlo. As linhas que movem o rotor são recusadas.</translation>
+    </message>
+</context>
+<context>
     <name>boresight::ui::BusPicture</name>
     <message>
         <source>Cabling of adapter and drives</source>
@@ -12277,18 +12364,6 @@ A drive gives no torque for 53 ms when it is switched on again. An unbalanced el
 Um acionamento não dá torque durante 53 ms quando volta a ser ligado. Uma elevação desequilibrada desce então um pouco.</translation>
     </message>
     <message>
-        <source>Boresight moves one axis after the other at %1. It stops the commands to the drive, as if the cable were cut. It measures how far and how long the axis goes on.
-
-A drive gives no torque for 53 ms when it is switched on again. An unbalanced elevation then drops a little.
-
-Keep people and ropes clear of the antenna. STOP ends the test.</source>
-        <translation>O Boresight move um eixo após o outro a %1. Para as ordens ao acionamento, como se o cabo fosse cortado. Mede até onde e durante quanto tempo o eixo continua.
-
-Um acionamento não dá torque durante 53 ms quando volta a ser ligado. Uma elevação desequilibrada desce então um pouco.
-
-Mantenha pessoas e cordas longe da antena. STOP termina a prova.</translation>
-    </message>
-    <message>
         <source>WRAP</source>
         <translation>VOLTA</translation>
     </message>
@@ -12315,6 +12390,18 @@ Mantenha pessoas e cordas longe da antena. STOP termina a prova.</translation>
     <message>
         <source>Leave the adapter to other tools (tview, moteus_tool). Nothing moves until you take the bus back.</source>
         <translation>Deixar o adaptador a outras ferramentas (tview, moteus_tool). Nada se move até retomar o barramento.</translation>
+    </message>
+    <message>
+        <source>Boresight moves one axis after the other at %1. It stops the commands to the drive, as if the cable were cut. It measures how far and how long the axis still moves.
+
+A drive gives no torque for 53 ms when it is switched on again. An unbalanced elevation then drops a little.
+
+Keep people and ropes clear of the antenna. STOP ends the test.</source>
+        <translation>O Boresight move um eixo depois do outro a %1. Para os comandos ao acionamento, como se o cabo fosse cortado. Mede até onde e durante quanto tempo o eixo ainda se move.
+
+Um acionamento não dá binário durante 53 ms quando é ligado de novo. Uma elevação desequilibrada desce então um pouco.
+
+Mantenha pessoas e cordas afastadas da antena. STOP termina o ensaio.</translation>
     </message>
 </context>
 <context>
@@ -12364,16 +12451,16 @@ Mantenha pessoas e cordas longe da antena. STOP termina a prova.</translation>
         <translation>Escolher um ficheiro com elementos orbitais</translation>
     </message>
     <message>
-        <source>Elements (*.tle *.txt *.json *.csv *.xml *.kvn *.sat)</source>
-        <translation>Elementos (*.tle *.txt *.json *.csv *.xml *.kvn *.sat)</translation>
-    </message>
-    <message>
         <source>All files (*)</source>
         <translation>Todos os arquivos (*)</translation>
     </message>
     <message>
         <source>Elements: %1</source>
         <translation>Elementos: %1</translation>
+    </message>
+    <message>
+        <source>Elements (*.tle *.3le *.txt *.omm *.json *.csv *.xml *.kvn *.sat *.mod)</source>
+        <translation>Elementos (*.tle *.3le *.txt *.omm *.json *.csv *.xml *.kvn *.sat *.mod)</translation>
     </message>
 </context>
 <context>
@@ -13452,10 +13539,6 @@ trocar os motores</translation>
         <translation>Move o eixo de %1 devagar enquanto premido</translation>
     </message>
     <message>
-        <source>Off: the ends keep their numbers, and lie elsewhere on the mount</source>
-        <translation>Desativado: os fins mantêm os números e ficam noutro lugar da montagem</translation>
-    </message>
-    <message>
         <source>travel %1, now %2</source>
         <translation>curso %1, agora %2</translation>
     </message>
@@ -13498,6 +13581,10 @@ trocar os motores</translation>
     <message>
         <source>Bring the antenna level, by a spirit level on it. The box of the rotator must show 0° then. If not, calibrate the box.</source>
         <translation>Ponha a antena na horizontal, com um nível de bolha. A caixa do rotor tem então de indicar 0°. Se não, calibre a caixa.</translation>
+    </message>
+    <message>
+        <source>Off: the ends keep their angles, so they move to other places of the mount</source>
+        <translation>Desligado: os fins mantêm os seus ângulos, por isso mudam para outros lugares da montagem</translation>
     </message>
 </context>
 <context>
@@ -13791,10 +13878,6 @@ trocar os motores</translation>
         <translation>Mover à mão</translation>
     </message>
     <message>
-        <source>move while held, once the pad is armed (click it, or press Enter)</source>
-        <translation>mover enquanto premida, com o painel armado (clique nele, ou prima Enter)</translation>
-    </message>
-    <message>
         <source>move at the fast rate</source>
         <translation>mover à velocidade rápida</translation>
     </message>
@@ -13891,6 +13974,10 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
     <message>
         <source>Passes</source>
         <translation>Passagens</translation>
+    </message>
+    <message>
+        <source>move while held. First arm the pad (click it, or press Enter)</source>
+        <translation>mover enquanto premida. Arme primeiro o painel (clique nele ou prima Enter)</translation>
     </message>
 </context>
 <context>
@@ -14807,10 +14894,6 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
         <translation>Pontos</translation>
     </message>
     <message>
-        <source>The points, and how far each is off</source>
-        <translation>Os pontos, e quanto falha cada um</translation>
-    </message>
-    <message>
         <source>Remarks on the fit</source>
         <translation>Notas do ajuste</translation>
     </message>
@@ -14825,10 +14908,6 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
     <message>
         <source>Type the terms, or exchange them with a file</source>
         <translation>Digitar os termos, ou trocá-los com um arquivo</translation>
-    </message>
-    <message>
-        <source>The sensor knows the azimuth to %1 here (1 sigma). It cannot check a more exact model</source>
-        <translation>O sensor conhece aqui o azimute a %1 (1 sigma): não pode conferir um modelo mais exato do que isso</translation>
     </message>
     <message>
         <source>Delete the selected point</source>
@@ -14849,6 +14928,14 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
     <message>
         <source>Use the selected point in the fit again</source>
         <translation>Voltar a usar o ponto selecionado no ajuste</translation>
+    </message>
+    <message>
+        <source>Here the sensor measures the azimuth to %1 (1 sigma). It cannot check a more exact model</source>
+        <translation>Aqui o sensor mede o azimute com %1 (1 sigma). Não pode verificar um modelo mais exato</translation>
+    </message>
+    <message>
+        <source>The points and their residuals</source>
+        <translation>Os pontos e os seus resíduos</translation>
     </message>
 </context>
 <context>
@@ -15027,13 +15114,17 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
         <source>Targets other than satellites</source>
         <translation>Alvos que não são satélites</translation>
     </message>
+    <message>
+        <source>Console</source>
+        <translation>Consola</translation>
+    </message>
+    <message>
+        <source>Type a line to the control box</source>
+        <translation>Escrever uma linha à caixa de controlo</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::PassColumns</name>
-    <message>
-        <source>As many as there is room for</source>
-        <translation>Tantas quantas couberem</translation>
-    </message>
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
@@ -15043,12 +15134,16 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
         <translation>Colunas da lista</translation>
     </message>
     <message>
-        <source>Which columns the list of the passes has</source>
-        <translation>Que colunas tem a lista das passagens</translation>
-    </message>
-    <message>
         <source>All</source>
         <translation>Todas</translation>
+    </message>
+    <message>
+        <source>As many columns as fit</source>
+        <translation>Tantas colunas quantas caibam</translation>
+    </message>
+    <message>
+        <source>Columns of the list of passes</source>
+        <translation>Colunas da lista de passagens</translation>
     </message>
 </context>
 <context>
@@ -15085,16 +15180,16 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
         <translation>Nome ou número</translation>
     </message>
     <message>
-        <source>Least height of a listed pass</source>
-        <translation>Altura mínima de uma passagem listada</translation>
-    </message>
-    <message>
         <source>at least</source>
         <translation>pelo menos</translation>
     </message>
     <message>
         <source>Passes that stay lower are not listed</source>
         <translation>As passagens que ficam mais baixas não são listadas</translation>
+    </message>
+    <message>
+        <source>Elevation that a listed pass must reach</source>
+        <translation>Elevação que uma passagem da lista tem de atingir</translation>
     </message>
 </context>
 <context>
@@ -15656,8 +15751,8 @@ el %2</translation>
         <translation>%1, em %2</translation>
     </message>
     <message>
-        <source>North is up, east is right, the zenith is in the centre. A click reads a direction. A right click offers what can be done there.</source>
-        <translation>O norte está em cima, o leste à direita, o zénite no centro. Um clique lê uma direção. O botão direito oferece o que se pode fazer ali.</translation>
+        <source>North is up, east is right, the zenith is in the centre. A click reads a direction. A right click shows the commands for a direction.</source>
+        <translation>O norte está em cima, o leste à direita, o zénite no centro. Um clique lê uma direção. Um clique direito mostra os comandos para uma direção.</translation>
     </message>
 </context>
 <context>
@@ -15880,10 +15975,6 @@ el %2</translation>
         <translation>Todas as alterações estão aplicadas</translation>
     </message>
     <message>
-        <source>Apply leaves the simulation. Only these go to the real mount: %1</source>
-        <translation>Aplicar deixa a simulação. Só isto passa para a montagem real: %1</translation>
-    </message>
-    <message>
         <source>Move park</source>
         <translation>Mover estacionamento</translation>
     </message>
@@ -15906,6 +15997,10 @@ el %2</translation>
     <message>
         <source>Changed elsewhere: %1</source>
         <translation>Entretanto alterado de outro lado: %1</translation>
+    </message>
+    <message>
+        <source>Apply ends the simulation. Only these changes reach the real mount: %1</source>
+        <translation>Aplicar termina a simulação. Só estas alterações chegam à montagem real: %1</translation>
     </message>
 </context>
 <context>
@@ -16177,14 +16272,6 @@ el %2</translation>
         <translation>Selecione uma linha para ler por que importa</translation>
     </message>
     <message>
-        <source>
-
-Written, read back, and kept in the drives&apos; memory. Nothing moves.</source>
-        <translation>
-
-Escrito, lido de volta e guardado na memória dos acionamentos. Nada se move.</translation>
-    </message>
-    <message>
         <source>Write these settings into the drives?</source>
         <translation>Escrever estes parâmetros nos acionamentos?</translation>
     </message>
@@ -16297,6 +16384,14 @@ Defina estes à mão, porque só o construtor da montagem conhece os valores:
     <message>
         <source>Nothing holds the mount afterwards. An unbalanced elevation falls. Wind may turn the azimuth. Keep people away from the antenna, or support it first.</source>
         <translation>Depois, nada segura a montagem. Uma elevação desequilibrada cai. O vento pode rodar o azimute. Mantenha as pessoas longe da antena ou apoie-a primeiro.</translation>
+    </message>
+    <message>
+        <source>
+
+Boresight writes them, reads them back and stores them in the drives. Nothing moves.</source>
+        <translation>
+
+O Boresight escreve-as, lê-as de volta e guarda-as nos acionamentos. Nada se move.</translation>
     </message>
 </context>
 <context>
@@ -18038,8 +18133,8 @@ Em comparação com a montagem em uso:
         <translation>O Boresight está a ler o ficheiro. Espere um momento.</translation>
     </message>
     <message>
-        <source>%1 was not read within %2 s. Its folder or that of an earlier file may not answer. Track tries to read the file all the same.</source>
-        <translation>%1 não foi lido em %2 s. A sua pasta, ou a de um ficheiro anterior, pode não responder. Seguir tenta ler o ficheiro mesmo assim.</translation>
+        <source>%1 was not read within %2 s. The folder of this file, or of an earlier file, may not answer. Track still tries to read the file.</source>
+        <translation>%1 não foi lido em %2 s. A pasta deste ficheiro, ou a de um ficheiro anterior, pode não responder. Seguir tenta ainda ler o ficheiro.</translation>
     </message>
 </context>
 <context>
@@ -18359,10 +18454,6 @@ Para onde outro rotor aponta, segundo o seu rotctld: rotctld:10.0.0.7:4533</tran
 <context>
     <name>boresight::ui::TurnBar</name>
     <message>
-        <source>Places the axis may be at</source>
-        <translation>Lugares onde o eixo pode estar</translation>
-    </message>
-    <message>
         <source>%1 places, chosen %2</source>
         <translation>%1 lugares, escolhido %2</translation>
     </message>
@@ -18371,8 +18462,12 @@ Para onde outro rotor aponta, segundo o seu rotctld: rotctld:10.0.0.7:4533</tran
         <translation>%1 lugares, nenhum escolhido</translation>
     </message>
     <message>
-        <source>◇ a possible place of the axis, ◆ the chosen place. The hatched ends are outside the travel.</source>
-        <translation>◇ um lugar possível do eixo, ◆ o lugar escolhido. As pontas tracejadas estão fora do curso.</translation>
+        <source>Possible positions of the axis</source>
+        <translation>Posições possíveis do eixo</translation>
+    </message>
+    <message>
+        <source>◇ possible position of the axis, ◆ chosen position. The hatched ends are outside the travel.</source>
+        <translation>◇ posição possível do eixo, ◆ posição escolhida. Os fins a tracejado estão fora do curso.</translation>
     </message>
 </context>
 <context>
