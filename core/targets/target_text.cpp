@@ -258,9 +258,13 @@ Result<Target> parseTarget(std::string_view text, std::span<const orbit::Element
     if (const auto place = locatorTarget(typed)) {
         return *place;
     }
+    const QString none = satellites.empty()
+                             ? QLatin1Char(' ') + Text::tr("Boresight knows no satellites. Add their elements.")
+                             : QString();
     return failure(ErrorCode::InvalidInput,
                    Text::tr("\"%1\" is not a known satellite, a body or a locator. The bodies are: %2.")
-                       .arg(toQString(typed), toQString(ephemeris::skyObjectKeys())));
+                           .arg(toQString(typed), toQString(ephemeris::skyObjectKeys())) +
+                       none);
 }
 
 }  // namespace boresight::targets

@@ -67,6 +67,9 @@ TEST(TargetText, ReadsSatellitesByNumberAndName)
     EXPECT_THAT(refusal("noaa 1"), HasSubstr("not a known satellite")) << "not NOAA 19";
     EXPECT_THAT(refusal("12345"), HasSubstr("\"12345\" is not a known satellite, a body or a locator"));
     EXPECT_THAT(refusal(""), HasSubstr("The bodies are: sun, moon"));
+    EXPECT_THAT(refusal("12345"), testing::Not(HasSubstr("knows no satellites")));
+    EXPECT_THAT(textOf(parseTarget("iss", {}).error()),
+                testing::EndsWith("sgr-a. Boresight knows no satellites. Add their elements."));
 }
 
 // REQ-TARGETS-912: A locator means the centre of its square, by the short path or the long path.
