@@ -164,7 +164,7 @@ const Subcommand kGotoCommand{.name = "goto",
                               .summary = "Send the mount of a running station to a direction",
                               .details = kWhichStation +
                                          R"(
-AZ and EL are true directions in degrees. The command ends when the station has accepted the target. The motion goes on.
+AZ and EL are true directions in degrees. The command ends when the station has accepted the target. The motion continues.
 The station treats the command like that of any client. It refuses the command while STOP is latched, and while the
 operator or another client has control. The profile sets what happens with a direction outside the limits: the station
 refuses it, or moves to the nearest permitted direction.
@@ -225,8 +225,8 @@ const Subcommand kUseNewTimeCommand{.name = "use-new-time",
                                     .summary = "Let a running station use the clock of its computer after it was set",
                                     .details = kWhichLocalStation + kLocalSocket +
                                                R"(
-When the clock of the computer is set while the station tracks a target or its schedule is armed, the station goes on with
-the time before. This command confirms the new time, like the button of the window. A mount that tracks a target moves to
+When the clock of the computer is set while the station tracks a target or its schedule is armed, the station continues
+with the old time. This command confirms the new time, like the button of the window. A mount that tracks a target moves to
 where the target is at the new time. The station refuses the command while it uses the time of the computer.
 )" + kExitStatus + R"(
 Example:
@@ -265,7 +265,7 @@ const Subcommand kParkCommand{.name = "park",
                               .summary = "Send the mount of a running station to its park position",
                               .details = kWhichStation +
                                          R"(
-The command ends when the station has accepted the park position as its target. The motion goes on.
+The command ends when the station has accepted the park position as its target. The motion continues.
 )" + kExitStatus + R"(
 Example:
   boresightctl park --station mast.example:4533
@@ -280,8 +280,8 @@ const Subcommand kStatusCommand{.name = "status",
 
 Prints the station, its state, and where the mount points. A station of this user on this computer also reports by its
 local socket: the state that its window shows (TRACK, HOLD, …), the motion, the next rise or set of the tracked target,
-whether the schedule is armed, the wind, the brake, whether the transmit output is on, whether the station still uses the time before
-its clock was set, and the alarms. A station on another computer reports only by rotctld.
+whether the schedule is armed, the wind, the brake, whether the transmit output is on, whether the station still uses the
+old time after its clock was set, and the alarms. A station on another computer reports only by rotctld.
 Its state is MOVING, or SLOW OR NOT MOVING: rotctld reports no motion below 0.02°/s, for example while the mount tracks the
 Moon.
 )" + kExitStatus + R"(

@@ -114,7 +114,7 @@ TARGET is one of these. Capital and small letters are the same.
   position                    the balloon or rocket whose positions the station receives (settings of position)
 )" + kLocalSocket +
                                           R"(
-The command ends when the station has accepted the target. The motion goes on. The mount tracks a target that rises and
+The command ends when the station has accepted the target. The motion continues. The mount tracks a target that rises and
 sets until the target sets. Then the mount holds. A table rises and sets with its ends, too. The mount waits for a target
 that rises within 30 minutes. For any other target below the horizon the station reports when it rises. The mount goes to
 a direction or a place and stays there.

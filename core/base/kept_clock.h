@@ -4,7 +4,8 @@
 #include "core/base/clock.h"
 
 // The clock by which the mount is pointed. It follows the clock of this computer in small corrections. When that clock
-// is set, this one continues as before until follow() is called. Nobody vouches for it meanwhile. Station thread only.
+// is set, this one continues as before until follow() is called. Its time is not confirmed meanwhile. Station thread
+// only.
 namespace boresight {
 
 class KeptClock final : public Clock
@@ -22,7 +23,7 @@ public:
     [[nodiscard]] Seconds slept() const override { return m_computer.slept(); }
     [[nodiscard]] Seconds ahead() const override;
 
-    // A time source vouches for the clock of the computer, and its error is less than what counts as set.
+    // A time source confirms the clock of the computer, and the error is less than a change that counts as set.
     [[nodiscard]] bool isConfirmed() const;
     // Takes the time of the computer.
     void follow();

@@ -10,7 +10,7 @@ namespace boresight {
 namespace {
 
 const QString kWatchSource = QStringLiteral("sensor");  // in the log
-// After its start the sensor waits for WiFi and the time before it sends anything.
+// After its start the sensor waits for WiFi and for the time of day. Only then it sends data.
 constexpr Seconds kFirstPatience{10.0};
 constexpr Seconds kFrozen{5.0};
 constexpr Angle kToldAnew = Angle::fromDegrees(1.0);

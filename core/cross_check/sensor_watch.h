@@ -59,7 +59,7 @@ public:
     [[nodiscard]] SensorEvidence evidence() const;
 
 private:
-    // The open source and its state.
+    // The source that is open, and its state.
     struct SourceInUse
     {
         QString name;  // empty: none is open

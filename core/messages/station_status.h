@@ -328,7 +328,7 @@ struct StationStatus
 };
 
 // The clock of the computer of the station. Alarms and lines of the log have this time. It differs from `utc` only
-// while the station uses the time before a clock was set.
+// while the station uses an old time, after its clock was set.
 [[nodiscard]] inline UtcTime computerUtc(const StationStatus& status)
 {
     return status.utc + std::chrono::round<UtcTime::duration>(status.clock.ahead.value_or(Seconds(0.0)));

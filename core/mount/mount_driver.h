@@ -58,7 +58,8 @@ public:
     // The position of an axis that has begun to follow in this tick, once. Its first set-point must be there.
     [[nodiscard]] virtual std::optional<Angle> takeFollowing(Axis axis) = 0;
     virtual void command(Axis axis, const tracking::Setpoint& setpoint) = 0;
-    // How far beside its set-point an axis may be sent that moves by itself. With each command.
+    // For axes that move to a target by themselves: the largest distance from the set-point to the target. Comes with
+    // each command.
     virtual void setLeeway(Axis /*axis*/, const tracking::Leeway& /*leeway*/) {}
     // Stops axes that move by themselves, and takes them over again where they are.
     virtual void retake() {}

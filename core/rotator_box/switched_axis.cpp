@@ -131,7 +131,7 @@ bool SwitchedAxis::isDue(Angle aim, const tracking::Leeway& leeway, SteadyTime n
     }
     if (m_phase == Phase::Runs) {
         const bool isOnward = m_way * (aim - *m_aim) > Angle{};
-        // The axis may be there already, unseen. A target a little farther would start it again.
+        // The axis may have arrived since its last report. A target a little farther would then start it again.
         const bool isLate = m_way * (leeway.rest - *m_aim) > -0.5 * abs(leeway.lead);
         const bool endsNear = !isExact && leeway.within.contains(*m_aim) &&
                               abs(*m_aim - leeway.rest) <= std::max(leeway.band, m_habits.step);

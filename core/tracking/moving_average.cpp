@@ -58,7 +58,8 @@ bool MovingAverage::atRest() const
 }
 
 // If the motion never reversed, the average goes straight to the stop. If it reversed once, the average reverses at
-// most once and stays inside the motion. If it reversed more often, the average only surely stays inside the motion.
+// most once and stays inside the motion. If it reversed more often, it is only certain that the average stays inside
+// the motion.
 MovingAverage::Extremes MovingAverage::untilRestAt(double stop) const
 {
     const double now = sample().position;

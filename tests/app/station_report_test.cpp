@@ -100,8 +100,8 @@ TEST(StationReport, HasTheWind)
     EXPECT_EQ(ends(wind), QStringLiteral("wind:     unknown, no reading for 45 s\n"));
 }
 
-// REQ-CTL-305: boresightctl status has a line about the clock while the station uses the time before the clock of its
-// computer was set. `use-new-time` confirms the new time.
+// REQ-CTL-305: After the clock of the computer was set, boresightctl status has a line about the clock while the
+// station uses the old time. `use-new-time` confirms the new time.
 TEST(StationReport, HasAClockThatWasSet)
 {
     QJsonObject report = reportWith({});

@@ -5,8 +5,8 @@
 #include <QPointer>
 #include <QWidget>
 
-// The frame around a list, table or text that has the keyboard. Qt only shows which line is selected there, and nothing
-// if no line is. It takes neither mouse clicks nor room. Gui thread.
+// The frame around a list, table or text that has the keyboard focus. Qt shows only the selected line there, and
+// nothing without a selected line. The frame takes no mouse clicks and no room. Gui thread.
 namespace boresight::ui {
 
 class FocusFrame : public QObject

@@ -140,7 +140,7 @@ void MeasurePage::showStatus(const StationStatus& status)
     const bool wasRunning = m_status.tuning->running.has_value();
     m_status = status;
     if (const auto running = status.tuning->running; running && !wasRunning) {
-        m_run = *running;  // afterwards the figures of another run may be selected meanwhile
+        m_run = *running;  // only at the start, because the operator may then select the figures of another run
         m_choices[static_cast<std::size_t>(m_run)]->setChecked(true);
     }
     const BeforeAndAfter results = resultsOf(*status.tuning, m_axis, m_run);

@@ -48,7 +48,7 @@ TEST_F(KeptClockTest, AClockThatIsPutBackWasNeverAhead)
 }
 
 // REQ-STATION-239: A time is confirmed by a time source that sets the clock with an error below half a second. While
-// the clock is set, nobody vouches for the time before.
+// the clock is set, the old time is not confirmed.
 TEST_F(KeptClockTest, ATimeSourceConfirmsWithASmallErrorOnly)
 {
     EXPECT_TRUE(kept.isConfirmed());
@@ -61,7 +61,7 @@ TEST_F(KeptClockTest, ATimeSourceConfirmsWithASmallErrorOnly)
     computer.setSynchronised(true);
     computer.stepUtc(Seconds(90.0));
     EXPECT_TRUE(kept.isConfirmed()) << "the new time";
-    EXPECT_FALSE(kept.synchronised()) << "the time before";
+    EXPECT_FALSE(kept.synchronised()) << "the old time";
     EXPECT_EQ(kept.error(), std::nullopt);
 }
 

@@ -114,8 +114,8 @@ TEST(CompassSwing, FindsWhichWayTheSensorCounts)
 }
 
 // REQ-CALIBRATION-04: Readings that are left out are listed and counted with their reason: outlier, magnetometer, motor
-// current above `sensor.swing_current_a`, too fast. At every rate that is offered a healthy mount loses less than a
-// tenth.
+// current above `sensor.swing_current_a`, too fast. At every permitted rate a healthy mount loses less than a
+// tenth of its readings.
 TEST(CompassSwing, ListsWhatItLeavesOut)
 {
     Swung given = swung(hidden());

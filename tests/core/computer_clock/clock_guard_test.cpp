@@ -185,7 +185,7 @@ TEST_F(ClockGuardTest, AConfirmedTimeDoesNotBreakAPass)
     tick();
     secondLater();
     EXPECT_EQ(guard.status().ahead, Seconds(90.0));
-    EXPECT_FALSE(guard.status().synchronised) << "nobody vouches for the time before";
+    EXPECT_FALSE(guard.status().synchronised) << "nobody confirms the old time";
     effect = {.delays = true};
     secondLater();
     EXPECT_EQ(guard.status().ahead, std::nullopt);

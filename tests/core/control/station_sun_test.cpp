@@ -262,7 +262,7 @@ struct DoubtedRig : StationRig
 // REQ-CONTROL-39a (StationSunClock.*): While no time source confirms the clock, keep-away refuses every place that the
 // Sun can have at this latitude. An alarm and the refusals name the clock. Inside this band only the operator moves the
 // mount, by slow jog. When the clock is synchronised the band ends, and nothing that was refused starts by itself. A
-// clock that was synchronised is trusted for 24 h more unless it is set. `sun.clock = "trusted"` vouches for a computer
+// clock that was synchronised is trusted for 24 h more unless it is set. `sun.clock = "trusted"` trusts a computer
 // without a time source. No date before 2026 is trusted.
 TEST(StationSunClock, WithoutASynchronisedClockNothingMovesToWhereTheSunCanBe)
 {
@@ -348,7 +348,8 @@ TEST(StationSunClock, WhatIsOnItsWayInTheBandEndsWhenTheClockComesToBeDoubted)
     EXPECT_FALSE(rig.point(azimuth - 20.0, 50.0));
 }
 
-// Without a time source the operator may vouch for the clock, but not for a date before this program was written.
+// Without a time source the operator may declare the clock to be right. A date before this program was written is
+// refused.
 TEST(StationSunClock, TheOperatorMayVouchForIt)
 {
     profile::Profile trusting = sunny();

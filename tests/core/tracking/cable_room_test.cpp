@@ -17,8 +17,8 @@ WholeTurns turnsOf(std::initializer_list<double> azimuths, const TravelRange& ra
     return arc.turnsInside(range);
 }
 
-// REQ-TRACKING-17: The azimuth of a path is counted on through north, and the wraps of the cable that have room for the
-// whole path are known.
+// REQ-TRACKING-17: The azimuth of a path is counted through north without a jump, and the wraps of the cable that have
+// room for the whole path are known.
 TEST(CableRoom, APathThroughNorthIsOneArc)
 {
     const WholeTurns found = turnsOf({340.0, 350.0, 0.0, 10.0, 60.0}, {-90_deg, 450_deg});

@@ -128,8 +128,8 @@ TEST_F(WindowTest, TheClockSaysHowFarItIsOff)
     EXPECT_EQ(text("Error of the clock"), QStringLiteral("not set"));
 }
 
-// REQ-UI-1700: While Boresight points by the time before a clock was set, the clock shows that time and by how much the
-// clock was set.
+// REQ-UI-1700: After the clock was set, and while Boresight still points by the old time, the window shows the old time
+// and by how much the clock was set.
 TEST_F(WindowTest, AClockThatWasSetIsShownAtTheClock)
 {
     StationStatus status = samples::operatorMoving();
