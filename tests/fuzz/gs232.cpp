@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The output of a control box on a serial port: gives any bytes to the conversation with it and to the reading of its
-// lines.
+// The output of a control box on a serial port: gives any bytes to the conversations with a GS-232 box and with the
+// ESP32 relay controller, and to the reading of their lines.
 #include "core/base/control_characters.h"
 #include "core/gs232/box_reply.h"
+#include "core/gs232/esp32_reply.h"
 #include "core/gs232_mount/box_talk.h"
+#include "core/gs232_mount/esp32_talk.h"
 #include "core/serial/line_splitter.h"
 #include "tests/fuzz/harness.h"
 
@@ -24,9 +26,22 @@ bool isPossible(const std::optional<Angle>& angle)
     return !angle || (std::isfinite(angle->degrees()) && angle->degrees() >= -180.0 && angle->degrees() <= 540.0);
 }
 
+void checkEsp32Line(std::string_view line)
+{
+    const esp32::Reply reply = esp32::parseLine(line);
+    if (const auto* const place = std::get_if<esp32::Place>(&reply)) {
+        require(place->azimuth.degrees() >= 0.0 && place->azimuth.degrees() <= 360.0, "a heading is folded");
+        require(std::isfinite(place->elevation.degrees()), "an elevation is a number");
+        require(esp32::parseLine(line.substr(0, line.size() - 1)) != reply, "a cut line is not the same position");
+    }
+    const bool isOfGs232 = std::holds_alternative<Position>(parseReply(line));
+    require(!(isOfGs232 && esp32::isLineOfEsp32(line)), "no line proves both kinds of box");
+}
+
 // Returns false if the line was not understood.
 bool checkLine(std::string_view line)
 {
+    checkEsp32Line(line);
     const Reply reply = parseReply(line);
     const auto* const position = std::get_if<Position>(&reply);
     if (position == nullptr) {
@@ -85,6 +100,49 @@ Proof talked(std::string_view bytes, std::size_t piece)
     return talk.proof();
 }
 
+void checkSentToEsp32(Proof before, const Esp32Talk& talk, const std::string& sent)
+{
+    if (before == Proof::Foreign) {
+        require(sent.empty(), "a foreign device gets nothing more");
+    } else if (before == Proof::Unknown) {
+        require(sent.empty() || sent == "VE\r", "before its version nothing but this question is sent");
+    } else {
+        const bool isStop = sent.starts_with("SA\rSE\r");
+        const bool isKnown = sent == "P\r" || sent == "DEBUG\r" || sent.starts_with("AZ ") || sent.starts_with("EL ");
+        require(sent.empty() || isStop || isKnown, "only our commands are sent");
+    }
+    require(!hasControlCharacters(talk.strange()) && talk.strange().size() <= 24,
+            "what is shown is printable and short");
+}
+
+// In pieces of this size, one in each tick, with a target in each tick and stops at the end.
+void talkedToEsp32(std::string_view bytes, std::size_t piece)
+{
+    Esp32Talk talk(Angle::fromDegrees(180.0));
+    SteadyTime now = SteadyTime{} + std::chrono::hours(1);
+    const auto sendsOnce = [&] {
+        const Proof before = talk.proof();
+        checkSentToEsp32(before, talk, talk.send(now));
+        now += kTick;
+    };
+    for (; !bytes.empty(); bytes.remove_prefix(std::min(piece, bytes.size()))) {
+        talk.take(bytes.substr(0, piece), now);
+        if (const auto place = talk.takePlaces()) {
+            require(talk.proof() == Proof::Box, "who answers is a box");
+            require(place->azimuth->degrees() >= 0.0 && place->azimuth->degrees() <= 360.0, "inside the travel");
+        }
+        if (const auto digits = talk.digits(now)) {
+            require(digits->system <= 3 && digits->magnetometer <= 3, "digits are 0 to 3");
+        }
+        talk.go(Axis::Azimuth, Angle::fromDegrees(123.4));
+        sendsOnce();
+    }
+    for (int i = 0; i < 250; ++i) {
+        talk.stop();
+        sendsOnce();
+    }
+}
+
 }  // namespace
 
 Grammar grammar()
@@ -98,7 +156,10 @@ Grammar grammar()
                       "?>\r\n",
                       "C2\rAZ=100  EL=010\r\n",
                       "W123 046\r\r+0123.4+0046.0\r\n",
-                      "-0010+0003\r\n\r\r+0011+0004\r\n"};
+                      "-0010+0003\r\n\r\r+0011+0004\r\n",
+                      "RPRT -1\rVEAdamESP32v1.0\r123.4 45.6\r123.4 45.6\r123.4 45.6\r123.4 45.6\r123.4 45.6\r",
+                      "DEBUG ON\rDEBUG | RawX:33.4 | CalcAZ:123.4 | Calib[S:3 G:2 A:1 M:0]\r\n",
+                      "CALIB: SYS=0 GYR=3 ACC=1 MAG=2\r\nReady! Type HELP for list of commands.\r\n"};
     grammar.tokens = {"AZ=",
                       "EL=",
                       "+0",
@@ -126,6 +187,14 @@ Grammar grammar()
                       "inf",
                       "1e3",
                       "RPRT 0",
+                      "RPRT -1",
+                      "VEAdamESP32",
+                      "123.4 45.6",
+                      "360.1 ",
+                      "DEBUG | ",
+                      "Calib[S:",
+                      "CALIB: ",
+                      "Ready! ",
                       "\xfe\xfe\xe0",
                       "\xfd",
                       "IF000142",
@@ -147,6 +216,10 @@ void feed(std::span<const std::uint8_t> input)
     (void)talked(bytes, bytes.size() + 1);
     (void)talked(bytes, 1);
     (void)talked(bytes, 7);
+    for (const std::size_t piece : {bytes.size() + 1, std::size_t(1), std::size_t(7)}) {
+        talkedToEsp32(bytes, piece);
+        talkedToEsp32(std::string("VEAdamESP32v1.0\r") + std::string(bytes), piece);
+    }
     if (understood && bytes.find_first_not_of("\r\n") != std::string_view::npos) {
         accept();
     }
