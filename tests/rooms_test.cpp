@@ -91,8 +91,8 @@ Rooms joined(Rooms one, const Rooms& other)
 const Rooms kSeenByTheWindow{"core/base",   "core/units",    "core/pointing", "core/profile",
                              "core/alarms", "core/messages", "core/elements", "core/orbit",
                              "core/passes", "core/gpredict", "core/schedule", "core/targets"};
-const Rooms kAboveTheDriver{"core/control", "core/sources", "core/motion", "core/mount",
-                            "core/north",   "core/tuning",  "core/night",  "core/cross_check"};
+const Rooms kAboveTheDriver{"core/control", "core/end_guard", "core/sources", "core/motion",     "core/mount",
+                            "core/north",   "core/tuning",    "core/night",   "core/cross_check"};
 const Rooms kBelowPanels{"ui/kit", "ui/look", "ui/link", "ui/hold", "ui/sky"};
 
 TEST(Rooms, NoTwoKnowEachOther)
@@ -170,9 +170,9 @@ TEST(Rooms, OnlyTheirDriverKnowsTheCheckAndTheJournal)
 
 TEST(Rooms, MessagesAreMadeOfValues)
 {
-    EXPECT_THAT(wrong({"core/messages"}, {"core/base", "core/brake", "core/units", "core/pointing", "core/profile",
-                                          "core/elements", "core/calibration", "core/ephemeris", "core/orientation",
-                                          "core/response", "core/schedule", "core/targets"}),
+    EXPECT_THAT(wrong({"core/messages"}, {"core/base", "core/brake", "core/end_switches", "core/units", "core/pointing",
+                                          "core/profile", "core/elements", "core/calibration", "core/ephemeris",
+                                          "core/orientation", "core/response", "core/schedule", "core/targets"}),
                 IsEmpty());
 }
 

@@ -279,7 +279,7 @@ const Subcommand kStatusCommand{.name = "status",
                                            R"(  --format text|json   default: text
 
 Prints the station, its state, and where the mount points. A station of this user on this computer also reports by its
-local socket: the state that its window shows (TRACK, HOLD, …), the motion, the wind, the brake, whether the transmit output
+local socket: the state that its window shows (TRACK, HOLD, …), the motion, the wind, the brake, the end switches, whether the transmit output
 is on, and whether the station still uses the time before its clock was set. A station on another computer reports only by
 rotctld. Its state is MOVING, or SLOW OR NOT MOVING: rotctld reports no motion below 0.02°/s, for example while the mount
 tracks the Moon.

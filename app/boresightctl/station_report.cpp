@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/boresightctl/station_report.h"
 
+#include <QJsonArray>
+
 namespace boresight::ctl {
 namespace {
 
@@ -40,6 +42,19 @@ QString brakeText(const QJsonObject& brake)
     return QStringLiteral("brake:    %1\n")
         .arg(brake[QStringLiteral("state")].toString() +
              (problem.isEmpty() ? QString() : QStringLiteral(". ") + problem));
+}
+
+// One line for each. Empty: the mount has no end switches, or the station runs on another computer.
+QString endSwitchText(const QJsonArray& switches)
+{
+    QString text;
+    for (const QJsonValue& one : switches) {
+        const QString problem = one[QStringLiteral("problem")].toString();
+        text += QStringLiteral("switch:   %1 %2%3\n")
+                    .arg(one[QStringLiteral("end")].toString(), one[QStringLiteral("state")].toString(),
+                         problem.isEmpty() ? QString() : QStringLiteral(". ") + problem);
+    }
+    return text;
 }
 
 // Empty: the station uses the clock of its computer, or runs on another computer.
@@ -91,6 +106,7 @@ QString reportText(const QJsonObject& report)
            QStringLiteral("actual:   %1\n").arg(actualText(report[QStringLiteral("actual")])) +
            clockText(report[QStringLiteral("clockSetBy")]) + windText(report[QStringLiteral("wind")].toObject()) +
            brakeText(report[QStringLiteral("brake")].toObject()) +
+           endSwitchText(report[QStringLiteral("endSwitches")].toArray()) +
            transmitText(report[QStringLiteral("transmit")].toObject());
 }
 

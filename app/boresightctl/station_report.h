@@ -12,8 +12,9 @@
 //   wind                {speed in m/s or null, age in s, silent, obstacle, overriddenUntil: UTC or null}.
 //                       Missing: no wind is read
 //   brake               {state: "set", "opens", "open", "closes" or "failed", output, problem}. Missing: there is none
-//   clockSetBy          seconds by which the clock was set while the station uses the time before. Missing: it does not
-//   transmit            the state of the transmit output. Missing: the station has none
+//   endSwitches         of each: {end: "azimuth lower", state: "free", "pressed" or "unread", input, problem}. Missing:
+//   none clockSetBy          seconds by which the clock was set while the station uses the time before. Missing: it
+//   does not transmit            the state of the transmit output. Missing: the station has none
 // Control and alarms are in the window and in the log of the station.
 namespace boresight::ctl {
 

@@ -14,6 +14,7 @@
 #include "core/control/standstill_watch.h"
 #include "core/control/sun_watch.h"
 #include "core/control/wind_guard.h"
+#include "core/end_guard/end_switch_guard.h"
 #include "core/motion/first_moves.h"
 #include "core/motion/motion.h"
 #include "core/mount/mount_driver.h"
@@ -43,6 +44,7 @@ struct ControlParts
     const EnergyMeter& energy;
     const WindGuard& wind;
     const BrakeGuard& brake;
+    const EndSwitchGuard& endSwitches;
     const AlarmBoard& alarms;
     SteadyTime now;    // of the running or last tick
     SteadyTime asked;  // when the last request came, accepted or refused

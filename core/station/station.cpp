@@ -5,7 +5,6 @@
 #include "core/base/text.h"
 #include "core/computer_clock/time_effect.h"
 #include "core/north/calibration_gates.h"
-#include "core/outputs/simulated_output.h"
 #include "core/profile/commissioning.h"
 #include "core/profile/profile_diff.h"
 #include "core/sources/motion_sources.h"
@@ -71,9 +70,8 @@ Station::Station(const profile::Profile& profile, const MountMaker& mount, const
       m_tuning(m_control, clock, m_log),
       m_hooks(m_profile, m_mount->simulated(), m_log, m_broker, this),
       m_transmit(m_profile, m_mount->simulated(), clock, m_log, m_alarms, this),
-      m_brake(
-          m_profile, [](const profile::Profile& named) -> const std::string& { return named.brake.output; },
-          QStringLiteral("brake"), clock, this),
+      m_brake(m_profile, m_control, m_mount->simulated(), clock, this),
+      m_switches(m_profile, *m_mount, m_log, clock, m_broker, this),
       m_reportFile(reportPath(stateDir, toQString(profile.mount.name), m_mount->simulated()), this),
       m_night(
           m_control, m_profile, m_reportFile, m_kept, m_log,
@@ -87,9 +85,6 @@ Station::Station(const profile::Profile& profile, const MountMaker& mount, const
       m_reopenTimer(this),
       m_lateness(std::chrono::round<std::chrono::milliseconds>(profile.control.tickPeriod()))
 {
-    if (m_mount->simulated()) {
-        m_brake.setMaker(outputs::simulatedOutput);  // no drive holds the real antenna
-    }
     m_mount->setParent(this);  // so that it moves to the station thread with the station
     for (const Axis axis : kAxes) {
         if (!m_mount->driver().capabilities().has(axis)) {
@@ -159,6 +154,7 @@ void Station::openAll()
     m_wind.open();
     m_transmit.open();
     m_brake.open();
+    m_switches.open();
     m_eventFile.tick();
 }
 
@@ -240,12 +236,10 @@ void Station::tick()
     m_calibration.tick();
     m_tuning.tick();
     m_night.tick();
-    m_control.takeBrake(m_brake.answer());
+    m_brake.tellAnswer();
+    m_control.takeEndSwitches(m_switches.read());
     m_control.tick();
-    // An output that fails is not switched on again, because that may open and close a brake while the antenna stops.
-    if (!m_control.releasesBrake() || m_brake.answer().problem.isEmpty()) {
-        m_brake.order(m_control.releasesBrake());
-    }
+    m_brake.obey();
     m_tables.tick(m_control.motionId(), m_clock.now());
     m_follow.tick();
     if (m_transmit.isWanted()) {
@@ -297,6 +291,7 @@ void Station::finish()
     m_broker.close();
     m_mount->close();
     m_brake.close();
+    m_switches.close();
     m_screen.want();  // the last update, also to a slow screen: it has the answer to the request to end
     publish();
     qCInfo(lcTick, "ticks %llu, late p50 %.1f ms, p99 %.1f ms, max %.1f ms",
@@ -527,9 +522,8 @@ void Station::profileChanged(const profile::Profile& before)
     m_wind.profileChanged(before, after);
     m_night.profileChanged(before, after);
     m_transmit.profileChanged(before, after);
-    if (m_brake.differs(before, after)) {
-        m_brake.reopen();
-    }
+    m_brake.profileChanged(before, after);
+    m_switches.profileChanged(before, after);
     m_calibration.profileChanged(before, after);
 }
 

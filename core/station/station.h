@@ -13,13 +13,13 @@
 #include "core/mount/mount_connection.h"
 #include "core/night/night_desk.h"
 #include "core/north/calibration_desk.h"
-#include "core/outputs/named_output.h"
 #include "core/profile/in_force.h"
 #include "core/profile/profile.h"
 #include "core/station/message_commands.h"
 #include "core/station/real_time.h"
 #include "core/station/screen_feed.h"
 #include "core/station/station_azel.h"
+#include "core/station/station_brake.h"
 #include "core/station/station_broker.h"
 #include "core/station/station_elements.h"
 #include "core/station/station_follow.h"
@@ -31,6 +31,7 @@
 #include "core/station/station_sensor.h"
 #include "core/station/station_server.h"
 #include "core/station/station_shell.h"
+#include "core/station/station_switches.h"
 #include "core/station/station_tables.h"
 #include "core/station/station_transmit.h"
 #include "core/station/station_wind.h"
@@ -162,7 +163,8 @@ private:
     StationPasses m_passes{this};
     StationHooks m_hooks;
     StationTransmit m_transmit;
-    outputs::NamedOutput m_brake;
+    StationBrake m_brake;
+    StationSwitches m_switches;
     ReportFile m_reportFile;
     NightDesk m_night;
     StationRehearsal m_rehearsal{this};
