@@ -2,7 +2,7 @@
 #include "core/station/station_switches.h"
 
 #include "core/base/text.h"
-#include "core/inputs/serial_status_port.h"
+#include "core/status_lines/serial_status_port.h"
 
 #include <algorithm>
 

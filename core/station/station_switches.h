@@ -5,7 +5,7 @@
 #include "core/contacts/input_name.h"
 #include "core/end_guard/end_switch_guard.h"
 #include "core/end_switches/end_switch.h"
-#include "core/inputs/line_reader.h"
+#include "core/status_lines/line_reader.h"
 #include "core/mount/mount_connection.h"
 #include "core/profile/in_force.h"
 #include "core/station/message_inlet.h"

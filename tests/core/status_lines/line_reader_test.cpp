@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/inputs/line_reader.h"
+#include "core/status_lines/line_reader.h"
 
-#include "core/inputs/serial_status_port.h"
+#include "core/status_lines/serial_status_port.h"
 #include "tests/fakes/manual_clock.h"
 #include "tests/fakes/pseudo_terminal.h"
 #include "tests/fakes/wait_until.h"

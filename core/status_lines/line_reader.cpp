@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/inputs/line_reader.h"
+#include "core/status_lines/line_reader.h"
 
 #include "core/base/text.h"
 

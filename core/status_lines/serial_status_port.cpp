@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/inputs/serial_status_port.h"
+#include "core/status_lines/serial_status_port.h"
 
 #include "core/base/text.h"
 #include "core/serial/control_lines.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/file_descriptor.h"
-#include "core/inputs/line_reader.h"
+#include "core/status_lines/line_reader.h"
 
 #include <QString>
 
