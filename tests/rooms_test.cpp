@@ -170,9 +170,9 @@ TEST(Rooms, OnlyTheirDriverKnowsTheCheckAndTheJournal)
 
 TEST(Rooms, MessagesAreMadeOfValues)
 {
-    EXPECT_THAT(wrong({"core/messages"}, {"core/base", "core/brake", "core/units", "core/pointing", "core/profile",
-                                          "core/elements", "core/calibration", "core/ephemeris", "core/orientation",
-                                          "core/response", "core/schedule", "core/targets"}),
+    EXPECT_THAT(wrong({"core/messages"}, {"core/base", "core/brake", "core/end_switches", "core/units", "core/pointing",
+                                          "core/profile", "core/elements", "core/calibration", "core/ephemeris",
+                                          "core/orientation", "core/response", "core/schedule", "core/targets"}),
                 IsEmpty());
 }
 

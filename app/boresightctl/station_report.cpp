@@ -44,6 +44,19 @@ QString brakeText(const QJsonObject& brake)
              (problem.isEmpty() ? QString() : QStringLiteral(". ") + problem));
 }
 
+// One line for each. Empty: the mount has no end switches, or the station runs on another computer.
+QString endSwitchText(const QJsonArray& switches)
+{
+    QString text;
+    for (const QJsonValue& one : switches) {
+        const QString problem = one[QStringLiteral("problem")].toString();
+        text += QStringLiteral("switch:   %1 %2%3\n")
+                    .arg(one[QStringLiteral("end")].toString(), one[QStringLiteral("state")].toString(),
+                         problem.isEmpty() ? QString() : QStringLiteral(". ") + problem);
+    }
+    return text;
+}
+
 // Empty: the station uses the clock of its computer, or runs on another computer.
 QString clockText(const QJsonValue& setBy)
 {
@@ -105,6 +118,7 @@ QString reportText(const QJsonObject& report)
            QStringLiteral("actual:   %1\n").arg(actualText(report[QStringLiteral("actual")])) +
            clockText(report[QStringLiteral("clockSetBy")]) + windText(report[QStringLiteral("wind")].toObject()) +
            brakeText(report[QStringLiteral("brake")].toObject()) +
+           endSwitchText(report[QStringLiteral("endSwitches")].toArray()) +
            transmitText(report[QStringLiteral("transmit")].toObject()) +
            alarmLines(report[QStringLiteral("alarms")].toArray());
 }

@@ -12,6 +12,8 @@
 //   wind                {speed in m/s or null, age in s, silent, obstacle, overriddenUntil: UTC or null}.
 //                       Missing: no wind is read
 //   brake               {state: "set", "opens", "open", "closes" or "failed", output, problem}. Missing: there is none
+//   endSwitches         of each: {end: "azimuth lower", state: "free", "pressed" or "unread", input, problem}.
+//                       Missing: there are none
 //   clockSetBy          seconds by which the clock was set while the station uses the old time. Missing: it does not
 //   transmit            the state of the transmit output. Missing: the station has none
 //   rises, sets         UTC: the next of the tracked target. Missing: nothing is tracked, or it is unknown

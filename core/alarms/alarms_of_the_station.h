@@ -207,6 +207,53 @@ inline constexpr std::array kStationAlarms{
         .examples = {"rts:/dev/ttyUSB0", "/dev/ttyUSB0: Input/output error"},
         .identifying = 1},
     AlarmEntry{
+        .id = "end-switch.hit",
+        .source = "end switch",
+        .severity = Severity::Alarm,
+        .what = QT_TRANSLATE_NOOP("Text", "The mount ran into the end switch at %1"),
+        .action = QT_TRANSLATE_NOOP("Text", "Boresight stopped the mount and permits no motion into this end"),
+        .remedy = QT_TRANSLATE_NOOP(
+            "Text",
+            "Compare the shown angle with the antenna. Check the travel of the axis, its limits and the switch."),
+        .thenRearm = true,
+        .help = AlarmHelp::Rearm,
+        .examples = {"the upper end of the azimuth"}},
+    AlarmEntry{
+        .id = "end-switch.pressed",
+        .source = "end switch",
+        .severity = Severity::Warning,
+        .what = QT_TRANSLATE_NOOP("Text", "The end switch at %1 is pressed"),
+        .action = QT_TRANSLATE_NOOP("Text", "Boresight permits no motion into this end"),
+        .remedy = QT_TRANSLATE_NOOP(
+            "Text", "Jog the axis away from this end. If the axis is not at this end, check the switch and its wires"),
+        .examples = {"the upper end of the azimuth"},
+        .placeOf = "end-switch.hit"},
+    AlarmEntry{
+        .id = "end-switch.unread",
+        .source = "end switch",
+        .severity = Severity::Alarm,
+        .what = QT_TRANSLATE_NOOP("Text", "The end switch at %1 cannot be read: %2"),
+        .action =
+            QT_TRANSLATE_NOOP("Text", "The switch counts as pressed, so Boresight permits no motion into this end"),
+        .remedy = QT_TRANSLATE_NOOP(
+            "Text", "Check the input %3 and its wires, or choose another one (End switches on the page Profile)"),
+        .help = AlarmHelp::OpenProfile,
+        .examples = {"the upper end of the azimuth", "board 1 does not reply", "moteus:1:aux1.0"},
+        .identifying = 1},
+    AlarmEntry{
+        .id = "end-switch.ignored",
+        .source = "end switch",
+        .severity = Severity::Warning,
+        .what = QT_TRANSLATE_NOOP("Text", "The end switch at %1 cannot be read: %2"),
+        .action =
+            QT_TRANSLATE_NOOP("Text", "Boresight ignores this switch, as the profile says (end_switches.when_unread)"),
+        .remedy = QT_TRANSLATE_NOOP(
+            "Text", "Check the input %3 and its wires, or choose another one (End switches on the page Profile)"),
+        .help = AlarmHelp::OpenProfile,
+        .examples = {"the upper end of the azimuth", "board 1 does not reply", "moteus:1:aux1.0"},
+        .identifying = 1,
+        .placeOf = "end-switch.unread"},
+    AlarmEntry{
         .id = "wind.parks",
         .source = "wind",
         .severity = Severity::Warning,

@@ -89,6 +89,18 @@ QJsonObject brakeObject(const BrakeStatus& brake)
             {QStringLiteral("problem"), brake.problem}};
 }
 
+QJsonArray endSwitchArray(const std::vector<EndSwitchStatus>& switches)
+{
+    QJsonArray all;
+    for (const EndSwitchStatus& one : switches) {
+        all.append(QJsonObject{{QStringLiteral("end"), protocolWord(one.which)},
+                               {QStringLiteral("state"), protocolWord(one.state)},
+                               {QStringLiteral("input"), one.input},
+                               {QStringLiteral("problem"), one.problem}});
+    }
+    return all;
+}
+
 // The state as the header of the window shows it. `motion` is what the mount does now.
 QByteArray statusJson(const StationStatus& status)
 {
@@ -111,6 +123,9 @@ QByteArray statusJson(const StationStatus& status)
     }
     if (!status.brake.output.isEmpty()) {
         all[QStringLiteral("brake")] = brakeObject(status.brake);
+    }
+    if (!status.endSwitches.empty()) {
+        all[QStringLiteral("endSwitches")] = endSwitchArray(status.endSwitches);
     }
     if (status.clock.ahead) {
         all[QStringLiteral("clockSetBy")] = status.clock.ahead->count();

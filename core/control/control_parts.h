@@ -11,6 +11,7 @@
 #include "core/control/slew_watch.h"
 #include "core/guards/brake_guard.h"
 #include "core/guards/cable_guard.h"
+#include "core/guards/end_switch_guard.h"
 #include "core/guards/standstill_watch.h"
 #include "core/guards/sun_watch.h"
 #include "core/guards/wind_guard.h"
@@ -43,6 +44,7 @@ struct ControlParts
     const EnergyMeter& energy;
     const WindGuard& wind;
     const BrakeGuard& brake;
+    const EndSwitchGuard& endSwitches;
     const AlarmBoard& alarms;
     SteadyTime now;    // of the running or last tick
     SteadyTime asked;  // when the last request came, accepted or refused

@@ -129,7 +129,7 @@ Result<> Gates::insideTravel() const
 // operator may jog it, and slowly.
 Result<> Gates::mayJog(const AxisRates& rates, const Source& source) const
 {
-    return mayMove(source).and_then([&]() -> Result<> {
+    return mayMove(source).and_then([&] { return m_of.endSwitches.admits(rates); }).and_then([&]() -> Result<> {
         if (const Result<> placed = axesPlaced(); !placed) {
             return source.kind == SourceKind::Operator ? mayJogSlowly(rates) : placed;
         }

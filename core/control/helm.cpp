@@ -28,7 +28,9 @@ Result<> Helm::mayGoTo(const AxisPosition& place) const
                                           beamText(pointing::upright(view().model.pointing().toSky(*nearest)))))
                        : may;
     }
-    return m_of.motion.route(standing(), resolved.position).map([](const auto&) {});
+    return view().endSwitches.admitsWay(standing(), resolved.position).and_then([&] {
+        return m_of.motion.route(standing(), resolved.position).map([](const auto&) {});
+    });
 }
 
 Result<AxisPosition> Helm::placeOf(const SkyPointing& direction) const
@@ -182,9 +184,10 @@ Result<> Helm::streamTo(const AxisPosition& place, const Source& by)
 
 Result<AxisPosition> Helm::lead(const Lead& lead, const Source& by, const QString& what)
 {
-    return mayPoint(by).map([&] {
+    const pointing::Resolved aim = view().model.resolve(lead.now, lead.near.value_or(heading()));
+    return mayPoint(by).and_then([&] { return view().endSwitches.admitsWay(standing(), aim.position); }).map([&] {
         const pointing::MountModel& model = view().model;
-        pointing::Resolved here = model.resolve(lead.now, lead.near.value_or(heading()));
+        pointing::Resolved here = aim;
         const bool goesOn = current().continues(Activity::Streaming, by);
         const bool onWrap = lead.near && abs(here.position.azimuth - lead.near->azimuth) < 180_deg;
         auto back = goesOn && onWrap ? std::nullopt : turnBackTo(here.position, by);
@@ -219,6 +222,9 @@ Result<> Helm::follow(pointing::Resolved resolved, const SkyPointing& asked, con
     }
     if (resolved.limited && view().profile.rotctld.outsideLimits == profile::OutsideLimits::Refuse) {
         return failure(ErrorCode::OutOfRange, resolved.reason);
+    }
+    if (const Result<> may = view().endSwitches.admitsWay(standing(), resolved.position); !may) {
+        return may;
     }
     const bool wasLimited = !current().limitedReason().isEmpty();
     const bool newStream = !current().is(Activity::Streaming) || !current().isFor(by);
@@ -296,9 +302,10 @@ Result<> Helm::mayRun(const AxisRates& rates, Activity activity, const Source& b
     if (activity == Activity::Jogging) {
         return gates.mayJog(rates, by);
     }
-    return gates.mayMove(by).and_then([&] { return gates.axesPlaced(); }).and_then([&] {
-        return gates.mayLeaveSunBand({}, {});
-    });
+    return gates.mayMove(by)
+        .and_then([&] { return view().endSwitches.admits(rates); })
+        .and_then([&] { return gates.axesPlaced(); })
+        .and_then([&] { return gates.mayLeaveSunBand({}, {}); });
 }
 
 void Helm::setTrim(const AxisPosition& trim, const Source& by)

@@ -38,6 +38,7 @@ StationControl::StationControl(const profile::InForce& profile, const Clock& clo
       m_cable(m_alarms, clock),
       m_wind(profile, clock, alarms),
       m_brake({.profile = profile, .mount = mount, .motion = m_motion, .standstill = m_standstill, .alarms = alarms}),
+      m_endSwitches({.profile = profile, .motion = m_motion, .alarms = alarms}),
       m_sourceLog(log, clock),
       m_heldLog(m_sourceLog),
       m_helm({.motion = m_motion,
@@ -101,6 +102,7 @@ ControlParts StationControl::parts() const
             .energy = m_energy,
             .wind = m_wind,
             .brake = m_brake,
+            .endSwitches = m_endSwitches,
             .alarms = m_alarms,
             .now = m_now,
             .asked = m_asked,
@@ -136,6 +138,7 @@ StationStatus StationControl::status() const
     status.profile = m_profile.shared();
     status.wind = m_wind.status();
     status.brake = m_brake.status();
+    status.endSwitches = m_endSwitches.status();
     m_sources.describe(status);
     return status;
 }
@@ -217,6 +220,7 @@ void StationControl::profileChanged(const profile::Profile& before, const profil
     m_standstill.forget();
     m_wind.profileChanged(before, after);
     m_brake.profileChanged(before, after);
+    m_endSwitches.profileChanged(before, after);
     m_antenna.profileChanged(before, after);
     m_region.profileChanged(before, after);
     for (const Axis axis : kAxes) {
@@ -318,6 +322,8 @@ void StationControl::tick()
     superviseMount();
     // After the supervision, because a drive that was lost in this tick may not hold its axis any more.
     watchBrake();
+    // Before every source, because a mount that runs into a closed end must not move on.
+    watchEndSwitches();
     // After the supervision, because only then it is known which drives are back. A drive that moves in spite of STOP
     // is stopped again. This is before the sources, so that they find the drive stopped.
     keepStopped();
@@ -384,6 +390,15 @@ void StationControl::watchBrake()
     if (const QString why = m_brake.step(isUrgent, m_now); !why.isEmpty()) {
         const Axis axis = m_mount.capabilities().has(Axis::Azimuth) ? Axis::Azimuth : Axis::Elevation;
         m_arming.lost(axis, supervision::LossClass::Motion, why);
+        holdHere(Activity::None);
+    }
+}
+
+// An axis at its end switch is where it must never be: this is a fault of the mount.
+void StationControl::watchEndSwitches()
+{
+    if (const auto hit = m_endSwitches.step(faultLatched(), m_mount.available().has_value(), m_now)) {
+        m_arming.lost(hit->axis, supervision::LossClass::Motion, hit->why);
         holdHere(Activity::None);
     }
 }
@@ -458,11 +473,13 @@ void StationControl::moveOn(Seconds step)
         if (const auto place = m_mount.takeFollowing(axis)) {
             m_motion.start(axis, *place);
         }
+        m_motion.close(axis, m_endSwitches.closed(axis));
     }
     m_motion.enforceRegion(turnsKnown());
     m_motion.setSeen(m_mount.measured());
-    m_motion.setHardBraking(m_arming.stopLatched());
-    m_mount.brakeHard(m_arming.stopLatched());
+    const bool brakesHard = m_arming.stopLatched() || m_endSwitches.isUrgent();
+    m_motion.setHardBraking(brakesHard);
+    m_mount.brakeHard(brakesHard);
     if (m_mount.follows() && m_mount.seen() && m_brake.letsMove(m_now, step)) {
         m_motion.advance(m_now, step);
         if (m_motion.stray()) {

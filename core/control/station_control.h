@@ -26,6 +26,7 @@
 #include "core/control/target_alarm.h"
 #include "core/guards/brake_guard.h"
 #include "core/guards/cable_guard.h"
+#include "core/guards/end_switch_guard.h"
 #include "core/guards/standstill_watch.h"
 #include "core/guards/wind_guard.h"
 #include "core/messages/request.h"
@@ -166,6 +167,8 @@ public:
     // What the output of the brakes answers, before each tick, and the order to the output after the tick.
     void takeBrake(const contacts::OutputAnswer& answer) { m_brake.take(answer); }
     [[nodiscard]] bool releasesBrake() const { return m_brake.releases(); }
+    // What the inputs of the end switches read, before each tick.
+    void takeEndSwitches(const EndSwitchGuard::Readings& readings) { m_endSwitches.take(readings); }
     // Why only Park may move the mount because of the wind. Empty: the wind forbids nothing.
     [[nodiscard]] QString windObstacle() const { return m_wind.obstacle(); }
     // Where the target that is tracked by the time is at this time. Empty: none is tracked, or the direction is
@@ -193,6 +196,7 @@ private:
     void holdHere(Activity left) { m_helm.hold(left); }
     void superviseMount();
     void watchBrake();
+    void watchEndSwitches();
     void keepStopped();
     void stepProof();
     void releaseAntenna();
@@ -220,6 +224,7 @@ private:
     EnergyMeter m_energy;
     WindGuard m_wind;
     BrakeGuard m_brake;
+    EndSwitchGuard m_endSwitches;
     SourceLog m_sourceLog;
     HeldLog m_heldLog;
 

@@ -54,6 +54,15 @@ std::optional<mqtt::PublishedBrake> brakeOf(const BrakeStatus& brake)
                : std::optional(mqtt::PublishedBrake{.state = protocolWord(brake), .problem = brake.problem});
 }
 
+std::vector<mqtt::PublishedSwitch> switchesOf(const StationStatus& status)
+{
+    std::vector<mqtt::PublishedSwitch> all;
+    for (const EndSwitchStatus& one : status.endSwitches) {
+        all.push_back({.end = protocolWord(one.which), .state = protocolWord(one.state), .problem = one.problem});
+    }
+    return all;
+}
+
 mqtt::PublishedState published(const StationStatus& status)
 {
     const auto azimuth = place(status.azimuth);
@@ -74,6 +83,7 @@ mqtt::PublishedState published(const StationStatus& status)
             .isLinked = answers(status.azimuth) && answers(status.elevation),
             .linkProblem = status.line.problem,
             .brake = brakeOf(status.brake),
+            .endSwitches = switchesOf(status),
             .alarms = alarmsOf(status)};
 }
 

@@ -7,8 +7,8 @@
 
 namespace boresight {
 
-StationInputs::StationInputs(StationControl& control, const profile::InForce& profile, const Clock& clock,
-                             EventLog& log, QObject* parent)
+StationInputs::StationInputs(StationControl& control, const MountConnection& mount, const profile::InForce& profile,
+                             const Clock& clock, EventLog& log, QObject* parent)
     : QObject(parent),
       m_control(control),
       m_clock(clock),
@@ -19,7 +19,8 @@ StationInputs::StationInputs(StationControl& control, const profile::InForce& pr
       m_follow(control, profile, clock, this),
       m_azel(profile, this),
       m_position(profile, log, clock, m_broker, this),
-      m_wind(profile, log, clock, m_broker, this)
+      m_wind(profile, log, clock, m_broker, this),
+      m_switches(profile, mount, log, clock, m_broker, this)
 {
     for (const Axis axis : kAxes) {
         if (!control.mount().capabilities().has(axis)) {
@@ -45,6 +46,7 @@ void StationInputs::open()
     m_azel.open();
     m_position.open();
     m_wind.open();
+    m_switches.open();
 }
 
 void StationInputs::close()
@@ -54,6 +56,7 @@ void StationInputs::close()
     m_azel.close();
     m_position.close();
     m_wind.close();
+    m_switches.close();
     m_broker.close();  // last, because others read from it
 }
 
@@ -65,6 +68,7 @@ void StationInputs::profileChanged(const profile::Profile& before, const profile
     m_elements.profileChanged(before, after);
     m_position.profileChanged(before, after);
     m_wind.profileChanged(before, after);
+    m_switches.profileChanged(before, after);
 }
 
 void StationInputs::readTable(const QString& path, StationTables::Then then)

@@ -8,13 +8,14 @@
 #include "core/inputs/station_position.h"
 #include "core/inputs/station_power.h"
 #include "core/inputs/station_sensor.h"
+#include "core/inputs/station_switches.h"
 #include "core/inputs/station_tables.h"
 #include "core/inputs/station_wind.h"
 
 #include <QObject>
 
-// All inputs of a station. Reports for the control go there directly: wind, positions, the Moon of WSJT-X. Station
-// thread.
+// All inputs of a station. Reports for the control go there directly: wind, positions, the Moon of WSJT-X, end
+// switches. Station thread.
 namespace boresight {
 
 class StationInputs : public QObject
@@ -23,8 +24,8 @@ class StationInputs : public QObject
 
 public:
     // All arguments but the parent outlive this.
-    StationInputs(StationControl& control, const profile::InForce& profile, const Clock& clock, EventLog& log,
-                  QObject* parent);
+    StationInputs(StationControl& control, const MountConnection& mount, const profile::InForce& profile,
+                  const Clock& clock, EventLog& log, QObject* parent);
 
     void open();
     void close();
@@ -37,7 +38,9 @@ public:
     void noticed(const Request& request);
     // The mount goes nowhere from here on: nothing waits, and no rotator is followed.
     void forget();
-    // Call after each tick of the control.
+    // Call before each tick of the control: the end switches.
+    void tellSwitches() { m_control.takeEndSwitches(m_switches.read()); }
+    // Call after it.
     void tick();
 
     [[nodiscard]] StationBroker& broker() { return m_broker; }
@@ -59,6 +62,7 @@ private:
     StationTables m_tables{this};
     StationPosition m_position;
     StationWind m_wind;
+    StationSwitches m_switches;
 };
 
 }  // namespace boresight

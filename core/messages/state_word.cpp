@@ -48,4 +48,23 @@ QString protocolWord(const BrakeStatus& brake)
     return {};
 }
 
+QString protocolWord(const end_switches::EndSwitch& one)
+{
+    return (one.axis == Axis::Azimuth ? QStringLiteral("azimuth ") : QStringLiteral("elevation ")) +
+           (one.isUpper ? QStringLiteral("upper") : QStringLiteral("lower"));
+}
+
+QString protocolWord(end_switches::SwitchState state)
+{
+    switch (state) {
+        case end_switches::SwitchState::Free:
+            return QStringLiteral("free");
+        case end_switches::SwitchState::Pressed:
+            return QStringLiteral("pressed");
+        case end_switches::SwitchState::Unread:
+            break;
+    }
+    return QStringLiteral("unread");
+}
+
 }  // namespace boresight

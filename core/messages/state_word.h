@@ -12,4 +12,9 @@ namespace boresight {
 // The state of the brake for programs: "set", "opens", "open", "closes", or "failed" while its output does not work.
 [[nodiscard]] QString protocolWord(const BrakeStatus& brake);
 
+// "azimuth lower", "elevation upper", …
+[[nodiscard]] QString protocolWord(const end_switches::EndSwitch& one);
+// "free", "pressed" or "unread".
+[[nodiscard]] QString protocolWord(end_switches::SwitchState state);
+
 }  // namespace boresight

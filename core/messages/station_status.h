@@ -10,6 +10,7 @@
 #include "core/messages/calibration_status.h"
 #include "core/messages/capabilities.h"
 #include "core/messages/drives_status.h"
+#include "core/messages/end_switch_status.h"
 #include "core/messages/motor_starts.h"
 #include "core/messages/mount_line.h"
 #include "core/messages/permissions.h"
@@ -324,6 +325,7 @@ struct StationStatus
     RehearsalStatus rehearsal;
     TransmitStatus transmit;
     BrakeStatus brake;
+    std::vector<EndSwitchStatus> endSwitches;  // of the profile
     ClockStatus clock;
 };
 

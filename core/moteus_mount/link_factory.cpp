@@ -6,6 +6,7 @@
 #include "core/can/fdcanusb_link.h"
 #include "core/can/socketcan_link.h"
 #include "core/can/unusable_link.h"
+#include "core/contacts/input_name.h"
 #include "core/drive_check/protections.h"
 #include "core/moteus_mount/moteus_connection.h"
 #include "core/sim_bus/simulated_link.h"
@@ -26,6 +27,39 @@ void protect(sim::DriveConfig& drive, const profile::Profile& profile, Axis axis
         if (found && protection.remedy && drive_check::judged(protection, reading).verdict != Verdict::Right) {
             (void)sim::setConfigText(drive, protection.key, drive_check::settingText(*protection.remedy));
         }
+    }
+}
+
+std::optional<Axis> simulatedAxis(sim::SimulatedPair& pair, int id)
+{
+    const auto* const found =
+        std::ranges::find_if(kAxes, [&](Axis axis) { return pair.drive(axis).driveConfig().id == id; });
+    return found != kAxes.end() ? std::optional(*found) : std::nullopt;
+}
+
+// Puts each end switch of the profile just outside the travel of its axis.
+void wireSwitches(sim::SimulatedPair& pair, const profile::Profile& profile)
+{
+    constexpr Angle kOutside = Angle::fromDegrees(1.0);
+    for (const end_switches::EndSwitch& one : end_switches::kEndSwitches) {
+        const auto name = contacts::parseInput(profile.endSwitches.input(one));
+        const profile::AxisSettings& settings = profile.axis(one.axis);
+        const auto board =
+            name && name->kind == contacts::InputKind::Pin ? simulatedAxis(pair, name->pin.board) : std::nullopt;
+        const auto axis = simulatedAxis(pair, settings.id);
+        if (!board || !axis) {
+            continue;
+        }
+        const TravelRange& travel = settings.geometry.travel;
+        const Angle at = one.isUpper ? travel.max + kOutside : travel.min - kOutside;
+        const double turns = settings.geometry.toMotor(at).turns();
+        pair.wire({.board = *board,
+                   .port = name->pin.port,
+                   .pin = name->pin.number,
+                   .axis = *axis,
+                   .at = turns,
+                   .isAbove = turns > settings.geometry.toMotor(travel.min + 0.5 * (travel.max - travel.min)).turns(),
+                   .isHighWhenPressed = profile.endSwitches.pressedWhen == profile::PressedWhen::On});
     }
 }
 
@@ -77,6 +111,7 @@ LinkMaker::LinkMaker(const profile::Profile& profile, const Clock& clock)
     : m_clock(clock), m_simulated(std::make_shared<SimulatedMount>(clock, protectedPair(profile)))
 {
     m_simulated->sensor.truth() = sim::truthToBeFound();
+    wireSwitches(m_simulated->pair, profile);
 }
 
 std::unique_ptr<CanLink> LinkMaker::make(const profile::Profile& profile, const MountStart& start) const

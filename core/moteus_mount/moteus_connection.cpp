@@ -55,12 +55,14 @@ MoteusConnection::MoteusConnection(std::unique_ptr<CanLink> link, const MountSta
       m_journalFile(start.stateDir, QString::fromStdString(profile->mount.name), this),
       m_mount(profile, clock, log, alarms, remembered(start), start.axes),
       m_care(profile, m_mount, alarms, log),
+      m_pins(profile),
       m_link(std::move(link))
 {
     m_link->setParent(this);  // so that it moves to the station thread together with this object
     connect(m_link.get(), &CanLink::frameReceived, this, [this](const CanFrame& frame) {
         m_mount.take(frame);
         m_care.take(frame);
+        m_pins.take(frame);
     });
     connect(m_link.get(), &CanLink::statusChanged, this, &MoteusConnection::showBus);
     watchJournal();
@@ -148,6 +150,7 @@ void MoteusConnection::send()
 {
     std::vector<CanFrame> frames = m_mount.frames();
     std::ranges::copy(m_care.tick(m_clock.now()), std::back_inserter(frames));
+    std::ranges::copy(m_pins.frames(), std::back_inserter(frames));
     if (const LinkState state = m_link->status().state; state == LinkState::Up || state == LinkState::Down) {
         // Also while the bus is down, because an adapter needs a new frame to detect that it works again. A frame that
         // could not be sent shows as a missing reply and in the status of the link.

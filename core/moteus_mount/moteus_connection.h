@@ -3,6 +3,7 @@
 
 #include "core/can/can_link.h"
 #include "core/journal/journal_file.h"
+#include "core/moteus_mount/board_pins.h"
 #include "core/moteus_mount/drive_care.h"
 #include "core/moteus_mount/moteus_mount.h"
 #include "core/mount/mount_connection.h"
@@ -37,6 +38,10 @@ public:
         m_care.profileChanged(before, after);
     }
     void setCourse(const std::optional<SensorCourse>& course) override { m_mount.setCourse(course); }
+    [[nodiscard]] contacts::InputReading pin(const contacts::BoardPin& pin) const override
+    {
+        return m_pins.read(pin, m_clock.now());
+    }
     void describe(StationStatus& status) const override;
 
 private:
@@ -53,6 +58,7 @@ private:
     Result<> m_claim;  // of the position journal
     MoteusMount m_mount;
     DriveCare m_care;
+    BoardPins m_pins;
     std::unique_ptr<CanLink> m_link;
     bool m_closed = false;  // and not opened again
 };

@@ -125,6 +125,7 @@ pointing::Region GuardedAxes::reachable(pointing::Region region) const
 void GuardedAxes::start(Axis axis, Angle measured)
 {
     (axis == Axis::Azimuth ? m_azimuth : m_elevation).reset(measured);
+    m_ends[index(axis)].forget();
     m_swept.reset();
     m_leaves = false;
     m_settles = m_settles && !startsSeldom();
@@ -145,6 +146,33 @@ void GuardedAxes::setLimits(Axis axis, const tracking::MotionLimits& limits)
 void GuardedAxes::enforce(bool enforced)
 {
     m_enforced = enforced;
+}
+
+bool GuardedAxes::isAnyClosed() const
+{
+    return std::ranges::any_of(m_ends, &AxisEnds::isAnyClosed);
+}
+
+bool GuardedAxes::lagsTowards(Axis axis, bool isUpper) const
+{
+    const Angle way = lags(axis) ? setpoint(axis).position - *m_sights[index(axis)].place : Angle{};
+    return isUpper ? way > Angle{} : way < Angle{};
+}
+
+bool GuardedAxes::goesInto(Axis axis, bool isUpper) const
+{
+    const AngularRate rate = setpoint(axis).rate;
+    return (isUpper ? rate > AngularRate{} : rate < AngularRate{}) || m_held[index(axis)] == (isUpper ? 1 : -1) ||
+           lagsTowards(axis, isUpper);
+}
+
+// A rotator that moves by itself is still on its way to set-points beyond the place where a switch closed the end.
+bool GuardedAxes::runsIntoClosed() const
+{
+    return std::ranges::any_of(kAxes, [this](Axis axis) {
+        const AxisEnds& ends = m_ends[index(axis)];
+        return (ends.isClosed(false) && lagsTowards(axis, false)) || (ends.isClosed(true) && lagsTowards(axis, true));
+    });
 }
 
 AxisBox GuardedAxes::untilRest() const
@@ -235,6 +263,8 @@ bool GuardedAxes::strays() const
 void GuardedAxes::step(Seconds duration, const AxisWish& azimuth, const AxisWish& elevation)
 {
     watch(duration);
+    m_ends[0].keep(m_azimuth.untilRest());
+    m_ends[1].keep(m_elevation.untilRest());
     stepGuarded(duration, m_capabilities.has(Axis::Azimuth) ? azimuth : AxisWish{},
                 m_capabilities.has(Axis::Elevation) ? elevation : AxisWish{});
 }
@@ -243,7 +273,7 @@ void GuardedAxes::stepGuarded(Seconds duration, const AxisWish& azimuth, const A
 {
     const bool isFree = !m_enforced || m_region.permits(fromSeen(untilRest()));
     const bool isLate = runsAfter(azimuth, elevation);
-    m_stray = isLate || (!isFree && strays());
+    m_stray = isLate || (!isFree && strays()) || runsIntoClosed();
     if (!m_enforced) {
         stepFree(duration, azimuth, elevation);
     } else if (isFree) {
@@ -262,12 +292,13 @@ void GuardedAxes::stepFree(Seconds duration, const AxisWish& azimuth, const Axis
 {
     m_swept.reset();
     m_leaves = false;
-    m_azimuth.setTravel(m_travel.azimuth);
-    m_elevation.setTravel(m_travel.elevation);
+    const TravelRange azimuths = openPart(Axis::Azimuth, m_travel.azimuth);
+    const TravelRange elevations = openPart(Axis::Elevation, m_travel.elevation);
+    m_azimuth.setTravel(azimuths);
+    m_elevation.setTravel(elevations);
     obey(m_azimuth, duration, azimuth);
     obey(m_elevation, duration, elevation);
-    m_held = {heldWay(azimuth, place().azimuth, m_travel.azimuth),
-              heldWay(elevation, place().elevation, m_travel.elevation)};
+    m_held = {heldWay(azimuth, place().azimuth, azimuths), heldWay(elevation, place().elevation, elevations)};
 }
 
 // First the azimuth moves in the room that is free for all elevations until the elevation stops. Then the elevation
@@ -279,11 +310,11 @@ void GuardedAxes::stepInside(Seconds duration, const AxisWish& azimuth, const Ax
     AxisBox box = fromSeen(untilRest());
     AxisProfile nextAzimuth = m_azimuth;
     AxisProfile nextElevation = m_elevation;
-    const TravelRange azimuths = m_region.azimuthsAround(box);
+    const TravelRange azimuths = openPart(Axis::Azimuth, m_region.azimuthsAround(box));
     nextAzimuth.setTravel(azimuths);
     obey(nextAzimuth, duration, azimuth);
     const AxisBox still = std::exchange(box, fromSeen({passed(before.azimuth, nextAzimuth), box.elevation}));
-    const TravelRange elevations = m_region.elevationsAround(box);
+    const TravelRange elevations = openPart(Axis::Elevation, m_region.elevationsAround(box));
     nextElevation.setTravel(elevations);
     obey(nextElevation, duration, elevation);
     box = fromSeen({box.azimuth, passed(before.elevation, nextElevation)});
@@ -307,15 +338,16 @@ void GuardedAxes::stepOut(Seconds duration, const AxisWish& azimuth, const AxisW
     m_leaves = true;
     const AxisPosition out = pointing::nearestPermitted(m_region, place()).value_or(place());
     const AxisBox room = AxisBox::between(place(), out);
-    const auto move = [duration](AxisProfile& axis, const TravelRange& free, Angle end, const TravelRange& travel,
-                                 const AxisWish& wish) {
+    const auto move = [&](Axis which, const TravelRange& free, Angle end, const AxisWish& wish) {
+        AxisProfile& axis = which == Axis::Azimuth ? m_azimuth : m_elevation;
         const TravelRange rest = axis.untilRest();
         const bool inside = within(rest, free);
-        axis.setTravel(!inside ? travel : end == free.max ? TravelRange{rest.max, end} : TravelRange{end, rest.min});
+        const TravelRange way = end == free.max ? TravelRange{rest.max, end} : TravelRange{end, rest.min};
+        axis.setTravel(inside ? openPart(which, way) : which == Axis::Azimuth ? m_travel.azimuth : m_travel.elevation);
         obey(axis, duration, inside ? wish : AxisWish{.braking = wish.braking});
     };
-    move(m_azimuth, room.azimuth, out.azimuth, m_travel.azimuth, azimuth);
-    move(m_elevation, room.elevation, out.elevation, m_travel.elevation, elevation);
+    move(Axis::Azimuth, room.azimuth, out.azimuth, azimuth);
+    move(Axis::Elevation, room.elevation, out.elevation, elevation);
     m_held = {heldWay(azimuth, place().azimuth, room.azimuth), heldWay(elevation, place().elevation, room.elevation)};
 }
 
@@ -347,7 +379,7 @@ GuardedAxes::Surroundings GuardedAxes::surroundings(const AxisPosition& room) co
         return {.box = m_travel, .free = true};
     }
     AxisBox box = fromSeen(untilRest());
-    if (!m_region.permits(box)) {
+    if (!m_region.permits(box) || isAnyClosed()) {
         return {.box = box};
     }
     const auto around = [&](Axis axis, const TravelRange& range, Angle by, const TravelRange& within) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/messages/capabilities.h"
+#include "core/motion/axis_ends.h"
 #include "core/pointing/permitted_region.h"
 #include "core/profile/profile.h"
 #include "core/tracking/axis_profile.h"
@@ -56,6 +57,12 @@ public:
     // While the wrap of an axis is unknown, the forbidden places are unknown, too, so only the travel counts.
     void enforce(bool enforced);
 
+    // From the next step on the set-points do not pass the place where they would stop by now. An end stays closed
+    // until the next call.
+    void close(Axis axis, const ClosedEnds& ends) { m_ends[index(axis)].close(ends); }
+    // The set-points move or want to move on towards this end of the axis, or the rotator does.
+    [[nodiscard]] bool goesInto(Axis axis, bool isUpper) const;
+
     [[nodiscard]] const pointing::PermittedRegion& region() const { return m_region; }
     // The travel of the profile, ending at the last steps that the rotator can reach inside.
     [[nodiscard]] const pointing::AxisBox& travel() const { return m_travel; }
@@ -94,6 +101,13 @@ private:
         Seconds time{0.0};  // for this time
     };
 
+    [[nodiscard]] TravelRange openPart(Axis axis, const TravelRange& room) const
+    {
+        return m_ends[index(axis)].openPart(room);
+    }
+    [[nodiscard]] bool isAnyClosed() const;
+    [[nodiscard]] bool lagsTowards(Axis axis, bool isUpper) const;
+    [[nodiscard]] bool runsIntoClosed() const;
     [[nodiscard]] TravelRange travelOf(Axis axis, const profile::Profile& profile) const;
     [[nodiscard]] pointing::Region reachable(pointing::Region region) const;
     [[nodiscard]] pointing::AxisBox untilRest() const;
@@ -121,6 +135,7 @@ private:
     bool m_settles = false;                    // a motion was wanted, and the rotator has not arrived yet
     bool m_aimed = false;                      // a target was wanted since the rotator was taken over
     std::optional<pointing::AxisBox> m_swept;  // permitted: all that was left to pass after the last step
+    std::array<AxisEnds, 2> m_ends;            // that are closed
     std::array<int, 2> m_held{};               // the direction in which each axis wants to move but may not: -1, 0, 1
 };
 

@@ -54,6 +54,10 @@ public:
     void setArrival(profile::Arrival arrival) { m_arrival = arrival; }
     // While the wrap of an axis is unknown, the forbidden places are unknown, too, so only the travel counts.
     void enforceRegion(bool enforced) { m_axes.enforce(enforced); }
+    // The ends of an axis that its end switches have closed.
+    void close(Axis axis, const ClosedEnds& ends) { m_axes.close(axis, ends); }
+    // The axis moves or wants to move on towards this end.
+    [[nodiscard]] bool goesInto(Axis axis, bool isUpper) const { return m_axes.goesInto(axis, isUpper); }
     // How far beside a moving target an axis may stand whose motor is only switched on and off.
     struct Band
     {

@@ -65,6 +65,12 @@ void PairedConnection::setCourse(const std::optional<SensorCourse>& course)
     m_elevation->setCourse(course);
 }
 
+contacts::InputReading PairedConnection::pin(const contacts::BoardPin& pin) const
+{
+    contacts::InputReading reading = m_azimuth->pin(pin);
+    return reading.isOn ? reading : m_elevation->pin(pin);
+}
+
 void PairedConnection::describe(StationStatus& status) const
 {
     m_azimuth->describe(status);

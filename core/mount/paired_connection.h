@@ -30,6 +30,8 @@ public:
     [[nodiscard]] Result<> carryOut(const Request& request) override;
     void profileChanged(const profile::Profile& before, const profile::Profile& after) override;
     void setCourse(const std::optional<SensorCourse>& course) override;
+    // The first of the two that can read it.
+    [[nodiscard]] contacts::InputReading pin(const contacts::BoardPin& pin) const override;
     // Shows one of the two lines: the one with a problem.
     void describe(StationStatus& status) const override;
 

@@ -62,6 +62,17 @@ QJsonValue toValue(const std::optional<PublishedBrake>& brake)
                  : QJsonValue();
 }
 
+QJsonArray toValue(const std::vector<PublishedSwitch>& switches)
+{
+    QJsonArray all;
+    for (const PublishedSwitch& one : switches) {
+        all.append(QJsonObject{{QStringLiteral("end"), one.end},
+                               {QStringLiteral("state"), one.state},
+                               {QStringLiteral("problem"), one.problem}});
+    }
+    return all;
+}
+
 // Two alarms are equal even if their texts differ, because a text may count seconds.
 bool areSame(const std::vector<PublishedAlarm>& one, const std::vector<PublishedAlarm>& other)
 {
@@ -102,6 +113,7 @@ QByteArray toJson(const PublishedState& state)
         {QStringLiteral("axes"), axes},
         {QStringLiteral("link"), link},
         {QStringLiteral("brake"), toValue(state.brake)},
+        {QStringLiteral("endSwitches"), toValue(state.endSwitches)},
         {QStringLiteral("alarms"), toValue(state.alarms)},
         {QStringLiteral("units"), units}};
     return QJsonDocument(all).toJson(QJsonDocument::Compact);
@@ -143,7 +155,8 @@ bool StatePublisher::isNews(const PublishedState& state) const
 {
     return !m_lastTime || m_clock.now() - *m_lastTime >= kPeriod || state.state != m_last.state ||
            state.fault != m_last.fault || state.stopLatched != m_last.stopLatched || state.limited != m_last.limited ||
-           state.isLinked != m_last.isLinked || state.brake != m_last.brake || !areSame(state.alarms, m_last.alarms);
+           state.isLinked != m_last.isLinked || state.brake != m_last.brake ||
+           state.endSwitches != m_last.endSwitches || !areSame(state.alarms, m_last.alarms);
 }
 
 void StatePublisher::show(const PublishedState& state)

@@ -36,6 +36,15 @@ struct PublishedBrake
     bool operator==(const PublishedBrake&) const = default;
 };
 
+struct PublishedSwitch
+{
+    QString end;      // "azimuth lower"
+    QString state;    // "free", "pressed", "unread"
+    QString problem;  // why it cannot be read, for people
+
+    bool operator==(const PublishedSwitch&) const = default;
+};
+
 // Unknown values are empty. Programs read the words, so they are not translated.
 struct PublishedState
 {
@@ -50,12 +59,13 @@ struct PublishedState
     std::optional<SkyPointing> target;
     std::optional<Angle> azimuthAxis;  // mechanical: 370° is not 10°
     std::optional<Angle> elevationAxis;
-    QString targetText;                   // "P 339.50 57.00"
-    QString commander;                    // "rotctld 127.0.0.1:51234"
-    bool isLinked = false;                // every axis has answered lately
-    QString linkProblem;                  // of the line to the mount, for people; empty without
-    std::optional<PublishedBrake> brake;  // empty: the mount has none
-    std::vector<PublishedAlarm> alarms;   // worst first
+    QString targetText;                        // "P 339.50 57.00"
+    QString commander;                         // "rotctld 127.0.0.1:51234"
+    bool isLinked = false;                     // every axis has answered lately
+    QString linkProblem;                       // of the line to the mount, for people; empty without
+    std::optional<PublishedBrake> brake;       // empty: the mount has none
+    std::vector<PublishedSwitch> endSwitches;  // of the profile
+    std::vector<PublishedAlarm> alarms;        // worst first
 };
 
 [[nodiscard]] QByteArray toJson(const PublishedState& state);

@@ -2,55 +2,19 @@
 #include "core/outputs/serial_modem_port.h"
 
 #include "core/base/text.h"
-#include "core/serial/port_holder.h"
-#include "core/serial/serial_port_check.h"
+#include "core/serial/control_lines.h"
 
-#include <QFile>
-
-#include <fcntl.h>
 #include <sys/ioctl.h>
 #include <termios.h>
 
 #include <cerrno>
-#include <cstring>
+#include <utility>
 
 namespace boresight::outputs {
-namespace {
-
-tl::unexpected<Error> portFailure(const QString& path, int number)
-{
-    return failure(ErrorCode::Io, QStringLiteral("%1: %2").arg(path, toQString(std::strerror(number))));
-}
-
-// The kernel lowers the lines when the port is closed (HUPCL), also when the program dies.
-bool setLowAtTheEnd(int port)
-{
-    termios settings{};
-    if (tcgetattr(port, &settings) != 0) {
-        return false;
-    }
-    settings.c_cflag |= HUPCL | CLOCAL;
-    settings.c_cflag &= ~static_cast<tcflag_t>(CRTSCTS);  // with flow control the kernel would switch RTS itself
-    return tcsetattr(port, TCSANOW, &settings) == 0;
-}
-
-}  // namespace
 
 Result<> SerialModemPort::open()
 {
-    if (const Result<> usable = checkSerialPort(m_path); !usable) {
-        return usable;
-    }
-    if (const auto holder = portHolder(m_path)) {
-        return failure(ErrorCode::Busy, Text::tr("%1 is used by %2").arg(m_path, *holder));
-    }
-    m_port = FileDescriptor(::open(QFile::encodeName(m_path).constData(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
-    if (!m_port.isOpen() || ::ioctl(m_port.number(), TIOCEXCL) != 0 || !setLowAtTheEnd(m_port.number())) {
-        const int number = errno;
-        m_port.reset();
-        return portFailure(m_path, number);
-    }
-    return {};
+    return openForLines(m_path).map([this](FileDescriptor&& port) { m_port = std::move(port); });
 }
 
 void SerialModemPort::close()

@@ -4,8 +4,7 @@
 #include "core/base/file_descriptor.h"
 #include "core/outputs/modem_line.h"
 
-// The control lines of a serial port of this computer. QSerialPort is not used: it needs an event loop, and it does not
-// set what the lines do when the program dies.
+// The control lines of a serial port of this computer.
 namespace boresight::outputs {
 
 class SerialModemPort final : public ModemPort

@@ -143,7 +143,9 @@ void addBroker(std::vector<Setting>& list)
 
 bool takesReadings(const Profile& profile, const std::string& topic)
 {
-    return profile.sensor.reads(topic) || profile.position.reads(topic) || profile.wind.source == "mqtt:" + topic;
+    const std::string name = "mqtt:" + topic;
+    return profile.sensor.reads(topic) || profile.position.reads(topic) || profile.wind.source == name ||
+           std::ranges::find(profile.endSwitches.inputs, name) != profile.endSwitches.inputs.end();
 }
 
 void checkBroker(std::vector<Problem>& problems, const Profile& profile)
@@ -160,7 +162,8 @@ void checkBroker(std::vector<Problem>& problems, const Profile& profile)
         if (broker.commands != BrokerCommands::Off && takesReadings(profile, topic)) {
             problems.push_back(
                 {"mqtt.prefix",
-                 Text::tr("the sensor, the positions or the wind already use the topic %1").arg(toQString(topic))});
+                 Text::tr("the sensor, the positions, the wind or an end switch already use the topic %1")
+                     .arg(toQString(topic))});
         }
     }
 }

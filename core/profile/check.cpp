@@ -283,6 +283,7 @@ std::vector<Problem> crossCheck(const Profile& profile)
     checkPower(problems, profile);
     checkTransmit(problems, profile);
     checkBrake(problems, profile);
+    checkEndSwitches(problems, profile);
     checkPosition(problems, profile);
     checkWind(problems, profile);
     return problems;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What this computer reads and switches beside the mount: received power, transmit output, brake.
+// What this computer reads and switches beside the mount: received power, transmit output, brake, end switches.
 #include "core/profile/output_settings.h"
 
 #include "core/base/text.h"
+#include "core/contacts/input_name.h"
 #include "core/contacts/output_name.h"
 #include "core/profile/setting_groups.h"
 #include "core/profile/setting_makers.h"
@@ -31,15 +32,10 @@ std::string linePort(const std::string& output)
     return isLine ? name->place.toStdString() : std::string();
 }
 
-// Boresight would take its own "on" and "off" for a command or a reading, or write over what it publishes.
-void checkTopic(std::vector<Problem>& problems, const Profile& profile, const std::string& key,
-                const std::string& output)
+// Boresight would take an "on" or "off" for a command, or write over what it publishes. `isTaken`: it has another use.
+void checkTopic(std::vector<Problem>& problems, const BrokerSettings& broker, const std::string& key,
+                const std::string& topic, bool isTaken)
 {
-    if (!isByBroker(output)) {
-        return;
-    }
-    const BrokerSettings& broker = profile.mqtt;
-    const std::string topic = contacts::parseOutput(output)->place.toStdString();
     const auto isOneOf = [&](std::initializer_list<const char*> names) {
         return std::ranges::any_of(names, [&](const char* name) { return topic == broker.topic(name); });
     };
@@ -49,10 +45,60 @@ void checkTopic(std::vector<Problem>& problems, const Profile& profile, const st
         problems.push_back({key, Text::tr("Boresight takes each message of the topic %1 for a command (mqtt.commands). "
                                           "Choose another topic")
                                      .arg(toQString(topic))});
-    } else if ((takesCommands && isOneOf({"answer"})) || (publishes && isOneOf({"state", "availability"})) ||
-               takesReadings(profile, topic)) {
+    } else if ((takesCommands && isOneOf({"answer"})) || (publishes && isOneOf({"state", "availability"})) || isTaken) {
         problems.push_back(
             {key, Text::tr("Boresight already uses the topic %1. Choose another topic").arg(toQString(topic))});
+    }
+}
+
+// Boresight would take its own "on" and "off" for a reading.
+void checkOutputTopic(std::vector<Problem>& problems, const Profile& profile, const std::string& key,
+                      const std::string& output)
+{
+    if (isByBroker(output)) {
+        const std::string topic = contacts::parseOutput(output)->place.toStdString();
+        checkTopic(problems, profile.mqtt, key, topic, takesReadings(profile, topic));
+    }
+}
+
+using end_switches::EndSwitch;
+
+std::string keyOf(const EndSwitch& one)
+{
+    return std::string("end_switches.") + (one.axis == Axis::Azimuth ? "azimuth" : "elevation") +
+           (one.isUpper ? "_upper" : "_lower");
+}
+
+contacts::InputName inputOf(const Profile& profile, const EndSwitch& one)
+{
+    return contacts::parseInput(profile.endSwitches.input(one)).value_or(contacts::InputName{});
+}
+
+// Two switches at one input would close both of their ends together, and the axis could not move away.
+void checkEndSwitch(std::vector<Problem>& problems, const Profile& profile, const EndSwitch& one)
+{
+    const contacts::InputName input = inputOf(profile, one);
+    if (input.kind == contacts::InputKind::None) {
+        return;
+    }
+    for (const EndSwitch& other : end_switches::kEndSwitches) {
+        if (other != one && inputOf(profile, other) == input) {
+            problems.push_back({keyOf(one), Text::tr("is also the input of %1. Each switch needs an input of its own")
+                                                .arg(toQString(keyOf(other)))});
+            return;
+        }
+    }
+    if (input.kind == contacts::InputKind::Mqtt) {
+        checkTopic(problems, profile.mqtt, keyOf(one), input.place.toStdString(), false);
+    }
+    const bool hasBoards =
+        profile.azimuth.driver == AxisDriver::Moteus || profile.elevation.driver == AxisDriver::Moteus;
+    if (input.kind == contacts::InputKind::Pin && !hasBoards) {
+        problems.push_back({keyOf(one), Text::tr("is a pin of a moteus, but no axis has a moteus")});
+    }
+    const std::string port = input.place.toStdString();
+    if (input.isLine() && (port == linePort(profile.transmit.output) || port == linePort(profile.brake.output))) {
+        problems.push_back({keyOf(one), Text::tr("uses the port of the transmit output or of the brake output")});
     }
 }
 
@@ -155,6 +201,50 @@ void addBrake(std::vector<Setting>& list)
         [](auto& p) -> auto& { return p.brake.setAfter; }));
 }
 
+void addEndSwitches(std::vector<Setting>& list)
+{
+    const auto input = [&list](const EndSwitch& one, const char* title) {
+        list.push_back(textual(
+            keyOf(one), Applies::Now,
+            {title,
+             QT_TRANSLATE_NOOP("Text",
+                               "The input of the switch at this end of the axis: moteus:ID:aux1.PIN, mqtt:TOPIC, "
+                               "cts:PORT, dsr:PORT, dcd:PORT or ri:PORT. While the switch is pressed, nothing "
+                               "moves the axis further into this end. Empty: no switch.")},
+            [one](const Profile& p) { return p.endSwitches.input(one); },
+            [one](Profile& p, const std::string& wanted) {
+                return contacts::parseInput(wanted).map(
+                    [&](const contacts::InputName&) { p.endSwitches.inputs.at(end_switches::indexOf(one)) = wanted; });
+            }));
+    };
+    input({Axis::Azimuth, false}, QT_TRANSLATE_NOOP("Text", "Azimuth, lower end"));
+    input({Axis::Azimuth, true}, QT_TRANSLATE_NOOP("Text", "Azimuth, upper end"));
+    input({Axis::Elevation, false}, QT_TRANSLATE_NOOP("Text", "Elevation, lower end"));
+    input({Axis::Elevation, true}, QT_TRANSLATE_NOOP("Text", "Elevation, upper end"));
+    list.push_back(choice(
+        "end_switches.pressed_when", {"off", "on"}, Applies::Now,
+        {QT_TRANSLATE_NOOP("Text", "Pressed when"),
+         QT_TRANSLATE_NOOP("Text",
+                           "What the input reads while its switch is pressed. \"off\" suits a switch that opens its "
+                           "circuit when it is pressed: a broken wire then counts as pressed.")},
+        [](auto& p) -> auto& { return p.endSwitches.pressedWhen; }));
+    list.push_back(choice(
+        "end_switches.when_unread", {"pressed", "ignored"}, Applies::Now,
+        {QT_TRANSLATE_NOOP("Text", "If it cannot be read"),
+         QT_TRANSLATE_NOOP(
+             "Text",
+             "Both raise an alarm. \"pressed\" also permits no motion into the end of a switch that cannot "
+             "be read.")},
+        [](auto& p) -> auto& { return p.endSwitches.whenUnread; }));
+    list.push_back(number(
+        "end_switches.silence_s", "s", {0.5, 600.0}, Applies::Now,
+        {QT_TRANSLATE_NOOP("Text", "Longest silence"),
+         QT_TRANSLATE_NOOP("Text",
+                           "MQTT: without a message for this long the switch cannot be read. The sender has to repeat "
+                           "its messages more often than this.")},
+        [](auto& p) -> auto& { return p.endSwitches.silence; }));
+}
+
 void checkPower(std::vector<Problem>& problems, const Profile& profile)
 {
     if (profile.power.source == PowerSource::Udp && !checkAddress(profile.power.host)) {
@@ -165,17 +255,24 @@ void checkPower(std::vector<Problem>& problems, const Profile& profile)
 
 void checkTransmit(std::vector<Problem>& problems, const Profile& profile)
 {
-    checkTopic(problems, profile, "transmit.output", profile.transmit.output);
+    checkOutputTopic(problems, profile, "transmit.output", profile.transmit.output);
 }
 
 void checkBrake(std::vector<Problem>& problems, const Profile& profile)
 {
-    checkTopic(problems, profile, "brake.output", profile.brake.output);
+    checkOutputTopic(problems, profile, "brake.output", profile.brake.output);
     if (!profile.brake.output.empty() && profile.brake.output == profile.transmit.output) {
         problems.push_back({"brake.output", Text::tr("is also the transmit output (transmit.output)")});
     } else if (const std::string port = linePort(profile.brake.output);
                !port.empty() && port == linePort(profile.transmit.output)) {
         problems.push_back({"brake.output", Text::tr("uses the port of the transmit output (transmit.output)")});
+    }
+}
+
+void checkEndSwitches(std::vector<Problem>& problems, const Profile& profile)
+{
+    for (const EndSwitch& one : end_switches::kEndSwitches) {
+        checkEndSwitch(problems, profile, one);
     }
 }
 

@@ -10,6 +10,7 @@
 #include "core/pointing/region.h"
 #include "core/profile/axis_driver.h"
 #include "core/profile/brake_settings.h"
+#include "core/profile/end_switch_settings.h"
 #include "core/profile/position_settings.h"
 #include "core/profile/power_settings.h"
 #include "core/profile/sensor_settings.h"
@@ -462,6 +463,7 @@ struct Profile
     PowerSettings power;
     TransmitSettings transmit;
     BrakeSettings brake;
+    EndSwitchSettings endSwitches;
     WindSettings wind;
 
     [[nodiscard]] const AxisSettings& axis(Axis which) const { return which == Axis::Azimuth ? azimuth : elevation; }

@@ -395,6 +395,7 @@ std::vector<Setting> makeSettings()
     addPower(list);
     addTransmit(list);
     addBrake(list);
+    addEndSwitches(list);
     addWind(list);
     return list;
 }

@@ -26,6 +26,7 @@ void addBroker(std::vector<Setting>& list);
 void addPower(std::vector<Setting>& list);
 void addTransmit(std::vector<Setting>& list);
 void addBrake(std::vector<Setting>& list);
+void addEndSwitches(std::vector<Setting>& list);
 void addWind(std::vector<Setting>& list);
 
 // Checks the name or address of this computer or another: "shack.local", "127.0.0.1".
@@ -51,11 +52,12 @@ void checkNumbers(std::vector<Problem>& problems, std::string_view list, const s
     }
 }
 
-// Whether the sensor, the positions or the wind come from this topic of the broker.
+// Whether the sensor, the positions, the wind or an end switch come from this topic of the broker.
 [[nodiscard]] bool takesReadings(const Profile& profile, const std::string& topic);
 
 // Check settings that depend on each other: broker; region, Sun, park position and presets; antennas; source of
-// positions; satellites; watch list; sensor; received power; transmit output; brake; wind.
+// positions; satellites; watch list; sensor; received power; transmit output; brake; end
+// switches; wind.
 void checkBroker(std::vector<Problem>& problems, const Profile& profile);
 void checkRegion(std::vector<Problem>& problems, const Profile& profile);
 void checkAntennas(std::vector<Problem>& problems, const Profile& profile);
@@ -66,6 +68,7 @@ void checkSensor(std::vector<Problem>& problems, const Profile& profile);
 void checkPower(std::vector<Problem>& problems, const Profile& profile);
 void checkTransmit(std::vector<Problem>& problems, const Profile& profile);
 void checkBrake(std::vector<Problem>& problems, const Profile& profile);
+void checkEndSwitches(std::vector<Problem>& problems, const Profile& profile);
 void checkWind(std::vector<Problem>& problems, const Profile& profile);
 
 }  // namespace boresight::profile

@@ -26,7 +26,8 @@ constexpr std::chrono::milliseconds kLook{500};
 constexpr std::size_t kMostRemarks = 200;
 const Source kRehearser{.kind = SourceKind::Operator, .name = QStringLiteral("operator")};
 
-// The profile in force, without the settings for real drives and their brake, and for the absence of the operator.
+// The profile in force, without the settings for real drives, their brake and their end switches, and for the absence
+// of the operator.
 profile::Profile rehearsed(profile::Profile profile)
 {
     profile.control.tickHz = kTickHz;
@@ -34,6 +35,7 @@ profile::Profile rehearsed(profile::Profile profile)
     profile.supervision.replyAge = kPatience;
     profile.schedule.unattended = profile::Unattended::Off;
     profile.brake = {};
+    profile.endSwitches = {};
     return profile;
 }
 

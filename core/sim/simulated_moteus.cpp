@@ -76,6 +76,13 @@ void SimulatedMoteus::step(double dt, const Surroundings& surroundings)
     sampleEncoder();
 }
 
+void SimulatedMoteus::setPin(int port, int pin, bool isHigh)
+{
+    unsigned& pins = m_pins.at(static_cast<std::size_t>(port - 1));
+    const unsigned bit = 1U << static_cast<unsigned>(pin);
+    pins = isHigh ? pins | bit : pins & ~bit;
+}
+
 void SimulatedMoteus::sampleEncoder()
 {
     m_encoder->sample((m_plant.position() + m_slip) * m_settings.gearRatio, m_plant.velocity() * m_settings.gearRatio,
@@ -126,6 +133,7 @@ DriveState SimulatedMoteus::state() const
             .board = m_board,
             .plant = m_plant,
             .uptime = m_uptime,
+            .pins = m_pins,
             .registerMapVersion = m_registerMapVersion};
 }
 

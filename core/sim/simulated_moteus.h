@@ -60,6 +60,8 @@ public:
     void raiseFault(int code) { m_servo->raiseFault(code); }
     void setRegisterMapVersion(int version) { m_registerMapVersion = version; }
     [[nodiscard]] bool isPowered() const { return m_powered; }
+    // What is wired to an aux pin. At first every pin is high.
+    void setPin(int port, int pin, bool isHigh);
 
     [[nodiscard]] AxisPlant& plant() { return m_plant; }
     [[nodiscard]] const AxisPlant& plant() const { return m_plant; }
@@ -102,6 +104,8 @@ private:
     [[nodiscard]] double motorCurrent() const;  // A, towards positive turns of the rotor
     [[nodiscard]] DriveState state() const;
 
+    static constexpr unsigned kFivePins = 0x1f;
+
     MoteusSettings m_settings;
     DriveConfig m_machine;  // true motor and gear
     DriveConfig m_stored;   // survives a loss of power
@@ -115,6 +119,7 @@ private:
     moteus::FrameServer m_server;
     bool m_powered = true;
     double m_slip = 0.0;  // turns of the axis
+    std::array<unsigned, 2> m_pins{kFivePins, kFivePins};
     double m_uptime = 0.0;
     int m_registerMapVersion = moteus::kRegisterMapVersion;
     FrameWrites m_writes;

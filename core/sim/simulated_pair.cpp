@@ -95,6 +95,23 @@ void SimulatedPair::step(double dt)
                               .windTorque = sign * faultValue(FaultKind::Wind, side.axis, 0.0),
                               .persistentFault = side.injectedFault});
     }
+    press();
+}
+
+void SimulatedPair::wire(const WiredSwitch& one)
+{
+    m_switches.push_back(one);
+    press();
+}
+
+// Each switch by where the antenna is.
+void SimulatedPair::press()
+{
+    for (const WiredSwitch& one : m_switches) {
+        const double place = drive(one.axis).plant().loadPosition();
+        const bool isPressed = one.isAbove ? place >= one.at : place <= one.at;
+        drive(one.board).setPin(one.port, one.pin, isPressed == one.isHighWhenPressed);
+    }
 }
 
 void SimulatedPair::applyFaults()

@@ -46,6 +46,18 @@ struct AxisTruth
     bool powered = true;
 };
 
+// An end switch of the simulated mount, wired to a pin of one of its boards.
+struct WiredSwitch
+{
+    Axis board = Axis::Azimuth;  // named by the axis that it turns
+    int port = 1;
+    int pin = 0;
+    Axis axis = Axis::Azimuth;  // the axis that presses the switch
+    double at = 0.0;            // turns of its drive
+    bool isAbove = true;        // pressed from there on upwards, else downwards
+    bool isHighWhenPressed = false;
+};
+
 // One reply on the bus to a frame.
 struct PairReply
 {
@@ -74,6 +86,7 @@ public:
     // arbitration.
     [[nodiscard]] std::vector<PairReply> exchange(const CanFrame& frame, Seconds now);
 
+    void wire(const WiredSwitch& one);
     // A drive that is not fitted neither receives nor sends. At first both are fitted.
     void setFitted(Axis axis, bool fitted) { m_sides[side(axis)].fitted = fitted; }
 
@@ -98,6 +111,7 @@ private:
 
     static std::size_t side(Axis axis) { return axis == Axis::Azimuth ? 0 : 1; }
     void step(double dt);
+    void press();
     void applyFaults();
     void applyFaults(Side& side);
     void applyPower();
@@ -116,6 +130,7 @@ private:
     double m_supplyVoltage;
     double m_collisions;
     std::array<Side, 2> m_sides;
+    std::vector<WiredSwitch> m_switches;
     FaultSchedule m_faults;
     ReplyCounts m_replyCounts;
     std::minstd_rand m_random;

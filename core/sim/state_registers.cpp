@@ -9,6 +9,7 @@ namespace {
 
 using moteus::Register;
 
+constexpr auto kSecondPort = static_cast<Register>(static_cast<std::uint32_t>(Register::AuxGpioStatus) + 1);
 constexpr double kPositionCount = 1.0 / 65536.0;
 constexpr double kVoltageStep = 0.018;                       // V: step of the converter on the board
 constexpr std::int64_t kCounterStart = 0x80000000 - 300000;  // overflows after 5 min, for tests
@@ -160,6 +161,10 @@ double readSensor(const DriveState& drive, Register reg)
             const auto count = static_cast<std::uint32_t>(kCounterStart + std::llround(drive.uptime * 1000.0));
             return static_cast<double>(std::bit_cast<std::int32_t>(count));
         }
+        case Register::AuxGpioStatus:
+            return drive.pins[0];
+        case kSecondPort:
+            return drive.pins[1];
         default:
             return 0.0;
     }

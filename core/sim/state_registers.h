@@ -26,7 +26,8 @@ struct DriveState
     const RotorEncoder& encoder;
     const BoardTemperature& board;
     const AxisPlant& plant;
-    double uptime = 0.0;  // s
+    double uptime = 0.0;             // s
+    std::array<unsigned, 2> pins{};  // of both aux ports; bit 0 is pin 0
     int registerMapVersion = moteus::kRegisterMapVersion;
 };
 

@@ -5,7 +5,6 @@
 #include "core/base/text.h"
 #include "core/computer_clock/time_effect.h"
 #include "core/north/calibration_gates.h"
-#include "core/outputs/simulated_output.h"
 #include "core/sources/motion_sources.h"
 
 #include <QLoggingCategory>
@@ -54,7 +53,7 @@ Station::Station(const profile::Profile& profile, const MountMaker& mount, const
                .status = [this] { return status(); },
                .transmit = [this] { return m_transmit.status(); }},
               m_log, clock, this),
-      m_inputs(m_control, m_profile, clock, m_log, this),
+      m_inputs(m_control, *m_mount, m_profile, clock, m_log, this),
       m_commands(
           m_control.alarms(), m_profile, m_log, clock, m_inputs.broker(), m_server.rotator(), m_server.newestClient(),
           [this](const rotctld::Client& client) { return askNow(request::Stop{}, clientSource(client)); }, this),
@@ -63,9 +62,7 @@ Station::Station(const profile::Profile& profile, const MountMaker& mount, const
       m_tuning(m_control, clock, m_log),
       m_hooks(m_profile, m_mount->simulated(), m_log, m_inputs.broker(), this),
       m_transmit(m_profile, m_mount->simulated(), clock, m_log, m_alarms, this),
-      m_brake(
-          m_profile, [](const profile::Profile& named) -> const std::string& { return named.brake.output; },
-          QStringLiteral("brake"), clock, this),
+      m_brake(m_profile, m_control, m_mount->simulated(), clock, this),
       m_reportFile(reportPath(stateDir, toQString(profile.mount.name), m_mount->simulated()), this),
       m_night(
           m_control, m_profile, m_reportFile, m_kept, m_log,
@@ -84,9 +81,6 @@ Station::Station(const profile::Profile& profile, const MountMaker& mount, const
       m_reopenTimer(this),
       m_lateness(std::chrono::round<std::chrono::milliseconds>(profile.control.tickPeriod()))
 {
-    if (m_mount->simulated()) {
-        m_brake.setMaker(outputs::simulatedOutput);  // no drive holds the real antenna
-    }
     m_mount->setParent(this);  // so that it moves to the station thread with the station
     m_tickTimer.setTimerType(Qt::PreciseTimer);
     m_tickTimer.setInterval(std::chrono::round<std::chrono::milliseconds>(profile.control.tickPeriod()));
@@ -220,12 +214,10 @@ void Station::tick()
     m_calibration.tick();
     m_tuning.tick();
     m_night.tick();
-    m_control.takeBrake(m_brake.answer());
+    m_brake.tellAnswer();
+    m_inputs.tellSwitches();
     m_control.tick();
-    // An output that fails is not switched on again, because that may open and close a brake while the antenna stops.
-    if (!m_control.releasesBrake() || m_brake.answer().problem.isEmpty()) {
-        m_brake.order(m_control.releasesBrake());
-    }
+    m_brake.obey();
     m_inputs.tick();
     if (m_transmit.isWanted()) {
         m_transmit.tick(m_control.status());
@@ -429,9 +421,7 @@ void Station::profileChanged(const profile::Profile& before)
     m_commands.profileChanged(before, after);
     m_night.profileChanged(before, after);
     m_transmit.profileChanged(before, after);
-    if (m_brake.differs(before, after)) {
-        m_brake.reopen();
-    }
+    m_brake.profileChanged(before, after);
     m_calibration.profileChanged(before, after);
 }
 

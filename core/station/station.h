@@ -17,12 +17,12 @@
 #include "core/mount/mount_connection.h"
 #include "core/night/night_desk.h"
 #include "core/north/calibration_desk.h"
-#include "core/outputs/named_output.h"
 #include "core/profile/in_force.h"
 #include "core/profile/profile.h"
 #include "core/station/profile_desk.h"
 #include "core/station/real_time.h"
 #include "core/station/screen_feed.h"
+#include "core/station/station_brake.h"
 #include "core/station/station_hooks.h"
 #include "core/station/station_passes.h"
 #include "core/station/station_rehearsal.h"
@@ -141,7 +141,7 @@ private:
     StationPasses m_passes{this};
     StationHooks m_hooks;
     StationTransmit m_transmit;
-    outputs::NamedOutput m_brake;
+    StationBrake m_brake;
     ReportFile m_reportFile;
     NightDesk m_night;
     StationRehearsal m_rehearsal{this};

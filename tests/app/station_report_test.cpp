@@ -45,6 +45,21 @@ TEST(StationReport, HasTheBrake)
     EXPECT_TRUE(reportText(report).endsWith(QStringLiteral("\nbrake:    failed. unplugged\n")));
 }
 
+// REQ-ENDSWITCH-60: boresightctl status has a line about each end switch of a station of this computer.
+TEST(StationReport, HasTheEndSwitches)
+{
+    QJsonObject report = reportWith({});
+    report[QStringLiteral("endSwitches")] =
+        QJsonArray{QJsonObject{{QStringLiteral("end"), QStringLiteral("azimuth lower")},
+                               {QStringLiteral("state"), QStringLiteral("free")},
+                               {QStringLiteral("problem"), QString()}},
+                   QJsonObject{{QStringLiteral("end"), QStringLiteral("azimuth upper")},
+                               {QStringLiteral("state"), QStringLiteral("unread")},
+                               {QStringLiteral("problem"), QStringLiteral("board 1 does not reply")}}};
+    EXPECT_TRUE(reportText(report).endsWith(
+        QStringLiteral("\nswitch:   azimuth lower free\nswitch:   azimuth upper unread. board 1 does not reply\n")));
+}
+
 // REQ-CTL-304: For a station on this computer, boresightctl status shows the state, its reason and the motion like the
 // window.
 TEST(StationReport, HasWhatTheWindowShows)

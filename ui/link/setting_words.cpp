@@ -53,6 +53,7 @@ constexpr Title kTitles[] = {{"mount", QT_TRANSLATE_NOOP("SettingWords", "Mount"
                              {"power", QT_TRANSLATE_NOOP("SettingWords", "Received power")},
                              {"transmit", QT_TRANSLATE_NOOP("SettingWords", "Transmit on target")},
                              {"brake", QT_TRANSLATE_NOOP("SettingWords", "Brake")},
+                             {"end_switches", QT_TRANSLATE_NOOP("SettingWords", "End switches")},
                              {"wind", QT_TRANSLATE_NOOP("SettingWords", "Wind")}};
 
 // A setting that has another name on the screen than in the file.

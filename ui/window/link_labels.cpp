@@ -7,6 +7,10 @@
 #include "ui/kit/widest.h"
 #include "ui/window/motor_words.h"
 
+#include <QStringList>
+
+#include <algorithm>
+
 namespace boresight::ui {
 
 namespace {
@@ -148,6 +152,56 @@ QString brakeHelp(const BrakeStatus& brake)
     return brake.problem.isEmpty() ? text : brake.problem + QLatin1Char('\n') + text;
 }
 
+QString endName(const end_switches::EndSwitch& which)
+{
+    const bool isUpper = which.isUpper;
+    if (which.axis == Axis::Azimuth) {
+        return isUpper ? LinkLabels::tr("AZ upper end") : LinkLabels::tr("AZ lower end");
+    }
+    return isUpper ? LinkLabels::tr("EL upper end") : LinkLabels::tr("EL lower end");
+}
+
+// A pressed switch comes before one that cannot be read. Empty without end switches.
+Shown endSwitchesShown(const std::vector<EndSwitchStatus>& all)
+{
+    const auto firstIn = [&all](end_switches::SwitchState state) {
+        return std::ranges::find(all, state, &EndSwitchStatus::state);
+    };
+    if (all.empty()) {
+        return {QString(), Tone::Secondary, Symbol::None};
+    }
+    if (const auto pressed = firstIn(end_switches::SwitchState::Pressed); pressed != all.end()) {
+        return {endName(pressed->which), Tone::Alarm, Symbol::Alarm};
+    }
+    if (firstIn(end_switches::SwitchState::Unread) != all.end()) {
+        return {LinkLabels::tr("Ends unread"), Tone::Warning, Symbol::Lost};
+    }
+    return {LinkLabels::tr("Ends free"), Tone::Secondary};
+}
+
+QString endSwitchLine(const EndSwitchStatus& one)
+{
+    switch (one.state) {
+        case end_switches::SwitchState::Pressed:
+            return LinkLabels::tr("%1: pressed (%2)").arg(endName(one.which), one.input);
+        case end_switches::SwitchState::Free:
+            return LinkLabels::tr("%1: free (%2)").arg(endName(one.which), one.input);
+        case end_switches::SwitchState::Unread:
+            break;
+    }
+    return LinkLabels::tr("%1: not read (%2)").arg(endName(one.which), one.input) +
+           (one.problem.isEmpty() ? QString() : QStringLiteral(". ") + one.problem);
+}
+
+QString endSwitchesHelp(const std::vector<EndSwitchStatus>& all)
+{
+    QStringList lines;
+    for (const EndSwitchStatus& one : all) {
+        lines << endSwitchLine(one);
+    }
+    return lines.join(QLatin1Char('\n'));
+}
+
 QString lineHelp(const StationStatus& status)
 {
     const MountLine& line = status.line;
@@ -189,12 +243,16 @@ LinkLabels::LinkLabels(QWidget* header)
       m_elevation(new ValueLabel(tr("Elevation drive"), fonts::label(), widestDrive(tr("EL")), header)),
       m_sensor(new ValueLabel(tr("Orientation sensor"), fonts::label(), tr("Sensor awaited"), header)),
       m_transmit(new ValueLabel(tr("Transmit output"), fonts::label(), tr("TX off"), header)),
-      m_brake(new ValueLabel(tr("Brake"), fonts::label(), tr("Brake closes"), header))
+      m_brake(new ValueLabel(tr("Brake"), fonts::label(), tr("Brake closes"), header)),
+      m_endSwitches(new ValueLabel(tr("End switches"), fonts::label(),
+                                   widest(fonts::label(), {tr("AZ upper end"), tr("AZ lower end"), tr("EL upper end"),
+                                                           tr("EL lower end"), tr("Ends unread")}),
+                                   header))
 {
-    for (ValueLabel* const link : {m_line, m_azimuth, m_elevation, m_sensor, m_transmit, m_brake}) {
+    for (ValueLabel* const link : {m_line, m_azimuth, m_elevation, m_sensor, m_transmit, m_brake, m_endSwitches}) {
         link->setSymbolRoom(true);
     }
-    for (ValueLabel* const mayBeMissing : {m_line, m_sensor, m_transmit, m_brake}) {
+    for (ValueLabel* const mayBeMissing : {m_line, m_sensor, m_transmit, m_brake, m_endSwitches}) {
         mayBeMissing->setCollapsing(true);
     }
 }
@@ -204,9 +262,9 @@ std::array<QWidget*, 3> LinkLabels::ofTheMount() const
     return {m_line, m_azimuth, m_elevation};
 }
 
-std::array<QWidget*, 3> LinkLabels::besideTheTarget() const
+std::array<QWidget*, 4> LinkLabels::besideTheTarget() const
 {
-    return {m_brake, m_transmit, m_sensor};
+    return {m_endSwitches, m_brake, m_transmit, m_sensor};
 }
 
 void LinkLabels::showStatus(const StationStatus& status)
@@ -224,6 +282,8 @@ void LinkLabels::showStatus(const StationStatus& status)
     m_transmit->setToolTip(status.transmit.output.isEmpty() ? QString() : transmitHelp(status.transmit));
     setShown(*m_brake, brakeShown(status.brake));
     m_brake->setToolTip(status.brake.output.isEmpty() ? QString() : brakeHelp(status.brake));
+    setShown(*m_endSwitches, endSwitchesShown(status.endSwitches));
+    m_endSwitches->setToolTip(endSwitchesHelp(status.endSwitches));
 }
 
 }  // namespace boresight::ui

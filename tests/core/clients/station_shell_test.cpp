@@ -235,6 +235,19 @@ TEST(StationShell, ReportsTheBrake)
     EXPECT_THAT(rig.answerTo("status\n"), HasSubstr(R"("problem":"unplugged","state":"failed"})"));
 }
 
+// REQ-ENDSWITCH-61: The shell reports the end switches of the profile with the status.
+TEST(StationShell, ReportsTheEndSwitches)
+{
+    ShellRig rig;
+    EXPECT_THAT(rig.answerTo("status\n"), testing::Not(HasSubstr("endSwitches")));
+    profile::Profile switched = rig.profile;
+    switched.endSwitches.inputs[1] = "mqtt:roof/end";
+    rig.setProfile(switched);
+    EXPECT_THAT(rig.answerTo("status\n"),
+                HasSubstr(R"("endSwitches":[{"end":"azimuth upper","input":"mqtt:roof/end",)"));
+    EXPECT_THAT(rig.answerTo("status\n"), HasSubstr(R"("state":"unread")"));
+}
+
 // REQ-STATION-243: Without a screen, the shell confirms the new time of a clock that was set, and reports with the
 // status by how much it was set while the station uses the old time.
 TEST(StationShell, ConfirmsAClockThatWasSet)

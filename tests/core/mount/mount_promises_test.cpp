@@ -281,6 +281,45 @@ std::unique_ptr<Bench> moteusBench(AxisDriver azimuth, AxisDriver elevation)
     return std::make_unique<MoteusBench>(slowProfile(azimuth, elevation));
 }
 
+// REQ-ENDSWITCH-30: Every rotator stops before it is 8° beyond the place where its end switch was pressed, and does not
+// move further into this end. The way back is open after the re-arm.
+TEST_P(MountPromises, StopsAtItsEndSwitch)
+{
+    const Axis axis = bench->someAxis();
+    profile::Profile profile = *bench->inForce();
+    profile.endSwitches.inputs.at(end_switches::indexOf({axis, true})) = "mqtt:end";
+    bench->edit(profile);
+    EndSwitchGuard::Readings readings;
+    const auto run = [&](bool isPressed, Seconds time) {
+        readings.fill({.isOn = !isPressed});
+        for (Seconds left = time; left > Seconds(0.0); left -= kOneTick) {
+            bench->control().takeEndSwitches(readings);
+            bench->tick();
+        }
+    };
+    const auto jog = [&](double rate) {
+        const AngularRate wanted = AngularRate::fromDegrees(rate);
+        return bench->ask(
+            request::Move{axis == Axis::Azimuth ? AxisRates{.azimuth = wanted} : AxisRates{.elevation = wanted}});
+    };
+    run(false, Seconds(1.0));
+    ASSERT_TRUE(axis == Axis::Azimuth ? bench->goTo(150.0, 45.0) : bench->goTo(60.0, 80.0));
+    run(false, Seconds(6.0));
+    const Angle pressedAt = of(axis, bench->truth());
+    run(true, Seconds(6.0));
+    const Angle stopped = of(axis, bench->truth());
+    EXPECT_EQ(bench->control().state(), StationState::Fault);
+    EXPECT_LT(stopped, pressedAt + 8_deg);
+    run(true, Seconds(4.0));
+    EXPECT_NEAR(of(axis, bench->truth()).degrees(), stopped.degrees(), 0.1);
+    ASSERT_TRUE(bench->ask(request::Rearm{}));
+    run(true, Seconds(2.0));
+    EXPECT_FALSE(jog(3.0));
+    ASSERT_TRUE(jog(-3.0));
+    run(true, Seconds(5.0));
+    EXPECT_LT(of(axis, bench->truth()), stopped - 3_deg);
+}
+
 std::unique_ptr<Bench> gs232Bench(gs232::Dialect dialect, bool azimuth = true, bool elevation = true)
 {
     const gs232::Gs232Box::Habits habits{.dialect = dialect,

@@ -25,19 +25,23 @@ TEST(MqttStateMessage, IsOneLineInTheSensorsStyle)
                                .commander = QStringLiteral("rotctld 127.0.0.1:51234"),
                                .isLinked = true,
                                .brake = PublishedBrake{.state = QStringLiteral("open"), .problem = QString()},
+                               .endSwitches = {{.end = QStringLiteral("azimuth upper"),
+                                                .state = QStringLiteral("unread"),
+                                                .problem = QStringLiteral("no message for 5 s")}},
                                .alarms = {{.id = QStringLiteral("sun.near"),
                                            .about = QString(),
                                            .severity = QStringLiteral("warning"),
                                            .text = QStringLiteral("The beam is near the Sun.")}}};
-    EXPECT_EQ(toJson(state).toStdString(),
-              R"({"alarms":[{"about":"","id":"sun.near","severity":"warning","text":"The beam is near the Sun."}],)"
-              R"("axes":{"azimuth":372.3457,"elevation":33.3},"azimuth":12.3457,"brake":{"problem":"","state":"open"},)"
-              R"("commanded":{"azimuth":12.35,"elevation":33.25},"commander":"rotctld 127.0.0.1:51234",)"
-              R"("dateTime":"2026-11-21T18:17:30Z","elevation":33.3,"fault":"","limited":true,)"
-              R"("link":{"problem":"","up":true},"simulated":true,)"
-              R"("state":"TRACK","stopLatched":false,"target":{"azimuth":13,"elevation":34},)"
-              R"("targetText":"P 13.00 34.00","ts":"1795285050250",)"
-              R"("units":{"orientation":"decimal degrees","ts":"milliseconds"}})");
+    EXPECT_EQ(
+        toJson(state).toStdString(),
+        R"({"alarms":[{"about":"","id":"sun.near","severity":"warning","text":"The beam is near the Sun."}],)"
+        R"("axes":{"azimuth":372.3457,"elevation":33.3},"azimuth":12.3457,"brake":{"problem":"","state":"open"},)"
+        R"("commanded":{"azimuth":12.35,"elevation":33.25},"commander":"rotctld 127.0.0.1:51234",)"
+        R"("dateTime":"2026-11-21T18:17:30Z","elevation":33.3,"endSwitches":[{"end":"azimuth upper","problem":"no message for 5 s","state":"unread"}],"fault":"","limited":true,)"
+        R"("link":{"problem":"","up":true},"simulated":true,)"
+        R"("state":"TRACK","stopLatched":false,"target":{"azimuth":13,"elevation":34},)"
+        R"("targetText":"P 13.00 34.00","ts":"1795285050250",)"
+        R"("units":{"orientation":"decimal degrees","ts":"milliseconds"}})");
 }
 
 TEST(MqttStateMessage, SaysNullForWhatIsNotKnown)
@@ -50,7 +54,7 @@ TEST(MqttStateMessage, SaysNullForWhatIsNotKnown)
     EXPECT_EQ(
         toJson(state).toStdString(),
         R"({"alarms":[],"axes":{"azimuth":null,"elevation":null},"azimuth":null,"brake":null,"commanded":null,)"
-        R"("commander":"","dateTime":"2026-11-21T18:17:30Z","elevation":null,"fault":"azimuth: \"38\"","limited":false,)"
+        R"("commander":"","dateTime":"2026-11-21T18:17:30Z","elevation":null,"endSwitches":[],"fault":"azimuth: \"38\"","limited":false,)"
         R"("link":{"problem":"no answer","up":false},"simulated":false,"state":"FAULT","stopLatched":true,"target":null,"targetText":"",)"
         R"("ts":"1795285050250","units":{"orientation":"decimal degrees","ts":"milliseconds"}})");
 }

@@ -158,6 +158,37 @@ TEST(CrossCheck, TheBrakeHasAnOutputOfItsOwn)
     EXPECT_EQ(keysOf(crossCheck(profile)), std::vector<std::string>{"brake.output"});
 }
 
+// REQ-ENDSWITCH-05: Each end switch has an input of its own. It is no topic that Boresight itself takes commands from
+// or publishes, no port of an output, and no pin of a moteus on a mount without one.
+TEST(CrossCheck, AnEndSwitchHasAnInputOfItsOwn)
+{
+    const std::vector<std::string> upper{"end_switches.azimuth_upper"};
+    Profile profile;
+    const auto keysWith = [&profile](const std::string& input) {
+        profile.endSwitches.inputs[1] = input;
+        return keysOf(crossCheck(profile));
+    };
+    EXPECT_TRUE(keysWith("mqtt:roof/end").empty());
+    EXPECT_TRUE(keysWith("moteus:1:aux1.0").empty());
+    EXPECT_TRUE(keysWith("cts:/dev/ttyUSB0").empty());
+    profile.endSwitches.inputs[2] = "moteus:1:aux1.0";
+    EXPECT_EQ(keysWith("moteus:1:aux1.0"), (std::vector<std::string>{upper[0], "end_switches.elevation_lower"}));
+    EXPECT_TRUE(keysWith("moteus:1:aux1.1").empty());
+    profile.endSwitches.inputs[2].clear();
+    profile.brake.output = "rts:/dev/ttyUSB0";
+    EXPECT_EQ(keysWith("cts:/dev/ttyUSB0"), upper);
+    EXPECT_TRUE(keysWith("cts:/dev/ttyUSB1").empty());
+    profile.mqtt.publish = Publish::On;
+    EXPECT_EQ(keysWith("mqtt:boresight/state"), upper);
+    EXPECT_TRUE(keysWith("mqtt:roof/end").empty());
+    profile.transmit.output = "mqtt:roof/end";
+    EXPECT_EQ(keysOf(crossCheck(profile)), std::vector<std::string>{"transmit.output"});
+    profile.transmit.output.clear();
+    profile.azimuth.driver = AxisDriver::None;
+    profile.elevation.driver = AxisDriver::None;
+    EXPECT_EQ(std::ranges::count(keysWith("moteus:1:aux1.1"), upper[0]), 1);
+}
+
 // Sensor and position share one connection to the broker.
 // REQ-PROFILE-04
 TEST(CrossCheck, APositionHasATopicOfItsOwn)

@@ -109,6 +109,7 @@ TEST(ProfileDiff, KnowsEveryKey)
                     : setting.key == "azel.file"                   ? "/srv/azel.dat"
                     : setting.key == "transmit.output"             ? "file:/srv/transmit"
                     : setting.key == "brake.output"                ? "rts:/dev/ttyUSB0"
+                    : setting.key.starts_with("end_switches.")     ? "cts:/dev/ttyUSB0"
                     : setting.key == "wind.source"                 ? "udp:4541"
                     : setting.key == "sensor.deviation_unreliable" ? "40.0-80.0"
                                                                    : "::1";

@@ -164,6 +164,40 @@ TEST(HeaderBar, ShowsTheBrakeIfThereIsOne)
     EXPECT_LE(header.minimumSizeHint().width(), 1024) << "with all labels beside the target";
 }
 
+// REQ-ENDSWITCH-65: The header shows which end switch is pressed, and whether one cannot be read. Under the pointer it
+// shows all. Without end switches nothing is shown.
+TEST(HeaderBar, ShowsTheEndSwitchesIfThereAreAny)
+{
+    using end_switches::SwitchState;
+    RequestDesk desk;
+    ValueLabel notice({}, {}, {});
+    auto* const authority = new AuthorityButton(desk, notice);
+    HeaderBar header(*authority);
+    StationStatus status;
+    header.showStatus(status);
+    EXPECT_EQ(shown(header, "End switches"), QString());
+    status.endSwitches = {
+        {.which = {Axis::Azimuth, true}, .input = QStringLiteral("mqtt:roof/high"), .state = SwitchState::Free},
+        {.which = {Axis::Elevation, false}, .input = QStringLiteral("mqtt:roof/low"), .state = SwitchState::Free}};
+    header.showStatus(status);
+    EXPECT_EQ(shown(header, "End switches"), QStringLiteral("Ends free"));
+    status.endSwitches[0].state = SwitchState::Unread;
+    status.endSwitches[0].problem = QStringLiteral("no message for 5 s");
+    header.showStatus(status);
+    EXPECT_EQ(shown(header, "End switches"), QStringLiteral("Ends unread"));
+    status.endSwitches[1].state = SwitchState::Pressed;
+    header.showStatus(status);
+    EXPECT_EQ(shown(header, "End switches"), QStringLiteral("EL lower end"));
+    EXPECT_EQ(findNamed<ValueLabel>(header, "End switches")->toolTip(),
+              QStringLiteral("AZ upper end: not read (mqtt:roof/high). no message for 5 s\n"
+                             "EL lower end: pressed (mqtt:roof/low)"));
+    status.brake = {.output = QStringLiteral("rts:/dev/ttyUSB0"), .problem = QStringLiteral("unplugged")};
+    status.transmit = {.output = QStringLiteral("dtr:/dev/ttyUSB0"), .problem = QStringLiteral("unplugged")};
+    status.sensor = {.source = QStringLiteral("mqtt 127.0.0.1:1883"), .open = true};
+    header.showStatus(status);
+    EXPECT_LE(header.minimumSizeHint().width(), 1024) << "with all labels beside the target";
+}
+
 // REQ-GS232-61
 TEST(HeaderBar, ShowsTheMotorStartsUnderThePointer)
 {
