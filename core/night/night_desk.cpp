@@ -130,6 +130,7 @@ Result<> NightDesk::arm(const Source& by, Severity severity, const QString& word
             m_armed = true;
             m_why.clear();
             m_motionId = m_control.motionId();
+            m_heldBefore = m_control.heldBy().has_value();
             m_handledUntil = {};
             m_control.alarms().clear(alarmEntry("schedule.disarmed"));
             m_log.add(severity, by.name, words);
@@ -203,6 +204,7 @@ void NightDesk::tick()
     noticeClock();
     lookForPasses();
     armByPolicy();
+    m_heldBefore = m_heldBefore && m_control.heldBy();
     if (m_armed) {
         waitOutWind();
         if (const auto by = interruption()) {
@@ -239,11 +241,12 @@ std::optional<NightDesk::Interruption> NightDesk::interruption() const
     if (m_control.motionId() != m_motionId) {
         return because(schedule::PassEnd::Manual, Text::tr("another command moved the mount"));
     }
+    const std::optional<Source>& heldBy = m_control.heldBy();
+    if (heldBy && *heldBy != scheduleSource() && !m_heldBefore) {
+        return because(schedule::PassEnd::Manual, Text::tr("%1 sent another command").arg(sourceText(heldBy->name)));
+    }
     const bool isOver = m_tracked && m_clock.utc() + kAboutToSet >= m_tracked->ends();
     if (m_tracked && !isOver && !m_control.obeys(scheduleSource())) {
-        if (const std::optional<Source>& by = m_control.heldBy()) {
-            return because(schedule::PassEnd::Manual, Text::tr("%1 sent another command").arg(sourceText(by->name)));
-        }
         return because(schedule::PassEnd::Refused,
                        Text::tr("The station ended the tracking. The log shows the reason"));
     }

@@ -106,7 +106,8 @@ private:
     bool m_policyUsed = false;  // the policy was used, or a person has acted since the start
     QString m_why;              // why the schedule was disarmed
     std::uint64_t m_motionId = 0;
-    UtcTime m_handledUntil{};  // passes that end before this time are over
+    bool m_heldBefore = false;  // nothing has moved since a Hold that came before the schedule was armed
+    UtcTime m_handledUntil{};   // passes that end before this time are over
     sources::SteeredUtc m_utc;
     std::optional<TrackedPass> m_tracked;
     PassMoments m_moments;

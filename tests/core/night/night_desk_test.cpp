@@ -294,6 +294,22 @@ protected:
     }
 };
 
+// Story: a client sent S while the mount parked between two passes, and the schedule sent it on to the next pass.
+TEST_F(OverlappingNight, TheSOfAClientBetweenPassesDisarms)
+{
+    const UtcTime end = status().plan.chosen.at(1).ends();
+    intoAPass();
+    runUntil(end + std::chrono::milliseconds(500));
+    ASSERT_TRUE(logged("park"));
+    ASSERT_TRUE(rig.ask(request::Hold{}, kClient));
+    run(Seconds(1.0));
+    EXPECT_FALSE(status().armed);
+    EXPECT_THAT(status().why.toStdString(), testing::HasSubstr(kClient.name.toStdString()));
+    EXPECT_EQ(arm(), "");
+    run(Seconds(1.0));
+    EXPECT_TRUE(status().armed) << "the Hold came before";
+}
+
 // Story: the mount parked after the important satellite had set, while the other one was up for four minutes more.
 // REQ-SCHEDULE-923: When a chosen pass ends while another watched satellite is up, the mount goes to that one at once,
 // without parking, and tracks it for the rest of its pass. Report and moments have this rest as a pass of its own.
