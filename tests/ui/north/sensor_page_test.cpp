@@ -93,7 +93,7 @@ TEST_F(NorthTest, DetailsShowAllThatTheSensorReports)
     heard.elevation = 33.2_deg;
     heard.revolutions = 1;
     heard.temperature = 27.0;
-    status.sensor = {.source = QStringLiteral("mqtt broker:1883"), .open = true, .last = heard};
+    status.sensor = {.source = QStringLiteral("MQTT broker:1883"), .open = true, .last = heard};
     status.sensor.age = std::chrono::milliseconds(400);
     status.sensor.firmware =
         orientation::SensorState{.version = "2.0.6b", .bssid = "B8:69:F4:81:8D:E6", .unknown = "{\"rssi\":-71}"};
