@@ -210,6 +210,7 @@ QWidget* MainWindow::makeSide(QWidget& ground)
     column->addWidget(scroll, 1);
     column->addWidget(m_places);
     m_lastCommand->setStretching(true);
+    m_lastCommand->setBySentences(true);
     return side;
 }
 
