@@ -17,7 +17,7 @@ inline constexpr std::array kPointingAlarms{
                .what = QT_TRANSLATE_NOOP("Text", "The orientation sensor (%1) sends no data"),
                .action = QT_TRANSLATE_NOOP("Text", "Pointing continues, because the sensor is only a cross-check"),
                .remedy = "%2",
-               .examples = {"mqtt sensor/orientation", "Check the power, WiFi and cable of the sensor"}},
+               .examples = {"MQTT broker.example:1883", "Check the power, WiFi and cable of the sensor"}},
     AlarmEntry{.id = "sensor.dead",
                .source = "sensor",
                .severity = Severity::Warning,

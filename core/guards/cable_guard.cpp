@@ -70,11 +70,12 @@ std::optional<CableGuard::TurnBack> CableGuard::turnBackTo(Angle azimuth, const 
 QString CableGuard::begin(const TurnBack& back, const tracking::MotionLimits& limits)
 {
     m_turnBack = back;
-    const QString what = Text::tr("turns back by %1 because the cable ends at axis %2")
-                             .arg(degreesText(abs(back.by), 0), degreesText(back.end, 1));
+    const QString by = degreesText(abs(back.by), 0);
+    const QString end = degreesText(back.end, 1);
     return back.follows
-               ? Text::tr("%1, and the target is lost for about %2").arg(what, timeText(tracking::fullTurnTime(limits)))
-               : what;
+               ? Text::tr("turns back by %1 because the cable ends at axis %2, and the target is lost for about %3")
+                     .arg(by, end, timeText(tracking::fullTurnTime(limits)))
+               : Text::tr("goes the long way, %1, because the cable ends at axis %2").arg(by, end);
 }
 
 void CableGuard::watch(const std::optional<tracking::MovingTarget>& path, const std::optional<Angle>& left,
@@ -144,7 +145,9 @@ std::optional<QString> CableGuard::turnBackText() const
     if (!m_turnBack) {
         return std::nullopt;
     }
-    return Text::tr("cable end, turns back %1").arg(degreesText(abs(m_turnBack->by), 0));
+    const QString by = degreesText(abs(m_turnBack->by), 0);
+    return m_turnBack->follows ? Text::tr("cable end, turns back %1").arg(by)
+                               : Text::tr("cable end, long way %1").arg(by);
 }
 
 }  // namespace boresight

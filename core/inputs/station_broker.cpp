@@ -114,6 +114,12 @@ std::vector<mqtt::Message> descriptionOf(const profile::Profile& profile)
                             .buttons = offeredBy(settings.commands)});
 }
 
+// A problem may end with a question.
+QString ended(const QString& problem)
+{
+    return problem.endsWith(QLatin1Char('?')) ? problem : problem + QLatin1Char('.');
+}
+
 std::pair<std::string, int> addressOf(const profile::BrokerSettings& settings)
 {
     return {settings.host, settings.port};
@@ -140,7 +146,7 @@ StationBroker::StationBroker(const profile::InForce& profile, EventLog& log, con
     connect(&m_client, &mqtt::Connection::problemChanged, this, [this](const QString& problem) {
         if (!problem.isEmpty()) {
             m_log.add(Severity::Warning, kBrokerSource,
-                      Text::tr("%1. Boresight tries again at least every 30 s").arg(problem));
+                      Text::tr("%1 Boresight tries again at least every 30 s").arg(ended(problem)));
         }
     });
     connect(&m_client, &mqtt::Connection::messageDropped, this, [this](qint64 bytes) {

@@ -30,6 +30,15 @@ void protect(sim::DriveConfig& drive, const profile::Profile& profile, Axis axis
     }
 }
 
+// The rubber stops stand 8° beyond the travel of the profile, or where those of the simulated mount stand if that is
+// farther away. The bounds of a protected drive are 3° beyond the travel.
+void moveStopsBeyond(sim::MoteusSettings& drive)
+{
+    constexpr double kTurnsBeyondBounds = 5.0 / 360.0;
+    drive.plant.stopMin = std::min(drive.plant.stopMin, drive.config.positionMin - kTurnsBeyondBounds);
+    drive.plant.stopMax = std::max(drive.plant.stopMax, drive.config.positionMax + kTurnsBeyondBounds);
+}
+
 std::optional<Axis> simulatedAxis(sim::SimulatedPair& pair, int id)
 {
     const auto* const found =
@@ -96,6 +105,7 @@ sim::PairSettings protectedPair(const profile::Profile& profile)
         for (const Axis axis : {Axis::Azimuth, Axis::Elevation}) {
             if (profile.axis(axis).driver != profile::AxisDriver::None && drive->config.id == profile.axis(axis).id) {
                 protect(drive->config, profile, axis);
+                moveStopsBeyond(*drive);
             }
         }
     }

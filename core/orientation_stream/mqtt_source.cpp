@@ -30,7 +30,7 @@ MqttSource::~MqttSource()
 
 QString MqttSource::name() const
 {
-    return QStringLiteral("mqtt ") + mqtt::toText(m_client.broker());
+    return QStringLiteral("MQTT ") + mqtt::toText(m_client.broker());
 }
 
 void MqttSource::open()

@@ -32,7 +32,7 @@ class SensorSource : public QObject
 public:
     using QObject::QObject;
 
-    // The name on the screen and in the log: "serial /dev/ttyUSB0", "mqtt broker.example:1883".
+    // The name on the screen and in the log: "serial /dev/ttyUSB0", "MQTT broker.example:1883".
     [[nodiscard]] virtual QString name() const = 0;
     [[nodiscard]] virtual const SourceStatus& status() const = 0;
 

@@ -138,7 +138,7 @@ TEST_F(MqttSensorTest, ASwingWaitsForABrokerThatIsStartedAgain)
     EXPECT_THAT(progress().text.toStdString(), HasSubstr("waiting for sensor data"));
     EXPECT_TRUE(
         rig->logSays(QStringLiteral("the swing pauses for at most 30 s: The orientation sensor has sent nothing for")));
-    EXPECT_TRUE(rig->alarmSays(QStringLiteral("The orientation sensor (mqtt 127.0.0.1:")));
+    EXPECT_TRUE(rig->alarmSays(QStringLiteral("The orientation sensor (MQTT 127.0.0.1:")));
     EXPECT_EQ(rig->status().state, StationState::Calibrate);
     const AxisPosition rest = rig->truth();
     rig->run(Seconds(2.0));
@@ -204,7 +204,7 @@ TEST_F(MqttSensorTest, ABrokerThatIsNotThereAtTheStartIsOneLineAndTheTrackingDoe
     const auto told =
         std::ranges::count_if(rig->log, [&](const LogEntry& entry) { return entry.text.startsWith(trouble); });
     EXPECT_EQ(told, 1);
-    EXPECT_TRUE(rig->alarmSays(QStringLiteral("The orientation sensor (mqtt 127.0.0.1:")));
+    EXPECT_TRUE(rig->alarmSays(QStringLiteral("The orientation sensor (MQTT 127.0.0.1:")));
     SimulatedStation without;
     EXPECT_EQ(places, tracked(without));
 }

@@ -268,10 +268,12 @@ QStringList RotatorChoice::wordsInUse() const
 {
     QStringList lines;
     bool isForeign = false;
+    bool isDown = false;
     for (const Alarm& alarm : m_status.alarms) {
         if (alarm.active && alarm.name.startsWith(QLatin1String("rotator."))) {
             lines << sentence(alarm.what) + QLatin1Char(' ') + sentence(alarm.remedy);
             isForeign = isForeign || alarm.name == QLatin1String("rotator.foreign");
+            isDown = isDown || alarm.name == QLatin1String("rotator.line-down");
         }
     }
     if (m_status.state == StationState::Disconnected && isForeign) {
@@ -279,7 +281,7 @@ QStringList RotatorChoice::wordsInUse() const
         return lines;
     }
     if (m_status.state == StationState::Disconnected) {
-        lines.prepend(tr("In use. No answer yet."));
+        lines.prepend(isDown ? tr("Not connected. Boresight tries again each second.") : tr("In use. No answer yet."));
         return lines + numbered(offer().checks);
     }
     lines.prepend(tr("In use. It answers as: %1.").arg(m_status.line.kind));

@@ -34,6 +34,24 @@ QString withBreaks(const QString& text)
     }
     return broken;
 }
+
+// The whole sentences of a line that are within the width. If even the first one is wider: its part before a colon.
+QString sentencesWithin(const QString& line, int width, const QFontMetrics& metrics)
+{
+    QString sentences;
+    QString clause;
+    for (qsizetype i = 0; i + 1 < line.size(); ++i) {
+        if (line[i + 1] != QLatin1Char(' ') || metrics.horizontalAdvance(line.left(i + 1)) > width) {
+            continue;
+        }
+        if (QStringLiteral(".?!").contains(line[i])) {
+            sentences = line.left(i + 1);
+        } else if (line[i] == QLatin1Char(':')) {
+            clause = line.left(i);
+        }
+    }
+    return sentences.isEmpty() ? clause : sentences;
+}
 }  // namespace
 
 ValueLabel::ValueLabel(const QString& accessibleName, const QFont& font, const QString& widestText, QWidget* parent)
@@ -76,6 +94,12 @@ void ValueLabel::setWidest(const QString& text)
         m_widest = text;
         updateGeometry();
     }
+}
+
+void ValueLabel::setBySentences(bool on)
+{
+    m_bySentences = on;
+    update();
 }
 
 void ValueLabel::setOutlined(bool on)
@@ -185,7 +209,10 @@ QRect ValueLabel::textRect() const
 QString ValueLabel::fitted(QSize room) const
 {
     if (!wraps()) {
-        return fontMetrics().elidedText(m_text, Qt::ElideRight, room.width());
+        const QString elided = fontMetrics().elidedText(m_text, Qt::ElideRight, room.width());
+        const QString whole =
+            m_bySentences && elided != m_text ? sentencesWithin(m_text, room.width(), fontMetrics()) : QString();
+        return whole.isEmpty() ? elided : whole;
     }
     const auto fits = [&](const QString& text) {
         return heightOf(text, room.width()) <= std::max(room.height(), linesHeight());
@@ -211,7 +238,7 @@ void ValueLabel::paintEvent(QPaintEvent*)
     const QColor colour = currentTheme().colour(m_tone);
     const QRect room = textRect();
     const int flags = int(m_alignment) | (wraps() ? int(Qt::TextWordWrap) : int(Qt::TextSingleLine));
-    const QString shown = fitted(room.size());
+    const QString shown = visibleText();
     if (m_symbol != Symbol::None) {
         const QRect used = fontMetrics().boundingRect(room, flags, shown);
         const double size = symbolSize();

@@ -23,6 +23,7 @@ public:
     void setWrapping(bool on);    // words wrap, and the height follows from the text and the given width
     void setStretching(bool on);  // takes the given width instead of that of the template
     void setOutlined(bool on);
+    void setBySentences(bool on);         // a line that is too long is shown up to the end of a sentence, or to a colon
     void setWidest(const QString& text);  // sets another template
     void setSymbolRoom(bool on);          // the template's width gets room for a symbol
     void setCollapsing(bool on);          // takes no room while it is empty
@@ -31,6 +32,7 @@ public:
 
     [[nodiscard]] const QString& text() const { return m_text; }
     [[nodiscard]] bool isElided() const;  // the text does not fit
+    [[nodiscard]] QString visibleText() const { return fitted(textRect().size()); }
     [[nodiscard]] Tone tone() const { return m_tone; }
     [[nodiscard]] Symbol symbol() const { return m_symbol; }
 
@@ -66,6 +68,7 @@ private:
     bool m_stretching = false;
     bool m_wrapping = false;
     bool m_outlined = false;
+    bool m_bySentences = false;
     bool m_collapsing = false;
     bool m_symbolRoom = false;
 };

@@ -14,7 +14,8 @@ namespace boresight::ui {
 
 namespace {
 
-constexpr double kTick = 5.0;  // px
+constexpr double kTick = 5.0;      // px
+constexpr double kLabelGap = 5.0;  // px between the rim and 90 or 270: a tick beside a number reads as a minus
 
 QPointF onDial(QPointF middle, double radius, Angle angle)
 {
@@ -55,9 +56,8 @@ void CompassDial::paintEvent(QPaintEvent*)
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setFont(fonts::label());
     const QFontMetricsF metrics(painter.font());
-    const double radius =
-        std::min(width() - 2.0 * metrics.horizontalAdvance(QStringLiteral("270")), height() - 2.0 * metrics.height()) /
-        2.0;
+    const double aside = metrics.horizontalAdvance(QStringLiteral("270")) + 2.0 + kLabelGap;
+    const double radius = std::min(width() - 2.0 * aside, height() - 2.0 * metrics.height()) / 2.0;
     const QPointF middle(QRectF(rect()).center().x(), radius + metrics.height());  // at the top, beside its words
     painter.setPen(colours.grid);
     painter.setBrush(colours.plotGround);
@@ -70,7 +70,8 @@ void CompassDial::paintEvent(QPaintEvent*)
             const QString text = QString::number(degrees);
             const QSizeF size(metrics.horizontalAdvance(text) + 2.0, metrics.height());
             QRectF box(QPointF(), size);
-            box.moveCenter(onDial(middle, radius + (degrees % 180 == 0 ? size.height() : size.width()) / 2.0, angle));
+            const double out = degrees % 180 == 0 ? size.height() / 2.0 : size.width() / 2.0 + kLabelGap;
+            box.moveCenter(onDial(middle, radius + out, angle));
             painter.drawText(box, Qt::AlignCenter, text);
         }
     }

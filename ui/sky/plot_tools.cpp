@@ -68,6 +68,11 @@ int PlotTools::readoutHeight() const
     return m_readout->sizeHint().height();
 }
 
+bool PlotTools::hasReadout() const
+{
+    return !m_readout->text().isEmpty();
+}
+
 QList<QWidget*> PlotTools::corners() const
 {
     return {m_edit, m_zoom, m_save, m_offCaption, m_off, m_loss, m_cable, m_travel};

@@ -37,6 +37,7 @@ public:
     void paintWords(QPainter& painter) const;  // for a picture of the plot
 
     [[nodiscard]] int readoutHeight() const;
+    [[nodiscard]] bool hasReadout() const;
     [[nodiscard]] QList<QWidget*> corners() const;  // these must lie beside the disc
 
 Q_SIGNALS:

@@ -162,7 +162,7 @@ void PolarPlot::setUpTools()
     m_tools->setPainter([this](QPainter& painter) { paintPicture(painter); });
     connect(m_tools, &PlotTools::editToggled, this, &PolarPlot::setEditing);
     connect(m_tools, &PlotTools::zoomToggled, this, &PolarPlot::toggleZoom);
-    connect(m_editor, &PlotEditor::readout, m_tools, &PlotTools::setReadout);
+    connect(m_editor, &PlotEditor::readout, this, &PolarPlot::showReadout);
 }
 
 void PolarPlot::setUpMenu()
@@ -273,7 +273,19 @@ void PolarPlot::paintGround(QPainter& painter) const
     if (const auto cable = ring()) {
         cable->paintTrack(painter, m_wrapKnown);
     }
-    paintLegend(painter, rect(), m_frame, m_hasSensor);
+    if (!m_tools->hasReadout()) {
+        paintLegend(painter, rect(), m_frame, m_hasSensor);
+    }
+}
+
+// The readout stands in the place of the legend, which is a part of the ground.
+void PolarPlot::showReadout(const QString& text)
+{
+    const bool had = m_tools->hasReadout();
+    m_tools->setReadout(text);
+    if (had != m_tools->hasReadout()) {
+        drawGround();
+    }
 }
 
 void PolarPlot::drawGround()

@@ -47,7 +47,7 @@ void ColumnHead::showStatus(const StationStatus& status)
     m_axes->showStatus(status);
     m_antenna->showStatus(status);
     m_wind->showStatus(status.wind);
-    m_sensor->showStatus(status.sensor);
+    m_sensor->showStatus(status.sensor, status.broker);
     arrange();
 }
 

@@ -185,6 +185,7 @@ void HeaderBar::build(AuthorityButton& authority)
     for (ValueLabel* const wide : {m_reason, m_target, m_control}) {
         wide->setStretching(true);
     }
+    m_reason->setBySentences(true);
     for (ValueLabel* const marked : {m_state, m_limited}) {
         marked->setSymbolRoom(true);
     }

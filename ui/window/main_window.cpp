@@ -195,6 +195,7 @@ QWidget* MainWindow::makeSide(QWidget& ground)
     column->addWidget(makeFocusScroll(*m_side, *side), 1);
     column->addWidget(m_places);
     m_lastCommand->setStretching(true);
+    m_lastCommand->setBySentences(true);
     return side;
 }
 

@@ -7,6 +7,8 @@
 
 #include <QGridLayout>
 
+#include <cmath>
+
 namespace boresight::ui {
 
 namespace {
@@ -25,10 +27,20 @@ QString difference(const QString& name, const std::optional<Angle>& angle)
     return angle ? name + QLatin1Char(' ') + signedAngleText(*angle) : QString();
 }
 
-// The worst trouble first. If all is well: the difference from the axes.
-QString detailText(const SensorStatus& sensor)
+// A sensor behind a broker that cannot be reached has the problem of that broker.
+QString problemText(const SensorStatus& sensor, const BrokerStatus& broker)
 {
-    for (const QString& trouble : {sensor.problem, sensor.doubt}) {
+    const bool waits = broker.retryIn && sensor.problem == broker.problem && !sensor.problem.isEmpty();
+    return waits ? SensorReadout::tr("Broker not reached, next attempt in %1 s. %2")
+                       .arg(std::ceil(broker.retryIn->count()), 0, 'f', 0)
+                       .arg(sensor.problem)
+                 : sensor.problem;
+}
+
+// The worst trouble first. If all is well: the difference from the axes.
+QString detailText(const SensorStatus& sensor, const BrokerStatus& broker)
+{
+    for (const QString& trouble : {problemText(sensor, broker), sensor.doubt}) {
         if (!trouble.isEmpty()) {
             return trouble;
         }
@@ -62,6 +74,7 @@ SensorReadout::SensorReadout(QWidget* parent)
     grid->setVerticalSpacing(0);
     m_direction->setSymbolRoom(true);
     m_detail->setStretching(true);
+    m_detail->setBySentences(true);
     m_age->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     grid->addWidget(m_direction, 0, 0);
     grid->addWidget(m_bars, 0, 1, 1, 2, Qt::AlignRight);
@@ -71,7 +84,7 @@ SensorReadout::SensorReadout(QWidget* parent)
     hide();
 }
 
-void SensorReadout::showStatus(const SensorStatus& sensor)
+void SensorReadout::showStatus(const SensorStatus& sensor, const BrokerStatus& broker)
 {
     m_isConfigured = sensor.configured();
     setVisible(m_isConfigured && m_hasRoom);
@@ -83,7 +96,7 @@ void SensorReadout::showStatus(const SensorStatus& sensor)
                           sensor.direction ? Symbol::Sensor : Symbol::Lost);
     m_age->setValue(sensor.age ? tr("age %1").arg(ageText(*sensor.age)) : QString(),
                     well ? Tone::Secondary : Tone::Warning);
-    m_detail->setValue(detailText(sensor), well && sensor.problem.isEmpty() ? Tone::Secondary : Tone::Warning);
+    m_detail->setValue(detailText(sensor, broker), well && sensor.problem.isEmpty() ? Tone::Secondary : Tone::Warning);
     m_bars->showCalibration(sensor.direction && sensor.last ? sensor.last->calibration : std::nullopt);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/messages/sensor_status.h"
+#include "core/messages/station_status.h"
 
 #include <QWidget>
 
@@ -19,7 +19,7 @@ class SensorReadout : public QWidget
 public:
     explicit SensorReadout(QWidget* parent = nullptr);
 
-    void showStatus(const SensorStatus& sensor);
+    void showStatus(const SensorStatus& sensor, const BrokerStatus& broker = {});
     void setRoom(bool has);  // whether there is room for it
     [[nodiscard]] bool isConfigured() const { return m_isConfigured; }
 

@@ -48,6 +48,10 @@ protected:
     {
         return lines(LogKind::MotionStart, QStringLiteral("turns back"));
     }
+    [[nodiscard]] std::vector<LogEntry> longWays() const
+    {
+        return lines(LogKind::MotionStart, QStringLiteral("goes the long way"));
+    }
     [[nodiscard]] std::string reason() const { return rig.control.status().stateReason.toStdString(); }
     [[nodiscard]] std::string headline() const
     {
@@ -157,13 +161,25 @@ TEST_F(StationCable, AGoToTheOtherWayRoundSaysWhy)
     EXPECT_TRUE(turnBacks().empty()) << "420° is inside";
     rig.settle();
     ASSERT_TRUE(rig.point(120.0, 30.0, kOperator));
-    ASSERT_EQ(turnBacks().size(), 1U);
-    EXPECT_EQ(turnBacks().front().source, kOperator.name);
-    EXPECT_EQ(turnBacks().front().text.toStdString(), "turns back by 300° because the cable ends at axis 450.0°");
-    EXPECT_EQ(reason(), "cable end, turns back 300°");
+    ASSERT_EQ(longWays().size(), 1U);
+    EXPECT_EQ(longWays().front().source, kOperator.name);
+    EXPECT_EQ(longWays().front().text.toStdString(), "goes the long way, 300°, because the cable ends at axis 450.0°");
+    EXPECT_EQ(reason(), "cable end, long way 300°");
     rig.settle();
     EXPECT_NEAR(rig.azimuthDegrees(), 120.0, 0.1);
     EXPECT_EQ(reason(), "go to 120.00° 30.00°");
+}
+
+// Story: a go-to from 0° to 230° was shown as "turns back 230°", but the axis had not been farther before.
+// REQ-CONTROL-31a
+TEST_F(StationCable, AFirstGoToTheOtherWayRoundDoesNotTurnBack)
+{
+    standAt(0_deg);
+    ASSERT_TRUE(rig.point(230.0, 30.0, kOperator));
+    EXPECT_TRUE(turnBacks().empty());
+    ASSERT_EQ(longWays().size(), 1U);
+    EXPECT_EQ(longWays().front().text.toStdString(), "goes the long way, 230°, because the cable ends at axis -90.0°");
+    EXPECT_EQ(reason(), "cable end, long way 230°");
 }
 
 // REQ-CONTROL-31b: The operator may choose to wait at the cable end instead of unwrapping. The mount moves on as soon

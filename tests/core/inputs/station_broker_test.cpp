@@ -13,6 +13,7 @@
 namespace boresight {
 namespace {
 
+using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
@@ -104,6 +105,11 @@ TEST_F(StationBrokerTest, ALostBrokerIsALineInTheLogAndNothingElse)
     EXPECT_NEAR(status.azimuth.actual->degrees(), 90.0, 0.3);
     EXPECT_TRUE(status.alarms.empty());
     EXPECT_THAT(status.broker.problem.toStdString(), HasSubstr("MQTT broker 127.0.0.1:"));
+    ASSERT_TRUE(fakes::waitUntil([this] {
+        clock.advance(Seconds(30));
+        return station->status().broker.problem.endsWith(QLatin1Char('?'));
+    }));
+    EXPECT_THAT(log, Contains(HasSubstr("Is the broker running there? Boresight tries again"))) << "no \"?.\"";
     ASSERT_TRUE(broker->start());
     ASSERT_TRUE(fakes::waitUntil([this] {
         clock.advance(Seconds(30));

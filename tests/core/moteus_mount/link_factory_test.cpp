@@ -49,6 +49,25 @@ TEST(LinkMaker, TheSimulatedDrivesAreProtectedForTheProfile)
     }
 }
 
+// Story: a simulated mount with a cable to 460° ran against its stop at 458°, 2° before the cable end of its profile.
+TEST(LinkMaker, TheStopsOfTheSimulatedMountStandBeyondTheTravelOfTheProfile)
+{
+    profile::Profile profile;
+    profile.azimuth.geometry.travel = {.min = -200_deg, .max = 460_deg};
+    const sim::PlantSettings azimuth = protectedPair(profile).azimuth.plant;
+    EXPECT_NEAR(azimuth.stopMin, -208.0 / 360.0, 1e-6);
+    EXPECT_NEAR(azimuth.stopMax, 468.0 / 360.0, 1e-6);
+}
+
+TEST(LinkMaker, TheStopsOfTheSimulatedMountDoNotComeNearerWithAShorterTravel)
+{
+    profile::Profile profile;
+    profile.azimuth.geometry.travel = {.min = -30_deg, .max = 300_deg};
+    const sim::PlantSettings azimuth = protectedPair(profile).azimuth.plant;
+    EXPECT_NEAR(azimuth.stopMin, -98.0 / 360.0, 1e-6);
+    EXPECT_NEAR(azimuth.stopMax, 458.0 / 360.0, 1e-6);
+}
+
 // Story: with --simulate=moteus and the profile of a simple rotator the drives started without their safety settings.
 TEST(LinkMaker, TheSimulatedDrivesOfASimpleProfileAreProtectedToo)
 {

@@ -81,7 +81,7 @@ protected:
 TEST_F(MqttSourceTest, JoinsWhatTheThreeTopicsSay)
 {
     listen();
-    EXPECT_EQ(source->name(), QStringLiteral("mqtt 127.0.0.1:%1").arg(broker->port()));
+    EXPECT_EQ(source->name(), QStringLiteral("MQTT 127.0.0.1:%1").arg(broker->port()));
     send("roof/orientation", kOrientation);
     ASSERT_TRUE(received(1));
     EXPECT_NEAR(values[0].heading.angle().degrees(), 12.67, 1e-9);
@@ -167,7 +167,7 @@ TEST_F(MqttSourceTest, ATopicThatTheBrokerRefusesIsToldUntilItIsPermitted)
     topics.calibration = QStringLiteral("permitted/calibration");
     listen(std::chrono::seconds(1));
     ASSERT_TRUE(fakes::waitUntil([this] { return states.size() == 2; }));
-    EXPECT_THAT(states.back(), HasSubstr("open mqtt 127.0.0.1:"));
+    EXPECT_THAT(states.back(), HasSubstr("open MQTT 127.0.0.1:"));
     EXPECT_THAT(
         states.back(),
         HasSubstr("The broker does not permit reading roof/orientation. Permit it in the access list (ACL) of the "

@@ -236,12 +236,17 @@ TEST_F(GuideRotatorTest, WhatAnswersAndWhatToCheckIsShown)
                       .remedy = QStringLiteral("Check the cable")},
                      {.name = QStringLiteral("rotator.no-answer"), .what = QStringLiteral("old"), .active = false}};
     give(samples::update(status));
-    EXPECT_TRUE(words().contains(QStringLiteral("No answer yet"))) << words().toStdString();
+    EXPECT_TRUE(words().startsWith(QStringLiteral("Not connected. Boresight tries again each second.\n")))
+        << words().toStdString();
     EXPECT_TRUE(words().contains(QStringLiteral("is down: refused. Check the cable.")));
     EXPECT_TRUE(words().contains(QStringLiteral("option -t of rotctld")));
     EXPECT_TRUE(words().contains(QStringLiteral("firewall")));
     EXPECT_FALSE(words().contains(QStringLiteral("old")));
     EXPECT_EQ(stepButton(GuideStep::Connect).state(), StepState::NeedsYou);
+
+    status.alarms = {{.name = QStringLiteral("rotator.no-answer"), .what = QStringLiteral("The rotator is silent")}};
+    give(samples::update(status));
+    EXPECT_TRUE(words().startsWith(QStringLiteral("In use. No answer yet.\n"))) << words().toStdString();
 
     status.alarms = {{.name = QStringLiteral("rotator.foreign"),
                       .what = QStringLiteral("The device on rotctld:tower.local:4533 is not a rotctld"),

@@ -10,6 +10,8 @@
 #include <QPlainTextEdit>
 #include <QSpinBox>
 
+#include <algorithm>
+
 // The sensor and the compass swing: steps 1 and 2 of finding north.
 namespace boresight::ui {
 namespace {
@@ -93,7 +95,7 @@ TEST_F(NorthTest, DetailsShowAllThatTheSensorReports)
     heard.elevation = 33.2_deg;
     heard.revolutions = 1;
     heard.temperature = 27.0;
-    status.sensor = {.source = QStringLiteral("mqtt broker:1883"), .open = true, .last = heard};
+    status.sensor = {.source = QStringLiteral("MQTT broker:1883"), .open = true, .last = heard};
     status.sensor.age = std::chrono::milliseconds(400);
     status.sensor.firmware =
         orientation::SensorState{.version = "2.0.6b", .bssid = "B8:69:F4:81:8D:E6", .unknown = "{\"rssi\":-71}"};
@@ -246,6 +248,35 @@ TEST_F(NorthTest, AHopelessPlaceIsSaidFirstAndNothingOfItCanBeApplied)
     expectBlocked("Apply north", "a hopeless swing is not applied");
     EXPECT_EQ(named<ValueLabel>("Proposed calibration")->symbol(), Symbol::Warning);
     EXPECT_TRUE(text("What Apply changes").startsWith(samples::swungInVain().calibration->proposal->warnings.front()));
+}
+
+// Story: the tick beside the number 90 made it "-90".
+// REQ-UI-1720: The numbers of the compass dial stand clear of its ticks.
+TEST(CompassDial, TheNumbersStandClearOfTheTicks)
+{
+    CompassDial dial;
+    dial.resize(240, 160);
+    const QImage image = dial.grab().toImage();
+    const QColor ground = image.pixelColor(0, 0);
+    const int middle = image.height() / 2;
+    const auto isEmpty = [&](int x) {
+        for (int y = middle - 12; y < middle + 12; ++y) {
+            if (image.pixelColor(x, y) != ground) {
+                return false;
+            }
+        }
+        return true;
+    };
+    int x = image.width() - 1;
+    while (isEmpty(x)) {
+        --x;
+    }
+    int longest = 0;
+    for (int run = 0; x > image.width() / 2; --x) {
+        run = isEmpty(x) ? run + 1 : 0;
+        longest = std::max(longest, run);
+    }
+    EXPECT_GE(longest, 4);
 }
 
 }  // namespace

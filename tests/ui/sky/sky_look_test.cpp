@@ -5,6 +5,7 @@
 #include "ui/kit/axes.h"
 #include "ui/kit/value_label.h"
 #include "ui/sky/cable_words.h"
+#include "ui/sky/plot_editor.h"
 #include "ui/sky/plot_tools.h"
 #include "ui/sky/polar_plot.h"
 
@@ -451,6 +452,22 @@ TEST_F(SkyLook, APictureHasTheWordsOfTheCorners)
         inked += picture.pixelColor(x, words.center().y()) != currentTheme().window ? 1 : 0;
     }
     EXPECT_GT(inked, 5);
+}
+
+// Story: beside the numbers under the cursor stood "◇ target", which was left of the legend.
+// REQ-UI-1719: The numbers under the cursor take the place of the whole legend.
+TEST_F(SkyLook, TheNumbersUnderTheCursorTakeThePlaceOfTheLegend)
+{
+    const QImage legend = plot.grab(QRect(110, plot.height() - 18, 60, 16)).toImage();
+    QImage empty = legend;
+    empty.fill(currentTheme().window);
+    EXPECT_NE(legend, empty);
+    auto* const editor = plot.findChild<PlotEditor*>();
+    ASSERT_NE(editor, nullptr);
+    Q_EMIT editor->readout(QStringLiteral("az 1°"));
+    EXPECT_EQ(plot.grab(QRect(110, plot.height() - 18, 60, 16)).toImage(), empty);
+    Q_EMIT editor->readout({});
+    EXPECT_EQ(plot.grab(QRect(110, plot.height() - 18, 60, 16)).toImage(), legend);
 }
 
 }  // namespace

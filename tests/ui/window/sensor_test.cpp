@@ -58,6 +58,19 @@ TEST(SensorReadout, ALostOneShowsNoNumber)
     EXPECT_EQ(readout.findChild<CalibrationBars*>()->accessibleName(), QStringLiteral("Calibration: not reported"));
 }
 
+// REQ-UI-1718: While the broker of the sensor is not reached, the line of the sensor shows when Boresight tries again.
+TEST(SensorReadout, ABrokerThatIsNotReachedShowsTheNextAttempt)
+{
+    const QString problem = QStringLiteral("MQTT broker 127.0.0.1:1883: No connection");
+    const SensorStatus sensor{.source = QStringLiteral("MQTT 127.0.0.1:1883"), .problem = problem};
+    SensorReadout readout;
+    readout.showStatus(sensor, {.wanted = true, .problem = problem, .retryIn = Seconds(4.2)});
+    EXPECT_EQ(shown(readout, "Sensor against the axes"),
+              QStringLiteral("Broker not reached, next attempt in 5 s. MQTT broker 127.0.0.1:1883: No connection"));
+    readout.showStatus(sensor, {.wanted = true, .problem = problem});
+    EXPECT_EQ(shown(readout, "Sensor against the axes"), problem);
+}
+
 TEST(CalibrationBars, SayTheirDigits)
 {
     CalibrationBars bars;
@@ -100,7 +113,7 @@ TEST(HeaderBar, CallsASensorWithAProblemSilent)
     auto* const authority = new AuthorityButton(desk, notice);
     HeaderBar header(*authority);
     StationStatus status;
-    status.sensor = {.source = QStringLiteral("mqtt 127.0.0.1:1883"), .open = true};
+    status.sensor = {.source = QStringLiteral("MQTT 127.0.0.1:1883"), .open = true};
     header.showStatus(status);
     EXPECT_EQ(shown(header, "Orientation sensor"), QStringLiteral("Sensor awaited"));
     status.sensor.problem = QStringLiteral("MQTT broker 127.0.0.1:1883: No connection");
@@ -159,7 +172,7 @@ TEST(HeaderBar, ShowsTheBrakeIfThereIsOne)
     header.showStatus(status);
     EXPECT_EQ(shown(header, "Brake"), QStringLiteral("Brake failed"));
     status.transmit = {.output = QStringLiteral("dtr:/dev/ttyUSB0"), .problem = QStringLiteral("unplugged")};
-    status.sensor = {.source = QStringLiteral("mqtt 127.0.0.1:1883"), .open = true};
+    status.sensor = {.source = QStringLiteral("MQTT 127.0.0.1:1883"), .open = true};
     header.showStatus(status);
     EXPECT_LE(header.minimumSizeHint().width(), 1024) << "with all labels beside the target";
 }
