@@ -151,6 +151,13 @@ void StationListeners::tick()
     }
 }
 
+void StationListeners::profileChanged()
+{
+    for (const auto& server : m_servers) {
+        server->setMaxClients(static_cast<std::size_t>(m_profile->rotctld.maxClients));
+    }
+}
+
 bool StationListeners::disconnect(std::uint64_t client, const QString& reason)
 {
     return std::ranges::any_of(m_servers, [&](const auto& server) { return server->disconnect(client, reason); });

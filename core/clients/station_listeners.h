@@ -28,6 +28,8 @@ public:
     void open();
     void close() { m_servers.clear(); }
     void tick();
+    // Applies another number of clients. The listeners themselves wait for Reconnect.
+    void profileChanged();
     // False: the client is not one of these listeners' clients.
     bool disconnect(std::uint64_t client, const QString& reason);
 

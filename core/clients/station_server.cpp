@@ -84,6 +84,7 @@ void StationServer::profileChanged()
     const rotctld::ServerSettings settings = serverSettings(m_profile->rotctld);
     m_server.setAllowed(settings.allow);
     m_server.setMaxClients(settings.maxClients);
+    m_further.profileChanged();
     tellOpenPort();
 }
 

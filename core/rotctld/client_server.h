@@ -55,6 +55,8 @@ public:
     [[nodiscard]] virtual std::vector<ClientInfo> clients() const = 0;
     // Drops one client. Its program may connect again. False if no client has this number.
     virtual bool disconnect(std::uint64_t id, const QString& reason) = 0;
+    // From now on. Connected clients stay.
+    virtual void setMaxClients(std::size_t count) = 0;
     // Each tick of the station.
     virtual void tick() {}
 };

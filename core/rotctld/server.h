@@ -48,9 +48,8 @@ public:
 
     // The addresses that may connect from now on. Clients that are not permitted any more are dropped.
     void setAllowed(const std::vector<std::string>& entries);
-    // From now on. Connected clients stay.
-    void setMaxClients(std::size_t count) { m_settings.maxClients = count; }
     bool disconnect(std::uint64_t id, const QString& reason) override;
+    void setMaxClients(std::size_t count) override { m_settings.maxClients = count; }
 
     // Ends pauses, and drops clients whose time limit has passed. Called by a timer. Tests advance the clock and call
     // it.

@@ -42,6 +42,7 @@ public:
     [[nodiscard]] std::vector<rotctld::ClientInfo> clients() const override;
     // A client that the operator made read-only stays. The log has that.
     bool disconnect(std::uint64_t id, const QString& reason) override;
+    void setMaxClients(std::size_t count) override { m_settings.maxClients = count; }
     void tick() override;
 
 private:

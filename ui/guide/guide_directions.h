@@ -14,7 +14,7 @@ class QGridLayout;
 // The guide's step that shows which motor turns which axis. An axis moves slowly while a button is held. The arrow
 // shows in which direction it should move. One press exchanges the motors or reverses a direction. Until the operator
 // has confirmed the directions, the station moves the mount at most 2° far and at most at 5 °/s
-// (core/station/first_moves.h).
+// (core/motion/first_moves.h).
 namespace boresight::ui {
 
 class CommandButton;

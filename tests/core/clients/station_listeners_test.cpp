@@ -89,6 +89,30 @@ TEST(StationListeners, SeveralServeAtOnce)
     EXPECT_FALSE(rig.further.disconnect(1, QStringLiteral("by the operator")));
 }
 
+// Story: the profile showed another number of clients as in force, but each listener kept the number of its start.
+// REQ-CONTROL-500
+TEST(StationListeners, TheNumberOfClientsChangesWhileRunning)
+{
+    ListenersRig rig({"gs232b drive tcp:127.0.0.1:0", "pst drive udp:127.0.0.1:0"});
+    const auto one = rig.connect(0);
+    const auto other = rig.connect(0);
+    ASSERT_NE(one->ask("C2\r"), "");
+    ASSERT_NE(other->ask("C2\r"), "");
+    const auto permit = [&rig](int clients) {
+        profile::Profile profile = *rig.inForce;
+        profile.rotctld.maxClients = clients;
+        rig.inForce.apply(profile);
+        rig.further.profileChanged();
+    };
+    permit(2);
+    const auto third = rig.connect(0);
+    EXPECT_EQ(third->receiveUntilClosed(), "");
+    EXPECT_EQ(rig.further.clients().size(), 2U);
+    EXPECT_NE(one->ask("C2\r"), "") << "who is connected stays";
+    permit(3);
+    EXPECT_NE(rig.connect(0)->ask("C2\r"), "");
+}
+
 // REQ-LISTENERS-05: A listener with the right "read" reports positions and stops the mount. It refuses every motion,
 // and the operator cannot give control to its clients.
 TEST(StationListeners, OneThatReadsMovesNothing)

@@ -26,9 +26,8 @@ constexpr double kLongestStep = 0.1;  // seconds: a longer step only slows the m
 // silent.
 constexpr int kSlipTicks = 15;
 constexpr double kPlaceNoise = 0.3;  // degrees: a smaller error of a reply is believed
-// A drive can be captured on replies that stand still while its axis brakes. Then it goes back by five ticks of full
-// speed. An ideal drive does this at once.
-constexpr double kCaptureNoise = 1.0;  // degrees
+// A drive that has no known place can be captured on false replies that agree. Then it is sent to the false place. A
+// real drive goes there within the limits of its frames, an ideal drive at once.
 constexpr int kCaptureTicks = 3;
 // Number of ticks for which a drive may still be commanded to ignore its bounds after the axis has come back inside
 // them.
@@ -355,14 +354,17 @@ void StationPromises::watchAxis(Axis axis, const StationStatus& now, Seconds ste
     const double moved = degrees(drive.travelled - trace.travelled);
     const double time = std::min(step.count(), kLongestStep);
     trace.travelled = drive.travelled;
-    // A drive that has missed commands catches up at once.
-    const bool deaf = drive.silent || drive.deaf || drive.mode != moteus::Mode::Position;
+    // A drive that has missed commands catches up at once. On a released bus an ideal drive brakes when the bus is
+    // back.
+    const bool deaf = drive.silent || drive.deaf || drive.mode != moteus::Mode::Position || m_rig.mount.busLeft();
     trace.sinceSlip = deaf ? 0 : trace.sinceSlip + 1;
-    const double noise = trace.sinceHold > kCaptureTicks ? kPlaceNoise : kCaptureNoise;
-    if (trace.sinceSlip > kSlipTicks && moved > settings.limits.speed.degrees() * time * 1.001 + noise) {
+    trace.sinceFalse = drive.falsePlaces.empty() ? trace.sinceFalse + 1 : 0;
+    const bool wasDeceived = trace.sinceHold <= kCaptureTicks && trace.sinceFalse <= kCaptureTicks;
+    const bool isJudged = trace.sinceSlip > kSlipTicks && !wasDeceived;
+    if (isJudged && moved > settings.limits.speed.degrees() * time * 1.001 + kPlaceNoise) {
         fail("an axis moves faster than the limit: by " + std::to_string(moved) + "° in a tick");
     }
-    if (trace.sinceSlip > kSlipTicks && m_sinceEnd > kStopTicks && moved > kPlaceNoise) {
+    if (isJudged && m_sinceEnd > kStopTicks && moved > kPlaceNoise) {
         fail("an axis really moves though its motion was ended: by " + std::to_string(moved) + "°");
     }
     const TravelRange& travel = settings.geometry.travel;

@@ -50,6 +50,7 @@ private:
         int still = 1000;                // ticks; a drive that was just taken over stands still
         int faultyTicks = 0;
         int sinceSlip = 1000;    // ticks
+        int sinceFalse = 1000;   // ticks since the drive last reported a false place
         int sinceHold = 1000;    // ticks since the drive was last told to hold where it is
         int inside = 0;          // ticks for which the real axis has been inside its travel
         double travelled = 0.0;  // turns, at the end of the last tick
