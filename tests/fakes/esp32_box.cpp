@@ -89,6 +89,7 @@ void Esp32Box::loop()
         obey(m_waiting.front());
         m_waiting.pop_front();
     }
+    danceOn();
     compareTargets();
     if (m_reports) {
         reply("DEBUG | RawX:" + oneDecimal((heading() - Angle::fromDegrees(90.0)).wrapped360()) +
@@ -96,6 +97,43 @@ void Esp32Box::loop()
               " M:" + digit(3) + "]\r\n");
     }
     m_nextLoop += kEsp32Loop;
+}
+
+// Its relays for up, down, left and right, one after the other. The way back is a little shorter than the way there.
+void Esp32Box::twitch()
+{
+    constexpr Seconds kTwitch{0.05};
+    for (const Axis axis : kAxes) {
+        m_place[index(axis)] += kSpeed * kTwitch * (axis == Axis::Azimuth ? -1.0 : 1.0);
+    }
+}
+
+void Esp32Box::dance(SteadyTime now)
+{
+    moveOn(now);
+    m_stage = {.azimuth = m_place[0], .elevation = m_place[1]};
+    m_danceLoops = 0;
+    reply("Starting Dance... Type SA or SE to abort.\r\nRPRT 0\r");
+}
+
+void Esp32Box::danceOn()
+{
+    constexpr int kLoopsOfAStep = 26;  // 10 s of motion and a pause of 3 s
+    constexpr std::array<AxisPosition, 5> kSteps{{{.azimuth = 30_deg, .elevation = 0_deg},
+                                                  {.azimuth = -30_deg, .elevation = 0_deg},
+                                                  {.azimuth = 0_deg, .elevation = 20_deg},
+                                                  {.azimuth = 0_deg, .elevation = -20_deg},
+                                                  {.azimuth = 0_deg, .elevation = 0_deg}}};
+    if (!m_stage || m_danceLoops++ % kLoopsOfAStep != 0) {
+        return;
+    }
+    const auto step = static_cast<std::size_t>(m_danceLoops / kLoopsOfAStep);
+    if (step == kSteps.size()) {
+        m_stage.reset();
+        return;
+    }
+    m_targets = {(m_stage->azimuth + kSteps[step].azimuth).wrapped360(), m_stage->elevation + kSteps[step].elevation};
+    reply("Dance step " + std::to_string(step + 1) + "\r\n");
 }
 
 void Esp32Box::compareTargets()
@@ -244,7 +282,11 @@ void Esp32Box::restart(SteadyTime now, bool calibrated)
     m_line.clear();
     m_waiting.clear();
     m_due.clear();
+    m_stage.reset();
     m_calibrates = m_starts = !calibrated;
+    if (m_faults.twitches) {
+        twitch();
+    }
     if (calibrated) {
         reply(kEsp32Greeting);
     }

@@ -25,6 +25,7 @@ public:
         bool silent = false;                    // acts, but sends no answers
         std::array<double, 2> pace{1.0, 1.0};   // share of its speed that each motor reaches
         std::array<int, 4> digits{3, 3, 3, 3};  // calibration of its sensor
+        bool twitches = false;                  // runs each relay for 0.3 s when it starts
     };
 
     explicit Esp32Box(const AxisPosition& place = {}) : m_place{place.azimuth, place.elevation} {}
@@ -35,6 +36,8 @@ public:
     // Power off and on. `calibrated`: offsets are stored. Without them it calibrates first, and obeys nothing
     // meanwhile.
     void restart(SteadyTime now, bool calibrated = true);
+    // Its own program of motions, which a stop does not end: another target each 13 s.
+    void dance(SteadyTime now);
     [[nodiscard]] Faults& faults() { return m_faults; }
 
     // The true position at the time of the last call.
@@ -53,6 +56,8 @@ private:
     void turn(Seconds time);
     void loop();
     void compareTargets();
+    void twitch();
+    void danceOn();
     void obey(const std::string& line);
     [[nodiscard]] bool obeyAxis(const std::string& line);
     [[nodiscard]] std::optional<std::string> answerTo(const std::string& command);
@@ -72,6 +77,8 @@ private:
     bool m_reports = false;
     bool m_calibrates = false;
     bool m_starts = false;
+    std::optional<AxisPosition> m_stage;  // where it was when its dance began
+    int m_danceLoops = 0;                 // since then
     std::string m_line;
     std::deque<std::string> m_waiting;  // lines that were received while it calibrated
     std::deque<Due> m_due;

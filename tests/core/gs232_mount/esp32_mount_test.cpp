@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/core/gs232_mount/esp32_bench.h"
+#include "tests/core/gs232_mount/gs232_bench.h"
 
 #include <gtest/gtest.h>
 
@@ -141,6 +142,94 @@ TEST(Esp32Mount, ACalibrationIsNamedInTheAlarm)
     bench.run(Seconds(3.0));
     EXPECT_EQ(bench.mount().kind(), QStringLiteral("ESP32"));
     EXPECT_TRUE(bench.goTo(60.0, 45.0));
+}
+
+// REQ-GS232-97: An ESP32 relay controller that restarts in a motion, with its twitch, reaches its target. While it
+// stands, its twitch starts no motion.
+TEST(Esp32Mount, ARestartWithItsTwitchIsNoMotion)
+{
+    Esp32Bench bench;
+    bench.box().faults().twitches = true;
+    bench.run(Seconds(1.0));
+    ASSERT_TRUE(bench.goTo(60.0, 45.0));
+    bench.run(Seconds(6.0));
+    bench.box().restart(bench.clock().now());
+    bench.run(Seconds(30.0));
+    bench.expectAt({.azimuth = 60_deg, .elevation = 45_deg}, {}, bench.resolution());
+    EXPECT_EQ(bench.control().state(), StationState::Hold);
+    bench.box().restart(bench.clock().now());
+    EXPECT_TRUE(bench.stands(Seconds(10.0)));
+    EXPECT_FALSE(bench.control().faultLatched());
+}
+
+// REQ-GS232-98: A dance that somebody starts at an ESP32 relay controller is stopped again and again while STOP is
+// latched, so that each of its steps moves an axis by a few degrees. Afterwards the mount stands.
+TEST(Esp32Mount, ADanceIsStoppedWhileStopIsLatched)
+{
+    Esp32Bench bench;
+    bench.run(Seconds(1.0));
+    ASSERT_TRUE(bench.goTo(60.0, 45.0));
+    bench.run(Seconds(25.0));
+    ASSERT_TRUE(bench.ask(request::Stop{}));
+    bench.run(Seconds(3.0));
+    const AxisPosition before = bench.truth();
+    bench.box().dance(bench.clock().now());
+    Angle farthest;
+    for (int i = 0; i < 70; ++i) {
+        bench.run(Seconds(1.0));
+        farthest = std::max(farthest, abs(bench.truth().azimuth - before.azimuth));
+    }
+    EXPECT_LT(farthest, 4_deg) << "its dance goes 30° far";
+    bench.run(Seconds(8.0));
+    EXPECT_TRUE(bench.stands(Seconds(10.0)));
+}
+
+// REQ-GS232-99: A GS-232 box in the place of an ESP32 relay controller gets only the question for the version, and
+// never a command. It counts as a foreign device until Reconnect. An ESP32 relay controller in the place of a GS-232
+// box is recognised, and a stop because of the lost line is all that it gets.
+TEST(Esp32Mount, AnotherKindOfBoxOnItsLineIsNotCommanded)
+{
+    Esp32Bench bench;
+    bench.run(Seconds(1.0));
+    ASSERT_EQ(bench.mount().kind(), QStringLiteral("ESP32"));
+    Gs232Mount& mount = bench.mount();
+    Gs232Box other;
+    mount.lineClosed();
+    mount.lineOpened();
+    for (int i = 0; i < 500; ++i) {
+        bench.clock().advance(kOneTick);
+        mount.take(other.answers(bench.clock().now()), bench.clock().now());
+        mount.observe(bench.clock().now());
+        (void)mount.supervise({});
+        other.take(mount.send(), bench.clock().now());
+    }
+    EXPECT_TRUE(std::ranges::all_of(other.heard(), [](const std::string& line) { return line == "VE"; }));
+    EXPECT_EQ(mount.talk().proof(), RotatorTalk::Proof::Foreign);
+}
+
+// REQ-GS232-99
+TEST(Gs232Mount, AnEsp32OnItsLineIsRecognised)
+{
+    Gs232Bench bench;
+    bench.run(Seconds(1.0));
+    ASSERT_EQ(bench.mount().kind(), QStringLiteral("GS-232B"));
+    fakes::Esp32Box other({.azimuth = 100_deg, .elevation = 20_deg});
+    Gs232Mount& mount = bench.mount();
+    mount.lineClosed();
+    mount.lineOpened();
+    for (int i = 0; i < 200; ++i) {
+        bench.clock().advance(kOneTick);
+        mount.take(other.answers(bench.clock().now()), bench.clock().now());
+        mount.observe(bench.clock().now());
+        (void)mount.supervise({});
+        other.take(mount.send(), bench.clock().now());
+    }
+    EXPECT_EQ(mount.kind(), QStringLiteral("ESP32"));
+    const AxisPosition there = other.truth();
+    EXPECT_EQ(there.azimuth, 100_deg);
+    EXPECT_EQ(there.elevation, 20_deg);
+    EXPECT_EQ(other.heard()[0], "C2");
+    EXPECT_EQ(other.heard()[1], "VE");
 }
 
 }  // namespace
