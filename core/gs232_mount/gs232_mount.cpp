@@ -22,7 +22,7 @@ Result<> fits(const profile::Profile& profile, const Capabilities& capabilities,
     }
     const TravelRange& reach = axis == Axis::Azimuth ? kAzimuthReach : kElevationReach;
     const TravelRange& travel = profile.axis(axis).geometry.travel;
-    const TravelRange counts = stepsIn(travel, kAxis.step);
+    const TravelRange counts = stepsIn(travel, capabilities.axes[index(axis)]->step);
     if (travel.min >= reach.min && travel.max <= reach.max && counts.min <= counts.max) {
         return countsAsTheRotator(profile, axis);
     }
@@ -67,7 +67,7 @@ Angle middleOf(const TravelRange& travel)
 }  // namespace
 
 Gs232Mount::Gs232Mount(const profile::InForce& profile, AlarmBoard& alarms, const AxisSet& axes)
-    : BoxMount(profile, alarms, axes, withStarts(kAxis, *profile), kAxis.step),
+    : BoxMount(profile, alarms, axes, asInProfile(kAxis, *profile), kAxis.step),
       m_interlock(fits(*profile, capabilities(), Axis::Azimuth).and_then([&] {
           return fits(*profile, capabilities(), Axis::Elevation);
       })),

@@ -13,6 +13,10 @@ namespace boresight {
 
 struct AxisCapabilities
 {
+    // A target may be this far from the step at which the axis stands: more than half a step, because an axis does not
+    // turn back for less.
+    static constexpr double kMostOfAStep = 0.75;
+
     Angle step{};                          // the axis reports and reaches only multiples of this angle
     Angle miss{};                          // the axis may stop this far from its target, beyond the rounding to a step
     std::optional<AngularRate> fastest{};  // empty: limited by the profile only
@@ -28,11 +32,12 @@ struct Capabilities
     [[nodiscard]] bool has(Axis axis) const { return axes[index(axis)].has_value(); }
     // An axis that runs to its target by itself may be far behind its set-point.
     [[nodiscard]] bool lags(Axis axis) const { return has(axis) && axes[index(axis)]->miss > Angle{}; }
+    [[nodiscard]] bool hasSteps(Axis axis) const { return has(axis) && axes[index(axis)]->step > Angle{}; }
     [[nodiscard]] bool startsSeldom(Axis axis) const { return has(axis) && axes[index(axis)]->rareStarts; }
     // The largest distance between the place that an axis has reached and the place that was requested.
     [[nodiscard]] Angle inexactness(Axis axis) const
     {
-        return has(axis) ? 0.5 * axes[index(axis)]->step + axes[index(axis)]->miss : Angle{};
+        return has(axis) ? AxisCapabilities::kMostOfAStep * axes[index(axis)]->step + axes[index(axis)]->miss : Angle{};
     }
 };
 

@@ -366,7 +366,7 @@ Angle Motion::slack(Axis axis, SteadyTime now) const
 std::array<tracking::Leeway, 2> Motion::leeway(SteadyTime now) const
 {
     std::array<tracking::Leeway, 2> all{};
-    if (!m_capabilities.startsSeldom(Axis::Azimuth) && !m_capabilities.startsSeldom(Axis::Elevation)) {
+    if (!m_capabilities.hasSteps(Axis::Azimuth) && !m_capabilities.hasSteps(Axis::Elevation)) {
         return all;
     }
     AxisPosition room;

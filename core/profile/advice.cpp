@@ -87,6 +87,14 @@ void adviseOnHamlib(std::vector<Advice>& list, const Profile& profile)
     }
 }
 
+void adviseOnSteps(std::vector<Advice>& list, const std::string& table, const AxisSettings& axis)
+{
+    if (axis.stepsPerTurn > 0.0 && !kindOf(axis.driver).countsItself) {
+        list.push_back({table + ".steps_per_turn", Text::tr("the steps have no effect, because this driver has none"),
+                        Text::tr("Set %1.steps_per_turn to 0.").arg(toQString(table))});
+    }
+}
+
 }  // namespace
 
 std::vector<Advice> adviceOn(const Profile& profile)
@@ -96,6 +104,8 @@ std::vector<Advice> adviceOn(const Profile& profile)
     adviseOn(list, "elevation", Text::tr("the elevation"), profile.elevation);
     adviseOnModel(list, profile);
     adviseOnHamlib(list, profile);
+    adviseOnSteps(list, "azimuth", profile.azimuth);
+    adviseOnSteps(list, "elevation", profile.elevation);
     return list;
 }
 

@@ -19,6 +19,9 @@ namespace boresight::profile {
 
 namespace {
 
+// Coarser steps than 10° are no rotator that tracks a target.
+constexpr double kFewestSteps = 36.0;
+
 void checkAxis(std::vector<Problem>& problems, const std::string& table, const AxisSettings& axis, Angle park)
 {
     const TravelRange& travel = axis.geometry.travel;
@@ -33,6 +36,10 @@ void checkAxis(std::vector<Problem>& problems, const std::string& table, const A
         problems.push_back({"park." + table + "_deg",
                             Text::tr("%1 is outside the travel %2…%3")
                                 .arg(degreesText(park, 2), degreesText(travel.min, 2), degreesText(travel.max, 2))});
+    }
+    if (axis.stepsPerTurn > 0.0 && axis.stepsPerTurn < kFewestSteps) {
+        problems.push_back({table + ".steps_per_turn",
+                            Text::tr("must be 0 or at least %1").arg(toQString(formatFixed(kFewestSteps, 0)))});
     }
     // With a slower build-up, the axis would need a longer way to stop than a person at the mast expects.
     const Seconds filterLength{2.0 * (axis.limits.acceleration.radians() / axis.limits.jerk.radians())};

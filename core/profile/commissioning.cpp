@@ -125,6 +125,7 @@ void leaveRotator(Profile& profile)
             AxisSettings& mine = settingsOf(profile, axis);
             const AxisSettings usual = Profile().axis(axis);
             mine.driver = AxisDriver::Moteus;
+            mine.stepsPerTurn = usual.stepsPerTurn;
             setTravel(profile, axis, usual.geometry.travel);
             forgetTheMount(profile);
         }

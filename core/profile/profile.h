@@ -54,7 +54,8 @@ struct AxisSettings
     int id = 1;                              // of the moteus controller on the bus
     pointing::AxisGeometry geometry{};
     tracking::MotionLimits limits{};
-    double maxTorque = 0.0;  // Nm, as the drive counts
+    double stepsPerTurn = 0.0;  // the axis can stand only at these; 0: as its driver counts
+    double maxTorque = 0.0;     // Nm, as the drive counts
     PowerUpPosition powerUpPosition = PowerUpPosition::Ambiguous;
     TimeoutMode timeoutMode = TimeoutMode::Hold;
 

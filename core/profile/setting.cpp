@@ -135,6 +135,15 @@ void addGeometry(std::vector<Setting>& list, const std::string& table, AxisSetti
         {QT_TRANSLATE_NOOP("Text", "Travel to"),
          QT_TRANSLATE_NOOP("Text", "Upper end of the permitted travel, as an axis angle: 370° is not 10°.")},
         [axis](auto& p) -> auto& { return (p.*axis).geometry.travel.max; }));
+    list.push_back(number(
+        table + ".steps_per_turn", "", {0.0, 1e6}, kOnReconnect,
+        {QT_TRANSLATE_NOOP("Text", "Steps per turn"),
+         QT_TRANSLATE_NOOP(
+             "Text",
+             "The number of positions of a rotator in a full turn, from the position 0: 866, or 1024 for 512 steps in "
+             "180°. Boresight sends it only to these. A box that counts coarser keeps its own steps. A moteus has no "
+             "steps. 0: as the box counts.")},
+        [axis](auto& p) -> auto& { return (p.*axis).stepsPerTurn; }));
 }
 
 void addLimits(std::vector<Setting>& list, const std::string& table, AxisSettings Profile::*axis)

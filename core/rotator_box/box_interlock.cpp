@@ -3,6 +3,7 @@
 
 #include "core/base/text.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace boresight {
@@ -19,10 +20,16 @@ QString tableOf(Axis axis)
     return axis == Axis::Azimuth ? QStringLiteral("azimuth") : QStringLiteral("elevation");
 }
 
-AxisCapabilities withStarts(AxisCapabilities each, const profile::Profile& profile)
+std::array<AxisCapabilities, 2> asInProfile(const AxisCapabilities& each, const profile::Profile& profile)
 {
-    each.rareStarts = profile.rotator.rareStarts == profile::RareStarts::On;
-    return each;
+    std::array<AxisCapabilities, 2> both{each, each};
+    for (const Axis axis : kAxes) {
+        AxisCapabilities& one = both[index(axis)];
+        const double steps = profile.axis(axis).stepsPerTurn;
+        one.step = steps > 0.0 ? std::max(one.step, Angle::fromTurns(1.0 / steps)) : one.step;
+        one.rareStarts = profile.rotator.rareStarts == profile::RareStarts::On;
+    }
+    return both;
 }
 
 // A new profile still has the default sign and offset, which belong to another mount. They are accepted.

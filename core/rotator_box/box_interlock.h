@@ -8,6 +8,8 @@
 
 #include <QString>
 
+#include <array>
+
 // Whether a profile fits a rotator that counts its angles itself. Pure.
 namespace boresight {
 
@@ -15,8 +17,10 @@ namespace boresight {
 [[nodiscard]] TravelRange stepsIn(const TravelRange& travel, Angle step);
 // "azimuth", "elevation": the table of an axis in the profile.
 [[nodiscard]] QString tableOf(Axis axis);
-// A rotator does not report whether its motors are only switched on and off, so the profile does.
-[[nodiscard]] AxisCapabilities withStarts(AxisCapabilities each, const profile::Profile& profile);
+// A rotator does not report its own steps, nor whether its motors are only switched on and off, so the profile does.
+// `each`: what the protocol permits. Its steps stay where they are coarser.
+[[nodiscard]] std::array<AxisCapabilities, 2> asInProfile(const AxisCapabilities& each,
+                                                          const profile::Profile& profile);
 // The rotator counts its angles itself, and its count is the angle of the axis. So a sign or an offset in the profile
 // would have no effect, and is refused.
 [[nodiscard]] Result<> countsAsTheRotator(const profile::Profile& profile, Axis axis);

@@ -16,15 +16,16 @@ namespace {
 // After this time without an answer an alarm is raised.
 constexpr std::chrono::seconds kPatience{3};
 
-std::optional<AxisCapabilities> capabilitiesOf(const AxisSet& axes, Axis axis, const AxisCapabilities& each)
+std::optional<AxisCapabilities> capabilitiesOf(const AxisSet& axes, Axis axis,
+                                               const std::array<AxisCapabilities, 2>& each)
 {
-    return std::ranges::find(axes, axis) != axes.end() ? std::optional(each) : std::nullopt;
+    return std::ranges::find(axes, axis) != axes.end() ? std::optional(each[index(axis)]) : std::nullopt;
 }
 
 }  // namespace
 
 BoxMount::BoxMount(const profile::InForce& profile, AlarmBoard& alarms, const AxisSet& axes,
-                   const AxisCapabilities& each, Angle count)
+                   const std::array<AxisCapabilities, 2>& each, Angle count)
     : m_profile(profile),
       m_alarms(alarms),
       m_capabilities{.axes = {capabilitiesOf(axes, Axis::Azimuth, each), capabilitiesOf(axes, Axis::Elevation, each)}},
@@ -32,14 +33,15 @@ BoxMount::BoxMount(const profile::InForce& profile, AlarmBoard& alarms, const Ax
       m_count(count),
       m_names{QStringLiteral("azimuth drive"), QStringLiteral("elevation drive")},
       m_axes{
-          AxisOfBox{.watch = ObedienceWatch(each.rareStarts ? 2.0 * count : Angle{}), .spared = SparedAlarm(alarms)},
-          AxisOfBox{.watch = ObedienceWatch(each.rareStarts ? 2.0 * count : Angle{}), .spared = SparedAlarm(alarms)}},
-      m_motors(profile, m_capabilities, each.step, count)
+          AxisOfBox{.watch = ObedienceWatch(each[0].rareStarts ? 2.0 * count : Angle{}), .spared = SparedAlarm(alarms)},
+          AxisOfBox{.watch = ObedienceWatch(each[0].rareStarts ? 2.0 * count : Angle{}),
+                    .spared = SparedAlarm(alarms)}},
+      m_motors(profile, m_capabilities, {each[0].step, each[1].step}, count)
 {}
 
 bool BoxMount::answers() const
 {
-    return m_lineOpen && m_heard && m_now - *m_heard <= m_each.silence;
+    return m_lineOpen && m_heard && m_now - *m_heard <= silence();
 }
 
 QString BoxMount::label(Axis axis) const
@@ -109,7 +111,7 @@ void BoxMount::forgetPlaces()
 void BoxMount::observe(SteadyTime now)
 {
     // This computer slept or stalled, and nobody watched the rotator on its way. A reply may be from before the stall.
-    m_broke = m_broke || (m_state.follows && now - m_now > m_each.silence);
+    m_broke = m_broke || (m_state.follows && now - m_now > silence());
     m_now = now;
     if (m_lineOpen && !m_opened) {
         m_opened = now;
@@ -270,7 +272,7 @@ void BoxMount::begin()
         mine.begins = true;
         mine.watch.release();
         if (m_capabilities.has(axis)) {
-            mine.ordered = inSteps(*mine.filter.place(), m_each.step);
+            mine.each.begin(*mine.filter.place(), m_each[index(axis)].step);
         }
     }
 }
@@ -304,7 +306,7 @@ void BoxMount::letGo()
 // Motors that are known to stand need no time for that, so a jog key has its effect at once.
 void BoxMount::retake()
 {
-    const bool isStanding = m_each.rareStarts && m_motors.stand() && !moves();
+    const bool isStanding = rareStarts() && m_motors.stand() && !moves();
     stop();
     for (AxisOfBox& axis : m_axes) {
         if (isStanding) {
@@ -359,7 +361,7 @@ std::optional<MotorStarts> BoxMount::starts(Axis axis) const
 
 std::optional<Angle> BoxMount::targetOf(Axis axis) const
 {
-    return m_each.rareStarts ? m_motors.axis(axis).target() : of(axis).ordered;
+    return rareStarts() ? m_motors.axis(axis).target() : of(axis).each.target();
 }
 
 void BoxMount::order()
@@ -367,7 +369,7 @@ void BoxMount::order()
     if (m_state.hard) {
         return;
     }
-    if (m_each.rareStarts) {
+    if (rareStarts()) {
         sendTo(m_motors.next(m_now));
     } else {
         orderEachStep();
@@ -379,10 +381,10 @@ void BoxMount::orderEachStep()
     bool changed = false;
     for (const Axis axis : kAxes) {
         AxisOfBox& mine = of(axis);
-        const Angle aim = eachStep(mine.setpoint, m_profile->axis(axis), mine.filter.place(), m_each.step);
-        if (m_capabilities.has(axis) && aim != mine.ordered) {
-            mine.ordered = aim;
-            changed = true;
+        if (m_capabilities.has(axis)) {
+            const bool isOther = mine.each.aim(mine.setpoint, m_profile->axis(axis), mine.filter.place(),
+                                               m_each[index(axis)].step, m_motors.leeway(axis).within);
+            changed = isOther || changed;
         }
     }
     if (changed) {
@@ -392,20 +394,22 @@ void BoxMount::orderEachStep()
 
 void BoxMount::sendOrdered()
 {
-    const auto target = [this](Axis axis) { return of(axis).ordered ? of(axis).ordered : of(axis).filter.place(); };
+    const auto target = [this](Axis axis) {
+        return of(axis).each.target() ? of(axis).each.target() : of(axis).filter.place();
+    };
     if (!goTo({.azimuth = target(Axis::Azimuth), .elevation = target(Axis::Elevation)})) {
         return;
     }
     for (const Axis axis : kAxes) {
-        if (of(axis).ordered) {
-            of(axis).watch.sent(*of(axis).ordered, m_now);
+        if (const auto& ordered = of(axis).each.target()) {
+            of(axis).watch.sent(*ordered, m_now);
         }
     }
 }
 
 void BoxMount::sendAgain(Axis axis)
 {
-    if (m_each.rareStarts) {
+    if (rareStarts()) {
         sendTo(m_motors.again(axis));
     } else {
         sendOrdered();

@@ -5,6 +5,7 @@
 #include "core/mount/mount_driver.h"
 #include "core/profile/in_force.h"
 #include "core/rotator_box/box_console.h"
+#include "core/rotator_box/each_step.h"
 #include "core/rotator_box/obedience_watch.h"
 #include "core/rotator_box/place_filter.h"
 #include "core/rotator_box/rotator_talk.h"
@@ -75,10 +76,11 @@ public:
     void setSensor(Axis /*axis*/, const std::optional<Angle>& /*heading*/) override {}
 
 protected:
-    // The references outlive this. `axes`: the axes that the rotator turns. `each`: the capabilities of each axis.
+    // The references outlive this. `axes`: the axes that the rotator turns. `each`: the capabilities of both axes, also
+    // of one that the rotator does not turn.
     // `count`: the resolution of its positions. Smaller changes are noise of its sensor.
-    BoxMount(const profile::InForce& profile, AlarmBoard& alarms, const AxisSet& axes, const AxisCapabilities& each,
-             Angle count);
+    BoxMount(const profile::InForce& profile, AlarmBoard& alarms, const AxisSet& axes,
+             const std::array<AxisCapabilities, 2>& each, Angle count);
 
     // Sets the target of both axes, in steps. An axis that this mount does not turn is sent to where it is. False if
     // the rotator cannot be sent there.
@@ -100,8 +102,7 @@ private:
         PlaceFilter filter{};
         std::optional<PlaceFilter::Jump> jump{};  // not yet reported
         tracking::Setpoint setpoint{};
-        // Without rare starts, in steps: the last target, or the position at which it was taken over.
-        std::optional<Angle> ordered{};
+        EachStep each{};      // without rare starts
         bool begins = false;  // starts to follow, but takeFollowing() was not called yet
     };
     struct State
@@ -115,6 +116,8 @@ private:
 
     [[nodiscard]] AxisOfBox& of(Axis axis) { return m_axes[index(axis)]; }
     [[nodiscard]] const AxisOfBox& of(Axis axis) const { return m_axes[index(axis)]; }
+    [[nodiscard]] bool rareStarts() const { return m_each[0].rareStarts; }  // the same for both axes
+    [[nodiscard]] Seconds silence() const { return m_each[0].silence; }
     [[nodiscard]] bool answers() const;
     [[nodiscard]] bool placed() const;
     [[nodiscard]] bool moves() const;
@@ -137,7 +140,7 @@ private:
     const profile::InForce& m_profile;
     AlarmBoard& m_alarms;
     Capabilities m_capabilities;
-    AxisCapabilities m_each;
+    std::array<AxisCapabilities, 2> m_each;
     Angle m_count;
     std::array<QString, 2> m_names;
     std::array<AxisOfBox, 2> m_axes;

@@ -86,19 +86,12 @@ bool SwitchedAxis::isOutside(const TravelRange& within) const
     return place() < within.min - near || place() > within.max + near;
 }
 
-// Not beyond the leeway. If there is no step in it, the nearest step.
+// Not beyond the leeway.
 Angle SwitchedAxis::aimOf(const tracking::Leeway& leeway) const
 {
     const Angle wanted =
         std::clamp(leeway.within.clamped(leeway.rest + leeway.lead), place() - kFarthest, place() + kFarthest);
-    Angle aim = inSteps(wanted, m_habits.step);
-    if (aim > leeway.within.max + kOfAStep) {
-        aim -= m_habits.step;
-    } else if (aim < leeway.within.min - kOfAStep) {
-        aim += m_habits.step;
-    }
-    const bool isInside = aim <= leeway.within.max + kOfAStep && aim >= leeway.within.min - kOfAStep;
-    return isInside ? aim : inSteps(wanted, m_habits.step);
+    return stepInside(wanted, m_habits.step, leeway.within);
 }
 
 // The motor is switched off earlier by its coast, so that the axis stops at `aim`. A motor that runs keeps such a

@@ -5,19 +5,19 @@
 
 namespace boresight {
 
-SwitchedMotors::SwitchedMotors(const profile::InForce& profile, const Capabilities& capabilities, Angle step,
-                               Angle count)
+SwitchedMotors::SwitchedMotors(const profile::InForce& profile, const Capabilities& capabilities,
+                               const std::array<Angle, 2>& steps, Angle count)
     : m_profile(profile),
       m_capabilities(capabilities),
-      m_step(step),
+      m_steps(steps),
       m_count(count),
-      m_axes{SwitchedAxis(habits()), SwitchedAxis(habits())}
+      m_axes{SwitchedAxis(habits(Axis::Azimuth)), SwitchedAxis(habits(Axis::Elevation))}
 {}
 
-SwitchedAxis::Habits SwitchedMotors::habits() const
+SwitchedAxis::Habits SwitchedMotors::habits(Axis axis) const
 {
     const profile::RotatorSettings& set = m_profile->rotator;
-    return {.step = m_step,
+    return {.step = m_steps[index(axis)],
             .count = m_count,
             .mostStarts = set.mostStarts,
             .coast = set.coast > Angle{} ? std::optional(set.coast) : std::nullopt};
@@ -49,7 +49,7 @@ SwitchedMotors::Targets SwitchedMotors::next(SteadyTime now)
 {
     Targets targets;
     for (const Axis axis : kAxes) {
-        of(axis).setHabits(habits());
+        of(axis).setHabits(habits(axis));
         const Axis other = axis == Axis::Azimuth ? Axis::Elevation : Axis::Azimuth;
         if (m_capabilities.has(axis)) {
             targets[index(axis)] = of(axis).next(leeway(axis), now, of(other).coasts());

@@ -23,8 +23,10 @@ public:
     // Empty: no new target for this axis.
     using Targets = std::array<std::optional<Angle>, 2>;
 
-    // The profile outlives this. `step`: targets are multiples of it. `count`: the resolution of the positions.
-    SwitchedMotors(const profile::InForce& profile, const Capabilities& capabilities, Angle step, Angle count);
+    // The profile outlives this. `steps`: targets of each axis are multiples of it, also where this mount does not turn
+    // the axis. `count`: the resolution of the positions.
+    SwitchedMotors(const profile::InForce& profile, const Capabilities& capabilities, const std::array<Angle, 2>& steps,
+                   Angle count);
 
     void see(Axis axis, Angle place, SteadyTime now) { of(axis).see(place, now); }
     // The next positions may be those of another rotator.
@@ -47,11 +49,11 @@ public:
 
 private:
     [[nodiscard]] SwitchedAxis& of(Axis axis) { return m_axes[index(axis)]; }
-    [[nodiscard]] SwitchedAxis::Habits habits() const;
+    [[nodiscard]] SwitchedAxis::Habits habits(Axis axis) const;
 
     const profile::InForce& m_profile;
     const Capabilities m_capabilities;
-    Angle m_step;
+    std::array<Angle, 2> m_steps;
     Angle m_count;
     std::array<SwitchedAxis, 2> m_axes;
     std::array<tracking::Leeway, 2> m_leeways{};

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/rotctld_mount/rotctld_box.h"
 
+#include "core/rotator_box/each_step.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -23,7 +25,8 @@ Angle asWritten(Angle angle)
 
 }  // namespace
 
-RotctldBox::RotctldBox(const AxisPosition& place) : m_place(place), m_target(place), m_shown(place)
+RotctldBox::RotctldBox(const AxisPosition& place, const std::array<Angle, 2>& steps)
+    : m_steps(steps), m_place(place), m_target(place), m_shown(place)
 {
     beginSession();
 }
@@ -148,7 +151,8 @@ Result<QString> RotctldBox::pointTo(const rotctld::Client& /*client*/, const rot
     if (!azimuth.contains(request.azimuth) || !elevation.contains(request.elevation)) {
         return failure(ErrorCode::OutOfRange, {});
     }
-    m_target = {.azimuth = asWritten(request.azimuth), .elevation = asWritten(request.elevation)};
+    m_target = {.azimuth = inSteps(asWritten(request.azimuth), m_steps[0]),
+                .elevation = inSteps(asWritten(request.elevation), m_steps[1])};
     return QString();
 }
 

@@ -44,7 +44,8 @@ public:
         std::optional<ErrorCode> stop{};
     };
 
-    explicit RotctldBox(const AxisPosition& place = {});
+    // `steps`: its axes stop only at multiples of these. 0: anywhere.
+    explicit RotctldBox(const AxisPosition& place = {}, const std::array<Angle, 2>& steps = {});
     RotctldBox(const RotctldBox&) = delete;  // its server refers to it
     RotctldBox& operator=(const RotctldBox&) = delete;
 
@@ -116,6 +117,7 @@ private:
     void clientGone(const rotctld::Client& /*client*/, const QString& /*reason*/) override {}
     void clientRemark(const rotctld::Client& /*client*/, const QString& /*text*/) override {}
 
+    std::array<Angle, 2> m_steps;
     HandedClock m_clock;
     AxisPosition m_place;
     AxisPosition m_target;

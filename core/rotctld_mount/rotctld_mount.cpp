@@ -23,7 +23,7 @@ bool lacks(const RotatorState& state, Axis axis)
     return state.type == (axis == Axis::Azimuth ? RotatorType::El : RotatorType::Az);
 }
 
-Result<> axisFits(const profile::Profile& profile, const RotatorState& state, Axis axis)
+Result<> axisFits(const profile::Profile& profile, const RotatorState& state, Axis axis, Angle step)
 {
     if (lacks(state, axis)) {
         return failure(
@@ -35,7 +35,7 @@ Result<> axisFits(const profile::Profile& profile, const RotatorState& state, Ax
     const TravelRange& reach = axis == Axis::Azimuth ? state.azimuth : state.elevation;
     const TravelRange& travel = profile.axis(axis).geometry.travel;
     constexpr Angle kRounding = Angle::fromDegrees(1e-4);  // rounding of the numbers in its text
-    const TravelRange steps = stepsIn(travel, kAxis.step);
+    const TravelRange steps = stepsIn(travel, step);
     if (travel.min >= reach.min - kRounding && travel.max <= reach.max + kRounding && steps.min <= steps.max) {
         return {};
     }
@@ -49,7 +49,7 @@ Result<> axisFits(const profile::Profile& profile, const RotatorState& state, Ax
 }  // namespace
 
 RotctldMount::RotctldMount(const profile::InForce& profile, AlarmBoard& alarms, const AxisSet& axes)
-    : BoxMount(profile, alarms, axes, withStarts(kAxis, *profile), kGrain), m_interlock(fits())
+    : BoxMount(profile, alarms, axes, asInProfile(kAxis, *profile), kGrain), m_interlock(fits())
 {}
 
 QString RotctldMount::kindInWords() const
@@ -65,7 +65,9 @@ Result<> RotctldMount::fits() const
             continue;
         }
         const Result<> counts = countsAsTheRotator(*profile(), axis);
-        const Result<> fits = counts && m_checked ? axisFits(*profile(), *m_checked, axis) : counts;
+        const Result<> fits = counts && m_checked
+                                  ? axisFits(*profile(), *m_checked, axis, capabilities().axes[index(axis)]->step)
+                                  : counts;
         if (!fits) {
             return fits;
         }

@@ -3,8 +3,8 @@
 
 #include "core/units/sky.h"
 
-// How far beside its set-point an axis may be sent. A motor that is only switched on and off starts seldom if its axis
-// may stand beside the set-point. Plain value.
+// How far beside its set-point an axis may be sent, which stands only at steps. A motor that is only switched on and
+// off starts seldom if its axis may stand beside the set-point. Plain value.
 namespace boresight::tracking {
 
 struct Leeway

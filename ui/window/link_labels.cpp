@@ -273,9 +273,9 @@ void LinkLabels::showStatus(const StationStatus& status)
     setShown(*m_line, lineShown(status));
     m_line->setToolTip(status.line.kind.isEmpty() ? QString() : lineHelp(status));
     setShown(*m_azimuth, driveShown(tr("AZ"), status.azimuth, drivesOf(status).released));
-    m_azimuth->setToolTip(axisHelp(status.azimuth));
+    m_azimuth->setToolTip(axisHelp(status.azimuth, status.capabilities.axes[0]));
     setShown(*m_elevation, driveShown(tr("EL"), status.elevation, drivesOf(status).released));
-    m_elevation->setToolTip(axisHelp(status.elevation));
+    m_elevation->setToolTip(axisHelp(status.elevation, status.capabilities.axes[1]));
     setShown(*m_sensor, sensorShown(status.sensor));
     m_sensor->setToolTip(status.sensor.configured() ? sensorHelp(status.sensor) : QString());
     setShown(*m_transmit, transmitShown(status.transmit));

@@ -5,10 +5,13 @@
 
 #include <QString>
 
+#include <optional>
+
 // What is shown of an axis under the pointer. Pure.
 namespace boresight::ui {
 
-// Its state, and how often its motor started if it is one that is only switched on and off. May be empty.
-[[nodiscard]] QString axisHelp(const AxisStatus& axis);
+// Its state, its step, and how often its motor started if it is one that is only switched on and off. May be empty.
+// `can`: empty if there is no such axis.
+[[nodiscard]] QString axisHelp(const AxisStatus& axis, const std::optional<AxisCapabilities>& can);
 
 }  // namespace boresight::ui

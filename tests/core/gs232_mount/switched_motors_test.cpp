@@ -39,7 +39,7 @@ protected:
     SwitchedMotors motors{profile,
                           {.axes = {AxisCapabilities{.step = 1_deg, .rareStarts = true},
                                     AxisCapabilities{.step = 1_deg, .rareStarts = true}}},
-                          1_deg,
+                          {1_deg, 1_deg},
                           1_deg};
 };
 

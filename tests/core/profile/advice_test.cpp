@@ -73,6 +73,17 @@ TEST(Advice, LooksAtBothAxes)
     EXPECT_EQ(adviceOn(profile).size(), 2U);
 }
 
+// REQ-PROFILE-966
+TEST(Advice, TellsOfStepsWithoutEffect)
+{
+    Profile profile;
+    profile.elevation.stepsPerTurn = 866.0;
+    ASSERT_EQ(adviceOn(profile).size(), 1U);
+    EXPECT_EQ(adviceOn(profile).front().key, "elevation.steps_per_turn");
+    profile.elevation.driver = AxisDriver::Rotctld;
+    EXPECT_TRUE(adviceOn(profile).empty());
+}
+
 // REQ-PROFILE-964: Settings of Hamlib that have no effect, because Boresight starts no rotctld for this bus, give
 // advice.
 TEST(Advice, TellsOfSettingsOfHamlibWithoutEffect)

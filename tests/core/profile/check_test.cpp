@@ -29,6 +29,17 @@ TEST(CrossCheck, FindsEveryClashAtOnce)
                                         "jog.normal_deg_s"}));
 }
 
+// REQ-PROFILE-966: A rotator has 36 steps in a turn or more, or as many as its box counts. Steps of a driver without
+// steps give advice.
+TEST(CrossCheck, StepsAreNotTooCoarse)
+{
+    Profile profile;
+    profile.azimuth.stepsPerTurn = 35.0;
+    EXPECT_EQ(keysOf(crossCheck(profile)), (std::vector<std::string>{"azimuth.steps_per_turn"}));
+    profile.azimuth.stepsPerTurn = 866.0;
+    EXPECT_TRUE(crossCheck(profile).empty());
+}
+
 // REQ-MOUNT-06: A profile has at least one axis. Boresight knows the driver of each axis, and the two axes may have
 // different drivers. The simple rotator, which is only simulated, is refused on a bus. Each driver is refused on a bus
 // of the wrong kind.

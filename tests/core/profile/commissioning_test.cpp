@@ -95,6 +95,18 @@ TEST(Commissioning, SettingsOfHamlibStayWithTheirModel)
     EXPECT_TRUE(profile.hamlibSettings.empty());
 }
 
+// REQ-PROFILE-966
+TEST(Commissioning, StepsStayWithTheirRotator)
+{
+    Profile profile;
+    useRotator(profile, {.driver = AxisDriver::Rotctld, .bus = "hamlib:901:/dev/ttyUSB0"});
+    profile.azimuth.stepsPerTurn = 866.0;
+    useRotator(profile, {.driver = AxisDriver::Rotctld, .bus = "hamlib:901:/dev/ttyUSB1"});
+    EXPECT_EQ(profile.azimuth.stepsPerTurn, 866.0);
+    useBus(profile, "socketcan:can0", {});
+    EXPECT_EQ(profile.azimuth.stepsPerTurn, 0.0);
+}
+
 // REQ-PROFILE-962
 TEST(Commissioning, ARotatorThatIsReachedElsewhereKeepsItsEnds)
 {

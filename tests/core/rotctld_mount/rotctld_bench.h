@@ -23,6 +23,15 @@ inline profile::Profile rotctldProfile(profile::AxisDriver azimuth = profile::Ax
     return profile;
 }
 
+// Axes that stand only at steps: 512 in 180°, and 866 in a turn.
+inline profile::Profile steppedProfile()
+{
+    profile::Profile profile = rotctldProfile();
+    profile.azimuth.stepsPerTurn = 1024.0;
+    profile.elevation.stepsPerTurn = 866.0;
+    return profile;
+}
+
 class RotctldBench final : public Bench
 {
 public:
@@ -30,7 +39,7 @@ public:
         : RotctldBench(rotctldProfile(driverIn(axes, Axis::Azimuth), driverIn(axes, Axis::Elevation)), axes)
     {}
     explicit RotctldBench(const profile::Profile& profile, const AxisSet& axes = kAxes)
-        : m_profile(profile), m_mount(m_profile, m_alarms, axes)
+        : m_profile(profile), m_box(kBetweenDegrees, stepsOf(profile)), m_mount(m_profile, m_alarms, axes)
     {
         m_mount.lineOpened();
     }
@@ -80,6 +89,12 @@ public:
     }
 
 private:
+    // The rotator has the steps of its profile.
+    static std::array<Angle, 2> stepsOf(const profile::Profile& profile)
+    {
+        const auto step = [](double steps) { return steps > 0.0 ? Angle::fromTurns(1.0 / steps) : Angle{}; };
+        return {step(profile.azimuth.stepsPerTurn), step(profile.elevation.stepsPerTurn)};
+    }
     static profile::AxisDriver driverIn(const AxisSet& axes, Axis axis)
     {
         return std::ranges::find(axes, axis) != axes.end() ? profile::AxisDriver::Rotctld : profile::AxisDriver::None;
@@ -89,7 +104,7 @@ private:
     fakes::ManualClock m_clock;
     EventLog m_log{m_clock};
     AlarmBoard m_alarms{m_log, m_clock};
-    RotctldBox m_box{kBetweenDegrees};
+    RotctldBox m_box;
     RotctldMount m_mount;
     bool m_connected = true;
     int m_reopened = 0;

@@ -16,7 +16,7 @@ StationStatus withConsole(const QStringList& lines)
     return status;
 }
 
-// REQ-UI-1720: A mount with a control box has a panel to type a line to the box, which shows the answers. A mount
+// REQ-UI-1721: A mount with a control box has a panel to type a line to the box, which shows the answers. A mount
 // without one has no such panel.
 TEST_F(DrivesTest, ALineIsTypedToTheControlBox)
 {

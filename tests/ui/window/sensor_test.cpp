@@ -229,6 +229,21 @@ TEST(HeaderBar, ShowsTheMotorStartsUnderThePointer)
                              "coasts 1.00° beyond its target"));
 }
 
+// REQ-ROTCTLDMOUNT-70
+TEST(HeaderBar, ShowsTheStepOfAnAxisUnderThePointer)
+{
+    RequestDesk desk;
+    ValueLabel notice({}, {}, {});
+    auto* const authority = new AuthorityButton(desk, notice);
+    HeaderBar header(*authority);
+    StationStatus status;
+    status.capabilities.axes[0]->step = Angle::fromTurns(1.0 / 866.0);
+    header.showStatus(status);
+    EXPECT_EQ(findNamed<ValueLabel>(header, "Azimuth drive")->toolTip(),
+              QStringLiteral("The axis stands only at steps of 0.416°"));
+    EXPECT_EQ(findNamed<ValueLabel>(header, "Elevation drive")->toolTip(), QString());
+}
+
 QImage pictureOf(const MarkerData& data)
 {
     SkyMarkers markers;
