@@ -207,7 +207,7 @@ inline constexpr std::array kStationAlarms{
         .examples = {"rts:/dev/ttyUSB0", "/dev/ttyUSB0: Input/output error"},
         .identifying = 1},
     AlarmEntry{
-        .id = "end-switch.hit",
+        .id = "switch.hit",
         .source = "end switch",
         .severity = Severity::Alarm,
         .what = QT_TRANSLATE_NOOP("Text", "The mount ran into the end switch at %1"),
@@ -219,7 +219,7 @@ inline constexpr std::array kStationAlarms{
         .help = AlarmHelp::Rearm,
         .examples = {"the upper end of the azimuth"}},
     AlarmEntry{
-        .id = "end-switch.pressed",
+        .id = "switch.pressed",
         .source = "end switch",
         .severity = Severity::Warning,
         .what = QT_TRANSLATE_NOOP("Text", "The end switch at %1 is pressed"),
@@ -227,9 +227,9 @@ inline constexpr std::array kStationAlarms{
         .remedy = QT_TRANSLATE_NOOP(
             "Text", "Jog the axis away from this end. If the axis is not at this end, check the switch and its wires"),
         .examples = {"the upper end of the azimuth"},
-        .placeOf = "end-switch.hit"},
+        .placeOf = "switch.hit"},
     AlarmEntry{
-        .id = "end-switch.unread",
+        .id = "switch.unread",
         .source = "end switch",
         .severity = Severity::Alarm,
         .what = QT_TRANSLATE_NOOP("Text", "The end switch at %1 cannot be read: %2"),
@@ -241,7 +241,7 @@ inline constexpr std::array kStationAlarms{
         .examples = {"the upper end of the azimuth", "board 1 does not reply", "moteus:1:aux1.0"},
         .identifying = 1},
     AlarmEntry{
-        .id = "end-switch.ignored",
+        .id = "switch.ignored",
         .source = "end switch",
         .severity = Severity::Warning,
         .what = QT_TRANSLATE_NOOP("Text", "The end switch at %1 cannot be read: %2"),
@@ -252,7 +252,7 @@ inline constexpr std::array kStationAlarms{
         .help = AlarmHelp::OpenProfile,
         .examples = {"the upper end of the azimuth", "board 1 does not reply", "moteus:1:aux1.0"},
         .identifying = 1,
-        .placeOf = "end-switch.unread"},
+        .placeOf = "switch.unread"},
     AlarmEntry{
         .id = "wind.parks",
         .source = "wind",

@@ -80,18 +80,18 @@ void EndSwitchGuard::tell(const EndSwitch& one, bool isReachable, SteadyTime now
     const bool isUnread =
         watch.state() == SwitchState::Unread && isReachable && (watch.wasRead() || now - *m_since >= kPatience);
     if (isUnread) {
-        const AlarmEntry& entry = isClosed(one) ? alarmEntry("end-switch.unread") : alarmEntry("end-switch.ignored");
+        const AlarmEntry& entry = isClosed(one) ? alarmEntry("switch.unread") : alarmEntry("switch.ignored");
         m_of.alarms.raise(keyOf(entry, one),
                           {endName(one), problemOf(one), toQString(m_of.profile->endSwitches.input(one))});
     } else {
-        m_of.alarms.clear(keyOf(alarmEntry("end-switch.unread"), one));
+        m_of.alarms.clear(keyOf(alarmEntry("switch.unread"), one));
     }
     if (m_hitIn.at(indexOf(one)) == SwitchState::Pressed) {
-        m_of.alarms.raise(keyOf(alarmEntry("end-switch.hit"), one), {endName(one)});
+        m_of.alarms.raise(keyOf(alarmEntry("switch.hit"), one), {endName(one)});
     } else if (watch.state() == SwitchState::Pressed) {
-        m_of.alarms.raise(keyOf(alarmEntry("end-switch.pressed"), one), {endName(one)});
+        m_of.alarms.raise(keyOf(alarmEntry("switch.pressed"), one), {endName(one)});
     } else {
-        m_of.alarms.clear(keyOf(alarmEntry("end-switch.pressed"), one));
+        m_of.alarms.clear(keyOf(alarmEntry("switch.pressed"), one));
     }
 }
 
@@ -154,8 +154,8 @@ Result<> EndSwitchGuard::admitsWay(const AxisPosition& from, const AxisPosition&
 void EndSwitchGuard::clearAlarms()
 {
     for (const EndSwitch& one : kEndSwitches) {
-        m_of.alarms.clear(keyOf(alarmEntry("end-switch.unread"), one));
-        m_of.alarms.clear(keyOf(alarmEntry("end-switch.pressed"), one));
+        m_of.alarms.clear(keyOf(alarmEntry("switch.unread"), one));
+        m_of.alarms.clear(keyOf(alarmEntry("switch.pressed"), one));
     }
 }
 

@@ -82,15 +82,14 @@ TEST_F(StationEndSwitchTest, StopsTheMountAndPermitsOnlyTheWayBack)
     EXPECT_LT(azimuth(), pressedAt + 2.5_deg);
     EXPECT_TRUE(isStill());
     EXPECT_THAT(alarmTexts(),
-                HasSubstr("end-switch.hit: The mount ran into the end switch at the upper end of the azimuth"));
+                HasSubstr("switch.hit: The mount ran into the end switch at the upper end of the azimuth"));
     EXPECT_FALSE(rig.ask(request::Move{{.azimuth = -1_deg_s}})) << "before the re-arm";
 
     ASSERT_TRUE(rig.ask(request::Rearm{}));
     run(Seconds(1.0));
     EXPECT_EQ(rig.control.state(), StationState::Standby);
     EXPECT_TRUE(isStill());
-    EXPECT_THAT(alarmTexts(),
-                HasSubstr("end-switch.pressed: The end switch at the upper end of the azimuth is pressed"));
+    EXPECT_THAT(alarmTexts(), HasSubstr("switch.pressed: The end switch at the upper end of the azimuth is pressed"));
     const Result<> onwards = rig.ask(request::Move{{.azimuth = 1_deg_s}});
     ASSERT_FALSE(onwards);
     EXPECT_EQ(
@@ -149,7 +148,7 @@ TEST_F(StationEndSwitchTest, NothingMovesWhenItIsReleased)
         EXPECT_FALSE(rig.point(200.0, 30.0, kClient));
         EXPECT_TRUE(isStill());
     }
-    EXPECT_THAT(alarmTexts(), HasSubstr("end-switch.hit")) << "until the re-arm";
+    EXPECT_THAT(alarmTexts(), HasSubstr("switch.hit")) << "until the re-arm";
     ASSERT_TRUE(rig.ask(request::Rearm{}));
     run(Seconds(1.0));
     EXPECT_TRUE(isStill());
@@ -166,8 +165,7 @@ TEST_F(StationEndSwitchTest, PressedByHandItIsNoFault)
     input(Axis::Elevation, true).isOn = false;
     run(Seconds(1.0));
     EXPECT_EQ(rig.control.state(), StationState::Jog) << "the mount moves the other way";
-    EXPECT_THAT(alarmTexts(),
-                HasSubstr("end-switch.pressed: The end switch at the lower end of the azimuth is pressed"));
+    EXPECT_THAT(alarmTexts(), HasSubstr("switch.pressed: The end switch at the lower end of the azimuth is pressed"));
     EXPECT_THAT(alarmTexts(), HasSubstr("the upper end of the elevation is pressed"));
     read(true);
     run(Seconds(1.0));
@@ -185,7 +183,7 @@ TEST_F(StationEndSwitchTest, UnreadItCountsAsPressed)
     EXPECT_EQ(rig.control.state(), StationState::Fault);
     EXPECT_TRUE(isStill());
     EXPECT_EQ(alarmTexts(),
-              "end-switch.unread: The end switch at the upper end of the azimuth cannot be read: no message for 5 s.");
+              "switch.unread: The end switch at the upper end of the azimuth cannot be read: no message for 5 s.");
     ASSERT_TRUE(rig.ask(request::Rearm{}));
     run(Seconds(1.0));
     EXPECT_FALSE(rig.ask(request::Move{{.azimuth = 2_deg_s}}));
@@ -207,7 +205,7 @@ TEST_F(StationEndSwitchTest, UnreadItIsIgnoredIfTheProfileSaysSo)
     input(Axis::Azimuth, true) = {.problem = QStringLiteral("no message for 5 s")};
     run(Seconds(1.0));
     EXPECT_EQ(rig.control.state(), StationState::Jog);
-    EXPECT_THAT(alarmTexts(), HasSubstr("end-switch.ignored: The end switch at the upper end of the azimuth"));
+    EXPECT_THAT(alarmTexts(), HasSubstr("switch.ignored: The end switch at the upper end of the azimuth"));
 }
 
 // REQ-ENDSWITCH-26: Before the first reading nothing moves into the end. It is an alarm after 5 s.

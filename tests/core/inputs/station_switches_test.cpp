@@ -2,6 +2,7 @@
 // End switches of a whole station, at pins of its simulated boards.
 #include "core/inputs/station_switches.h"
 
+#include "core/sim/reference_mount.h"
 #include "tests/core/station/moving_station.h"
 
 #include <QTemporaryDir>
