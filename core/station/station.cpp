@@ -222,7 +222,7 @@ void Station::tick()
     if (m_transmit.isWanted()) {
         m_transmit.tick(m_control.status());
     }
-    witness();
+    crossCheck();
     m_mount->send();
     m_eventFile.tick();
     tellStart();
@@ -233,7 +233,7 @@ void Station::tick()
 }
 
 // Cross-checks the mount with the sensor on the antenna and passes the result on. The sensor moves and stops nothing.
-void Station::witness()
+void Station::crossCheck()
 {
     double amperes = 0.0;
     if (const auto sample = m_control.sample()) {

@@ -119,7 +119,7 @@ private:
     void refuseToStart();
     void tellStart();
     [[nodiscard]] std::vector<local::KnownAntenna> knownAntennas() const;
-    void witness();
+    void crossCheck();
     void finish();
     void keepSample();
 
