@@ -650,6 +650,46 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
         <source>The output %1 is on while the brake is open. Nothing moves before the brake is open.</source>
         <translation>A saída %1 está ligada enquanto o travão está aberto. Nada se move antes de o travão estar aberto.</translation>
     </message>
+    <message>
+        <source>AZ upper end</source>
+        <translation>AZ fim superior</translation>
+    </message>
+    <message>
+        <source>AZ lower end</source>
+        <translation>AZ fim inferior</translation>
+    </message>
+    <message>
+        <source>EL upper end</source>
+        <translation>EL fim superior</translation>
+    </message>
+    <message>
+        <source>EL lower end</source>
+        <translation>EL fim inferior</translation>
+    </message>
+    <message>
+        <source>Ends unread</source>
+        <translation>Fins não lidos</translation>
+    </message>
+    <message>
+        <source>Ends free</source>
+        <translation>Fins livres</translation>
+    </message>
+    <message>
+        <source>%1: pressed (%2)</source>
+        <translation>%1: premido (%2)</translation>
+    </message>
+    <message>
+        <source>%1: free (%2)</source>
+        <translation>%1: livre (%2)</translation>
+    </message>
+    <message>
+        <source>%1: not read (%2)</source>
+        <translation>%1: não lido (%2)</translation>
+    </message>
+    <message>
+        <source>End switches</source>
+        <translation>Fins de curso</translation>
+    </message>
 </context>
 <context>
     <name>MotorWords</name>
@@ -660,6 +700,10 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
     <message>
         <source>The axis coasts %1 beyond its target</source>
         <translation>O eixo desliza %1 para além do alvo</translation>
+    </message>
+    <message>
+        <source>The axis stands only at steps of %1</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1075,6 +1119,10 @@ até %1</translation>
     <message>
         <source>Brake</source>
         <translation>Travão</translation>
+    </message>
+    <message>
+        <source>End switches</source>
+        <translation>Fins de curso</translation>
     </message>
 </context>
 <context>
@@ -3541,10 +3589,6 @@ até %1</translation>
         <translation>rearma pela política de recuperação do perfil, e nada se move sozinho</translation>
     </message>
     <message>
-        <source>%1, and the target is lost for about %2</source>
-        <translation>%1, e o alvo perde-se durante cerca de %2</translation>
-    </message>
-    <message>
         <source>cable end, turns back %1</source>
         <translation>fim do cabo, volta atrás %1</translation>
     </message>
@@ -4267,10 +4311,6 @@ até %1</translation>
     <message>
         <source>Press Reset stop when the mount may move again</source>
         <translation>Prima Repor STOP quando a montagem puder voltar a mover-se</translation>
-    </message>
-    <message>
-        <source>turns back by %1 because the cable ends at axis %2</source>
-        <translation>volta atrás %1 porque o cabo termina no eixo em %2</translation>
     </message>
     <message>
         <source>there in %1</source>
@@ -8665,10 +8705,6 @@ até %1</translation>
         <translation>Este rotor conta ele próprio os seus ângulos: %1.sign e %1.offset_deg não têm efeito nele. Ponha-os a 1 e 0 e calibre a contagem na sua caixa.</translation>
     </message>
     <message>
-        <source>%1. Boresight tries again at least every 30 s</source>
-        <translation>%1. O Boresight tenta de novo pelo menos a cada 30 s</translation>
-    </message>
-    <message>
         <source>The device on %1 is not %2. It sent &quot;%3&quot;</source>
         <translation>O dispositivo em %1 não é %2. Enviou &quot;%3&quot;</translation>
     </message>
@@ -9379,10 +9415,6 @@ até %1</translation>
     <message>
         <source>The broker kept this message, so it is old. Delete it at the broker. Send commands without the retain flag.</source>
         <translation>O broker guardou esta mensagem, portanto é antiga. Apague-a no broker. Envie comandos sem a marca retain.</translation>
-    </message>
-    <message>
-        <source>the sensor, the positions or the wind already use the topic %1</source>
-        <translation>o sensor, as posições ou o vento já usam o tópico %1</translation>
     </message>
     <message>
         <source>The broker does not let Boresight read the topic %1. No command arrives. Permit this topic in the access list of the broker.</source>
@@ -10559,6 +10591,210 @@ até %1</translation>
     <message>
         <source>%1 fell to %2 %3. It falls by %4 %3/min and will reach %5 %3 at %6</source>
         <translation>%1 desceu a %2 %3. Desce %4 %3/min e atingirá %5 %3 às %6</translation>
+    </message>
+    <message>
+        <source>The mount ran into the end switch at %1</source>
+        <translation>A montagem embateu no fim de curso: %1</translation>
+    </message>
+    <message>
+        <source>Boresight stopped the mount and permits no motion into this end</source>
+        <translation>O Boresight parou a montagem e não permite movimento para este fim</translation>
+    </message>
+    <message>
+        <source>Compare the shown angle with the antenna. Check the travel of the axis, its limits and the switch.</source>
+        <translation>Compare o ângulo mostrado com a antena. Verifique o curso do eixo, os seus limites e o fim de curso.</translation>
+    </message>
+    <message>
+        <source>The end switch at %1 is pressed</source>
+        <translation>O fim de curso está premido: %1</translation>
+    </message>
+    <message>
+        <source>Boresight permits no motion into this end</source>
+        <translation>O Boresight não permite movimento para este fim</translation>
+    </message>
+    <message>
+        <source>Jog the axis away from this end. If the axis is not at this end, check the switch and its wires</source>
+        <translation>Afaste o eixo deste fim com o comando manual. Se o eixo não está neste fim, verifique o fim de curso e os seus fios</translation>
+    </message>
+    <message>
+        <source>The end switch at %1 cannot be read: %2</source>
+        <translation>O fim de curso não pode ser lido: %1: %2</translation>
+    </message>
+    <message>
+        <source>The switch counts as pressed, so Boresight permits no motion into this end</source>
+        <translation>O fim de curso conta como premido, por isso o Boresight não permite movimento para este fim</translation>
+    </message>
+    <message>
+        <source>Check the input %3 and its wires, or choose another one (End switches on the page Profile)</source>
+        <translation>Verifique a entrada %3 e os seus fios, ou escolha outra (Fins de curso na página Perfil)</translation>
+    </message>
+    <message>
+        <source>Boresight ignores this switch, as the profile says (end_switches.when_unread)</source>
+        <translation>O Boresight ignora este fim de curso, como diz o perfil (end_switches.when_unread)</translation>
+    </message>
+    <message>
+        <source>the id of a board and a pin are expected, like moteus:1:aux1.0. The ports are aux1 and aux2, the pins 0 to 4</source>
+        <translation>espera-se o id de uma placa e um pino, como moteus:1:aux1.0. As portas são aux1 e aux2, os pinos de 0 a 4</translation>
+    </message>
+    <message>
+        <source>moteus:ID:aux1.PIN, mqtt:TOPIC, cts:PORT, dsr:PORT, dcd:PORT or ri:PORT is expected</source>
+        <translation>espera-se moteus:ID:aux1.PINO, mqtt:TÓPICO, cts:PORTA, dsr:PORTA, dcd:PORTA ou ri:PORTA</translation>
+    </message>
+    <message>
+        <source>on or off is expected</source>
+        <translation>espera-se on ou off</translation>
+    </message>
+    <message>
+        <source>turns back by %1 because the cable ends at axis %2, and the target is lost for about %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>goes the long way, %1, because the cable ends at axis %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cable end, long way %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the upper end of the azimuth</source>
+        <translation>fim superior do azimute</translation>
+    </message>
+    <message>
+        <source>the lower end of the azimuth</source>
+        <translation>fim inferior do azimute</translation>
+    </message>
+    <message>
+        <source>the upper end of the elevation</source>
+        <translation>fim superior da elevação</translation>
+    </message>
+    <message>
+        <source>the lower end of the elevation</source>
+        <translation>fim inferior da elevação</translation>
+    </message>
+    <message>
+        <source>no reading has come yet</source>
+        <translation>ainda não chegou nenhuma leitura</translation>
+    </message>
+    <message>
+        <source>The end switch at %1 cannot be read (%2), so it counts as pressed</source>
+        <translation>O fim de curso não pode ser lido (%1: %2), por isso conta como premido</translation>
+    </message>
+    <message>
+        <source>%1. Move the axis the other way.</source>
+        <translation>%1. Mova o eixo no outro sentido.</translation>
+    </message>
+    <message>
+        <source>%1 Boresight tries again at least every 30 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a message about a switch was refused: %1</source>
+        <translation>uma mensagem sobre um fim de curso foi recusada: %1</translation>
+    </message>
+    <message>
+        <source>no message for %1 s</source>
+        <translation>nenhuma mensagem há %1 s</translation>
+    </message>
+    <message>
+        <source>board %1 has not replied yet</source>
+        <translation>a placa %1 ainda não respondeu</translation>
+    </message>
+    <message>
+        <source>board %1 does not reply</source>
+        <translation>a placa %1 não responde</translation>
+    </message>
+    <message>
+        <source>this mount has no such pins</source>
+        <translation>esta montagem não tem esses pinos</translation>
+    </message>
+    <message>
+        <source>the steps have no effect, because this driver has none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set %1.steps_per_turn to 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the sensor, the positions, the wind or an end switch already use the topic %1</source>
+        <translation>o sensor, as posições, o vento ou um fim de curso já usam o tópico %1</translation>
+    </message>
+    <message>
+        <source>must be 0 or at least %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is also the input of %1. Each switch needs an input of its own</source>
+        <translation>é também a entrada de outro: %1. Cada fim de curso precisa de uma entrada própria</translation>
+    </message>
+    <message>
+        <source>is a pin of a moteus, but no axis has a moteus</source>
+        <translation>é um pino de um moteus, mas nenhum eixo tem um moteus</translation>
+    </message>
+    <message>
+        <source>uses the port of the transmit output or of the brake output</source>
+        <translation>usa a porta da saída de transmissão ou da saída do travão</translation>
+    </message>
+    <message>
+        <source>The input of the switch at this end of the axis: moteus:ID:aux1.PIN, mqtt:TOPIC, cts:PORT, dsr:PORT, dcd:PORT or ri:PORT. While the switch is pressed, nothing moves the axis further into this end. Empty: no switch.</source>
+        <translation>A entrada do fim de curso neste fim do eixo: moteus:ID:aux1.PINO, mqtt:TÓPICO, cts:PORTA, dsr:PORTA, dcd:PORTA ou ri:PORTA. Enquanto está premido, nada move o eixo mais para este fim. Vazio: não há fim de curso.</translation>
+    </message>
+    <message>
+        <source>Azimuth, lower end</source>
+        <translation>Azimute, fim inferior</translation>
+    </message>
+    <message>
+        <source>Azimuth, upper end</source>
+        <translation>Azimute, fim superior</translation>
+    </message>
+    <message>
+        <source>Elevation, lower end</source>
+        <translation>Elevação, fim inferior</translation>
+    </message>
+    <message>
+        <source>Elevation, upper end</source>
+        <translation>Elevação, fim superior</translation>
+    </message>
+    <message>
+        <source>Pressed when</source>
+        <translation>Premido quando</translation>
+    </message>
+    <message>
+        <source>What the input reads while its switch is pressed. &quot;off&quot; suits a switch that opens its circuit when it is pressed: a broken wire then counts as pressed.</source>
+        <translation>O que a entrada indica enquanto o fim de curso está premido. &quot;off&quot; serve para um fim de curso que abre o seu circuito quando é premido: um fio partido conta então como premido.</translation>
+    </message>
+    <message>
+        <source>If it cannot be read</source>
+        <translation>Se não puder ser lido</translation>
+    </message>
+    <message>
+        <source>Both raise an alarm. &quot;pressed&quot; also permits no motion into the end of a switch that cannot be read.</source>
+        <translation>Ambos dão um alarme. &quot;pressed&quot; também não permite movimento para o fim de um fim de curso que não pode ser lido.</translation>
+    </message>
+    <message>
+        <source>MQTT: without a message for this long the switch cannot be read. The sender has to repeat its messages more often than this.</source>
+        <translation>MQTT: sem mensagem durante este tempo o fim de curso não pode ser lido. O emissor tem de repetir as suas mensagens mais vezes do que isto.</translation>
+    </message>
+    <message>
+        <source>Steps per turn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The number of positions of a rotator in a full turn, from the position 0: 866, or 1024 for 512 steps in 180°. Boresight sends it only to these. A box that counts coarser keeps its own steps. A moteus has no steps. 0: as the box counts.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the port hangs</source>
+        <translation>a porta não responde</translation>
+    </message>
+    <message>
+        <source>%1 has no lines CTS, DSR, DCD and RI</source>
+        <translation>%1 não tem linhas CTS, DSR, DCD e RI</translation>
+    </message>
+    <message>
+        <source>Boresight knows no satellites. Add their elements.</source>
+        <translation>O Boresight não conhece satélites. Acrescente os seus elementos.</translation>
     </message>
 </context>
 <context>
@@ -16707,6 +16943,10 @@ O Boresight escreve-as, lê-as de volta e guarda-as nos acionamentos. Nada se mo
         <source>The mount must not move yet: %1</source>
         <translation>A montagem ainda não se pode mover: %1</translation>
     </message>
+    <message>
+        <source>Not connected. Boresight tries again each second.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::RunLine</name>
@@ -17477,6 +17717,10 @@ A menos de 3 dB: %4 s
     <message>
         <source>sensor minus axes: %1</source>
         <translation>sensor menos eixos: %1</translation>
+    </message>
+    <message>
+        <source>Broker not reached, next attempt in %1 s. %2</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
