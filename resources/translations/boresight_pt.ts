@@ -703,7 +703,7 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
     </message>
     <message>
         <source>The axis stands only at steps of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>O eixo só para em passos de %1</translation>
     </message>
 </context>
 <context>
@@ -10646,15 +10646,15 @@ até %1</translation>
     </message>
     <message>
         <source>turns back by %1 because the cable ends at axis %2, and the target is lost for about %3</source>
-        <translation type="unfinished"></translation>
+        <translation>volta atrás %1 porque o cabo acaba em %2 do eixo, e o alvo perde-se durante cerca de %3</translation>
     </message>
     <message>
         <source>goes the long way, %1, because the cable ends at axis %2</source>
-        <translation type="unfinished"></translation>
+        <translation>vai pelo caminho longo, %1, porque o cabo acaba em %2 do eixo</translation>
     </message>
     <message>
         <source>cable end, long way %1</source>
-        <translation type="unfinished"></translation>
+        <translation>fim do cabo, caminho longo %1</translation>
     </message>
     <message>
         <source>the upper end of the azimuth</source>
@@ -10686,7 +10686,7 @@ até %1</translation>
     </message>
     <message>
         <source>%1 Boresight tries again at least every 30 s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 O Boresight tenta de novo pelo menos a cada 30 s</translation>
     </message>
     <message>
         <source>a message about a switch was refused: %1</source>
@@ -10710,11 +10710,11 @@ até %1</translation>
     </message>
     <message>
         <source>the steps have no effect, because this driver has none</source>
-        <translation type="unfinished"></translation>
+        <translation>os passos não têm efeito, porque este controlador não tem nenhuns</translation>
     </message>
     <message>
         <source>Set %1.steps_per_turn to 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ponha %1.steps_per_turn a 0.</translation>
     </message>
     <message>
         <source>the sensor, the positions, the wind or an end switch already use the topic %1</source>
@@ -10722,7 +10722,7 @@ até %1</translation>
     </message>
     <message>
         <source>must be 0 or at least %1</source>
-        <translation type="unfinished"></translation>
+        <translation>tem de ser 0 ou pelo menos %1</translation>
     </message>
     <message>
         <source>is also the input of %1. Each switch needs an input of its own</source>
@@ -10778,11 +10778,11 @@ até %1</translation>
     </message>
     <message>
         <source>Steps per turn</source>
-        <translation type="unfinished"></translation>
+        <translation>Passos por volta</translation>
     </message>
     <message>
         <source>The number of positions of a rotator in a full turn, from the position 0: 866, or 1024 for 512 steps in 180°. Boresight sends it only to these. A box that counts coarser keeps its own steps. A moteus has no steps. 0: as the box counts.</source>
-        <translation type="unfinished"></translation>
+        <translation>O número de posições de um rotor numa volta completa, a partir da posição 0: 866, ou 1024 para 512 passos em 180°. O Boresight só o envia para estas. Uma caixa que conta mais grosso mantém os seus próprios passos. Um moteus não tem passos. 0: como a caixa conta.</translation>
     </message>
     <message>
         <source>the port hangs</source>
@@ -16945,7 +16945,7 @@ O Boresight escreve-as, lê-as de volta e guarda-as nos acionamentos. Nada se mo
     </message>
     <message>
         <source>Not connected. Boresight tries again each second.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sem ligação. O Boresight tenta de novo a cada segundo.</translation>
     </message>
 </context>
 <context>
@@ -17720,7 +17720,7 @@ A menos de 3 dB: %4 s
     </message>
     <message>
         <source>Broker not reached, next attempt in %1 s. %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Broker não alcançado, próxima tentativa em %1 s. %2</translation>
     </message>
 </context>
 <context>
