@@ -23,8 +23,9 @@ QString refusalText(int code)
             return QStringLiteral("The station has no position of the mount: bus or drive silent (RPRT -6).");
         case -9:
             return QStringLiteral(
-                "STOP is latched, a fault is not re-armed, or another client has control (RPRT -9). The log of the "
-                "station has the reason.");
+                "STOP is latched, a fault is not re-armed, or the operator or another client has control (RPRT -9). "
+                "The "
+                "log of the station has the reason.");
         default:
             return QStringLiteral("The station refused this (RPRT %1).").arg(code);
     }

@@ -373,7 +373,7 @@ void Helm::begin(Activity activity, const Source& by, const QString& what, const
     takeOver(by);
     if (!current().continues(activity, by)) {
         m_of.cable.forgetTurnBack();
-        const QString line = Text::tr("moves the mount from %1: %2").arg(directionText(heading()), what);
+        const QString line = Text::tr("moves the mount from %1: %2").arg(directionText(standing()), what);
         m_of.log.add(Severity::Advisory, by, detail.isEmpty() ? line : line + QStringLiteral(", ") + detail,
                      LogKind::MotionStart);
     }

@@ -106,7 +106,9 @@ TEST_F(CtlStation, GivesAndTakesControlAndLatchesStop)
     EXPECT_TRUE(isSentOff());
     const Outcome take = ask("take");
     EXPECT_EQ(take.status, 0) << take.errors;
-    EXPECT_EQ(ask("goto 113 40").status, 1);
+    const Outcome refused = ask("goto 113 40");
+    EXPECT_EQ(refused.status, 1);
+    EXPECT_THAT(refused.errors, HasSubstr("the operator or another client has control"));
     EXPECT_EQ(ask("release").status, 0);
     EXPECT_TRUE(isSentOff());
     const Outcome stop = ask("stop --latched");

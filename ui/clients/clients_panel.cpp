@@ -115,7 +115,6 @@ QTableView* ClientsPanel::makeTable()
     QTableView* const table = makeReadTable(tr("Clients"), *m_model, this);
     table->setObjectName(QStringLiteral("clients"));
     const QFontMetrics metrics = table->fontMetrics();
-    table->verticalHeader()->setDefaultSectionSize(metrics.lineSpacing() + 8);
     QHeaderView* const header = table->horizontalHeader();
     header->setSectionResizeMode(QHeaderView::Stretch);
     // A header measures its contents only when rows are added or removed, so the widths here leave room for all words.

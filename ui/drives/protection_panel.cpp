@@ -101,7 +101,6 @@ QTableView* ProtectionPanel::makeTable()
 {
     QTableView* const table = makeReadTable(tr("Protection"), *m_model, this);
     table->setIconSize({12, 12});
-    table->verticalHeader()->setDefaultSectionSize(table->fontMetrics().lineSpacing() + 4);
     QHeaderView* const header = table->horizontalHeader();
     header->setSectionResizeMode(ProtectionModel::Wanted, QHeaderView::Stretch);
     // room for symbol and gaps

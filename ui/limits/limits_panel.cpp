@@ -19,11 +19,7 @@
 
 namespace boresight::ui {
 
-namespace {
-
-constexpr int kRowRoom = 6;  // px above and below the text of a row together
-
-}  // namespace
+namespace {}  // namespace
 
 LimitsPanel::LimitsPanel(ProfileDraft& draft, RequestDesk& desk, QWidget* parent)
     : QWidget(parent),
@@ -74,7 +70,7 @@ QTableView* LimitsPanel::makeTable(DraftTableModel& model, const QString& name)
     table->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Expanding);  // the plot gets the remaining room
     table->setMinimumHeight(4 * table->fontMetrics().lineSpacing());
     table->verticalHeader()->hide();
-    table->verticalHeader()->setDefaultSectionSize(table->fontMetrics().lineSpacing() + kRowRoom);
+    table->verticalHeader()->setDefaultSectionSize(kRowHeight);
     QHeaderView* const header = table->horizontalHeader();
     header->setFont(fonts::label());
     header->setHighlightSections(false);

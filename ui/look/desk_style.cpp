@@ -240,6 +240,9 @@ QSize DeskStyle::sizeFromContents(ContentsType type, const QStyleOption* option,
             }
             break;
         }
+        case CT_ItemViewItem:
+            atLeast(kRowHeight);
+            break;
         case CT_LineEdit:
         case CT_ComboBox:
             atLeast(kFieldHeight);

@@ -107,7 +107,6 @@ void GainsPage::build()
 QTableView* GainsPage::makeTable()
 {
     QTableView* const table = makeReadTable(tr("Gains"), *m_model, this);
-    table->verticalHeader()->setDefaultSectionSize(table->fontMetrics().lineSpacing() + 4);
     QHeaderView* const header = table->horizontalHeader();
     header->setSectionResizeMode(GainsModel::Name, QHeaderView::Stretch);
     for (const int column : {GainsModel::Found, GainsModel::Now, GainsModel::Range}) {

@@ -194,6 +194,11 @@ void AlarmCard::build()
     m_more->hide();
     m_since->setFixedHeight(kTouchSize);
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+    // A click leaves the keyboard where it was, so the next Esc stops the mount.
+    for (QWidget* const button :
+         std::initializer_list<QWidget*>{m_help, m_alternative, m_recover, m_more, m_count, m_acknowledge}) {
+        button->setFocusPolicy(Qt::TabFocus);
+    }
     auto* const buttons = new FlowRow;
     for (QWidget* const part : std::initializer_list<QWidget*>{m_help, m_alternative, m_recover}) {
         buttons->addWidget(part);

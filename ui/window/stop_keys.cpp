@@ -3,6 +3,7 @@
 
 #include "ui/kit/asking_panel.h"
 #include "ui/kit/prompt_bar.h"
+#include "ui/window/alarm_card.h"
 
 #include <QAbstractItemView>
 #include <QAbstractSpinBox>
@@ -86,7 +87,7 @@ bool StopKeys::leave() const
         prompt->dismiss();
         return true;
     }
-    if (isField(focus)) {
+    if (isField(focus) || around<AlarmCard>(focus) != nullptr) {
         focus->clearFocus();
         return true;
     }

@@ -254,6 +254,24 @@ TEST_F(StationSlew, TheLogNamesItsTime)
     EXPECT_EQ(rig.lastLog(), "moves the mount from 113.00° 10.00°: home to 0.00° 0.00°, there in 3 min 47 s");
 }
 
+// Story: at 35° on the way to 210° another go-to came, and the log said that the mount moves from 210°.
+// REQ-CONTROL-1740: The log line at the start of a motion names the direction where the mount is, also when the motion
+// ends a slew.
+TEST_F(StationSlew, TheLogNamesWhereTheMountIs)
+{
+    StationRig rig(settings());
+    rig.run(Seconds(0.2));
+    ASSERT_TRUE(rig.point(210, 10, kOperator));
+    rig.run(Seconds(4.0));
+    ASSERT_EQ(rig.state(), StationState::Slew);
+    const double azimuth = rig.azimuthDegrees();
+    ASSERT_TRUE(rig.point(40, 10, kOperator));
+    const QString line = QString::fromStdString(rig.lastLog());
+    const QString before = QStringLiteral("moves the mount from ");
+    ASSERT_TRUE(line.startsWith(before)) << rig.lastLog();
+    EXPECT_NEAR(line.mid(before.size()).section(u'°', 0, 0).toDouble(), azimuth, 1.0) << rig.lastLog();
+}
+
 // REQ-CONTROL-932: The status reports the electrical power of each axis and the sum. The energy of a motion is summed
 // from its first tick until the mount stands. Power that is fed back counts negative. The highest power is kept with
 // the energy until the next motion ends. The power of standing still is not included.

@@ -201,7 +201,7 @@ TEST_F(StopTest, EscStopsUnlessAMenuOrDialogIsOpen)
 }
 
 // REQ-UI-800: Esc first leaves the part that has the keyboard: a text field, a search, a list, a table, a spin box, a
-// combo box or a prompt. The next Esc stops the mount. Pause and F12 stop at once.
+// combo box, a prompt or the alarm card. The next Esc stops the mount. Pause and F12 stop at once.
 TEST_F(StopTest, EscLeavesAFieldFirst)
 {
     give(samples::update(samples::factoryDrives()));
@@ -251,6 +251,25 @@ TEST_F(StopTest, EscDismissesAPromptThatHasTheKeyboard)
     EXPECT_EQ(stops(), 0u);
     QTest::keyClick(&window, Qt::Key_Escape);
     EXPECT_EQ(stops(), 1u);
+}
+
+// A button of the alarm card has the keyboard after Tab. After a click on one the first Esc stops the mount.
+// REQ-UI-800
+TEST_F(StopTest, EscLeavesTheAlarmCardFirst)
+{
+    give(samples::update(samples::faulted()));
+    auto* const acknowledge = named<CommandButton>("Acknowledge");
+    QTest::mouseClick(acknowledge, Qt::LeftButton);
+    EXPECT_FALSE(acknowledge->hasFocus());
+    QTest::keyClick(&window, Qt::Key_Escape);
+    EXPECT_EQ(stops(), 1u);
+    acknowledge->setFocus(Qt::TabFocusReason);
+    ASSERT_TRUE(acknowledge->hasFocus());
+    QTest::keyClick(acknowledge, Qt::Key_Escape);
+    EXPECT_EQ(stops(), 1u);
+    EXPECT_FALSE(acknowledge->hasFocus());
+    QTest::keyClick(&window, Qt::Key_Escape);
+    EXPECT_EQ(stops(), 2u);
 }
 
 // Esc in the editor of a cell reverts the typed text.

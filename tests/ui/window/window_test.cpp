@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/messages/adapter.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/hold/jog_button.h"
 #include "ui/kit/command_button.h"
@@ -7,9 +8,16 @@
 #include "ui/window/panel_tabs.h"
 
 #include <QAbstractButton>
+#include <QAbstractItemView>
 #include <QComboBox>
+#include <QHeaderView>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QTabBar>
+#include <QTableView>
+
+#include <set>
+#include <string>
 
 namespace boresight::ui {
 namespace {
@@ -457,6 +465,44 @@ TEST_F(WindowTest, EveryControlHasANameAndATouchableSize)
     give(samples::update(samples::asking(Axis::Azimuth, 7, 60_deg, false)));
     expectUsable();
     EXPECT_EQ(window.size(), QSize(1024, 700)) << "seven places do not fit";
+}
+
+// REQ-UI-1740: Tabs, and the rows of tables and lists that can be selected or edited, are 32 px high or more. The rows
+// of tables that are only read may be lower.
+TEST_F(WindowTest, RowsAndTabsAreHighEnoughForAFinger)
+{
+    constexpr int kFinger = 32;  // px
+    const std::set<QString> onlyRead{QStringLiteral("Readings of the drives"), QStringLiteral("Figures")};
+    const auto expectHigh = [&](const std::string& where) {
+        settle();
+        for (const QTableView* const table : window.findChildren<QTableView*>()) {
+            if (!onlyRead.contains(table->accessibleName())) {
+                EXPECT_GE(table->verticalHeader()->defaultSectionSize(), kFinger)
+                    << where << " " << table->accessibleName().toStdString();
+            }
+        }
+        for (const QAbstractItemView* const list : window.findChildren<QAbstractItemView*>()) {
+            const bool hasRow = list->isVisible() && list->model() != nullptr && list->model()->rowCount() > 0;
+            if (hasRow && !list->inherits("QTableView") && !list->inherits("QHeaderView")) {
+                EXPECT_GE(list->visualRect(list->model()->index(0, 0)).height(), kFinger)
+                    << where << " " << list->accessibleName().toStdString();
+            }
+        }
+        for (const QTabBar* const tabs : window.findChildren<QTabBar*>()) {
+            EXPECT_TRUE(!tabs->isVisible() || tabs->tabRect(tabs->currentIndex()).height() >= kFinger)
+                << where << " " << tabs->accessibleName().toStdString();
+        }
+    };
+    give(samples::update(samples::tracking(1)));
+    for (const char panel : kPanels) {
+        openPanel(panel);
+        expectHigh(std::string(1, panel));
+    }
+    QTest::keyClick(&window, Qt::Key_F3);
+    Adapter adapter;
+    adapter.bus = QStringLiteral("socketcan:can0");
+    Q_EMIT window.host().adaptersFound({adapter});
+    expectHigh("guide");
 }
 
 TEST_F(WindowTest, ALargeScreenGivesThePanelsAThirdAndTheJogButtonsNoMoreThanAHandNeeds)
