@@ -223,7 +223,7 @@ Result<> Helm::follow(pointing::Resolved resolved, const SkyPointing& asked, con
     if (resolved.limited && view().profile.rotctld.outsideLimits == profile::OutsideLimits::Refuse) {
         return failure(ErrorCode::OutOfRange, resolved.reason);
     }
-    if (const Result<> may = view().endSwitches.admitsWay(standing(), resolved.position); !may) {
+    if (Result<> may = view().endSwitches.admitsWay(standing(), resolved.position); !may) {
         return may;
     }
     const bool wasLimited = !current().limitedReason().isEmpty();

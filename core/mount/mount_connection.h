@@ -5,7 +5,6 @@
 #include "core/alarms/event_log.h"
 #include "core/base/clock.h"
 #include "core/base/result.h"
-#include "core/base/text.h"
 #include "core/contacts/input_name.h"
 #include "core/messages/request.h"
 #include "core/messages/station_status.h"
@@ -54,10 +53,7 @@ public:
     // How far a sensor on the antenna saw the azimuth turn.
     virtual void setCourse(const std::optional<SensorCourse>& course) = 0;
     // What this pin of one of its boards reads. A mount without such pins says so.
-    [[nodiscard]] virtual contacts::InputReading pin(const contacts::BoardPin& /*pin*/) const
-    {
-        return {.problem = Text::tr("this mount has no such pins")};
-    }
+    [[nodiscard]] virtual contacts::InputReading pin(const contacts::BoardPin& pin) const;
     // Fills in its part of the status: the line, and the facts about the mount.
     virtual void describe(StationStatus& status) const = 0;
 };

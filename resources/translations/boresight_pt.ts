@@ -667,14 +667,6 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
         <translation>EL fim inferior</translation>
     </message>
     <message>
-        <source>Ends unread</source>
-        <translation>Fins não lidos</translation>
-    </message>
-    <message>
-        <source>Ends free</source>
-        <translation>Fins livres</translation>
-    </message>
-    <message>
         <source>%1: pressed (%2)</source>
         <translation>%1: premido (%2)</translation>
     </message>
@@ -687,8 +679,8 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
         <translation>%1: não lido (%2)</translation>
     </message>
     <message>
-        <source>End switches</source>
-        <translation>Fins de curso</translation>
+        <source>%1 at end</source>
+        <translation>%1 no fim</translation>
     </message>
 </context>
 <context>

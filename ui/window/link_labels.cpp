@@ -44,7 +44,15 @@ Shown lineShown(const StationStatus& status)
     return {LinkLabels::tr("%1 off").arg(kind), Tone::Warning, Symbol::Warning};
 }
 
-Shown driveShown(const QString& name, const AxisStatus& axis, bool released)
+// Whether an end switch of this axis is pressed.
+bool isAtEnd(const StationStatus& status, Axis axis)
+{
+    return std::ranges::any_of(status.endSwitches, [axis](const EndSwitchStatus& one) {
+        return one.which.axis == axis && one.state == end_switches::SwitchState::Pressed;
+    });
+}
+
+Shown driveShown(const QString& name, const AxisStatus& axis, bool released, bool atEnd)
 {
     const bool missing = axis.state == AxisState::Missing;
     if (missing || (freshness(axis.age) == Freshness::NoData && released)) {
@@ -55,6 +63,9 @@ Shown driveShown(const QString& name, const AxisStatus& axis, bool released)
     }
     if (axis.state == AxisState::Fault) {
         return {LinkLabels::tr("%1 fault").arg(name), Tone::Alarm, Symbol::Alarm};
+    }
+    if (atEnd) {
+        return {LinkLabels::tr("%1 at end").arg(name), Tone::Warning, Symbol::Warning};
     }
     if (freshness(axis.age) == Freshness::Late) {
         return {LinkLabels::tr("%1 late").arg(name), Tone::Warning, Symbol::Warning};
@@ -161,24 +172,6 @@ QString endName(const end_switches::EndSwitch& which)
     return isUpper ? LinkLabels::tr("EL upper end") : LinkLabels::tr("EL lower end");
 }
 
-// A pressed switch comes before one that cannot be read. Empty without end switches.
-Shown endSwitchesShown(const std::vector<EndSwitchStatus>& all)
-{
-    const auto firstIn = [&all](end_switches::SwitchState state) {
-        return std::ranges::find(all, state, &EndSwitchStatus::state);
-    };
-    if (all.empty()) {
-        return {QString(), Tone::Secondary, Symbol::None};
-    }
-    if (const auto pressed = firstIn(end_switches::SwitchState::Pressed); pressed != all.end()) {
-        return {endName(pressed->which), Tone::Alarm, Symbol::Alarm};
-    }
-    if (firstIn(end_switches::SwitchState::Unread) != all.end()) {
-        return {LinkLabels::tr("Ends unread"), Tone::Warning, Symbol::Lost};
-    }
-    return {LinkLabels::tr("Ends free"), Tone::Secondary};
-}
-
 QString endSwitchLine(const EndSwitchStatus& one)
 {
     switch (one.state) {
@@ -193,12 +186,18 @@ QString endSwitchLine(const EndSwitchStatus& one)
            (one.problem.isEmpty() ? QString() : QStringLiteral(". ") + one.problem);
 }
 
-QString endSwitchesHelp(const std::vector<EndSwitchStatus>& all)
+// What is shown of an axis under the pointer, and each of its end switches.
+QString driveHelp(const StationStatus& status, Axis axis)
 {
-    QStringList lines;
-    for (const EndSwitchStatus& one : all) {
-        lines << endSwitchLine(one);
+    const bool isAzimuth = axis == Axis::Azimuth;
+    QStringList lines{
+        axisHelp(isAzimuth ? status.azimuth : status.elevation, status.capabilities.axes[isAzimuth ? 0 : 1])};
+    for (const EndSwitchStatus& one : status.endSwitches) {
+        if (one.which.axis == axis) {
+            lines << endSwitchLine(one);
+        }
     }
+    lines.removeAll(QString());
     return lines.join(QLatin1Char('\n'));
 }
 
@@ -227,7 +226,7 @@ QString widestMountLine(const QString& kind)
 QString widestDrive(const QString& name)
 {
     return widest(fonts::label(), {LinkLabels::tr("%1 silent").arg(name), LinkLabels::tr("%1 fault").arg(name),
-                                   LinkLabels::tr("%1 late").arg(name)});
+                                   LinkLabels::tr("%1 late").arg(name), LinkLabels::tr("%1 at end").arg(name)});
 }
 
 void setShown(ValueLabel& label, const Shown& shown)
@@ -243,16 +242,12 @@ LinkLabels::LinkLabels(QWidget* header)
       m_elevation(new ValueLabel(tr("Elevation drive"), fonts::label(), widestDrive(tr("EL")), header)),
       m_sensor(new ValueLabel(tr("Orientation sensor"), fonts::label(), tr("Sensor awaited"), header)),
       m_transmit(new ValueLabel(tr("Transmit output"), fonts::label(), tr("TX off"), header)),
-      m_brake(new ValueLabel(tr("Brake"), fonts::label(), tr("Brake closes"), header)),
-      m_endSwitches(new ValueLabel(tr("End switches"), fonts::label(),
-                                   widest(fonts::label(), {tr("AZ upper end"), tr("AZ lower end"), tr("EL upper end"),
-                                                           tr("EL lower end"), tr("Ends unread")}),
-                                   header))
+      m_brake(new ValueLabel(tr("Brake"), fonts::label(), tr("Brake closes"), header))
 {
-    for (ValueLabel* const link : {m_line, m_azimuth, m_elevation, m_sensor, m_transmit, m_brake, m_endSwitches}) {
+    for (ValueLabel* const link : {m_line, m_azimuth, m_elevation, m_sensor, m_transmit, m_brake}) {
         link->setSymbolRoom(true);
     }
-    for (ValueLabel* const mayBeMissing : {m_line, m_sensor, m_transmit, m_brake, m_endSwitches}) {
+    for (ValueLabel* const mayBeMissing : {m_line, m_sensor, m_transmit, m_brake}) {
         mayBeMissing->setCollapsing(true);
     }
 }
@@ -262,9 +257,9 @@ std::array<QWidget*, 3> LinkLabels::ofTheMount() const
     return {m_line, m_azimuth, m_elevation};
 }
 
-std::array<QWidget*, 4> LinkLabels::besideTheTarget() const
+std::array<QWidget*, 3> LinkLabels::besideTheTarget() const
 {
-    return {m_endSwitches, m_brake, m_transmit, m_sensor};
+    return {m_brake, m_transmit, m_sensor};
 }
 
 void LinkLabels::showStatus(const StationStatus& status)
@@ -272,18 +267,17 @@ void LinkLabels::showStatus(const StationStatus& status)
     m_line->setWidest(widestMountLine(status.line.kind));
     setShown(*m_line, lineShown(status));
     m_line->setToolTip(status.line.kind.isEmpty() ? QString() : lineHelp(status));
-    setShown(*m_azimuth, driveShown(tr("AZ"), status.azimuth, drivesOf(status).released));
-    m_azimuth->setToolTip(axisHelp(status.azimuth, status.capabilities.axes[0]));
-    setShown(*m_elevation, driveShown(tr("EL"), status.elevation, drivesOf(status).released));
-    m_elevation->setToolTip(axisHelp(status.elevation, status.capabilities.axes[1]));
+    const bool released = drivesOf(status).released;
+    setShown(*m_azimuth, driveShown(tr("AZ"), status.azimuth, released, isAtEnd(status, Axis::Azimuth)));
+    m_azimuth->setToolTip(driveHelp(status, Axis::Azimuth));
+    setShown(*m_elevation, driveShown(tr("EL"), status.elevation, released, isAtEnd(status, Axis::Elevation)));
+    m_elevation->setToolTip(driveHelp(status, Axis::Elevation));
     setShown(*m_sensor, sensorShown(status.sensor));
     m_sensor->setToolTip(status.sensor.configured() ? sensorHelp(status.sensor) : QString());
     setShown(*m_transmit, transmitShown(status.transmit));
     m_transmit->setToolTip(status.transmit.output.isEmpty() ? QString() : transmitHelp(status.transmit));
     setShown(*m_brake, brakeShown(status.brake));
     m_brake->setToolTip(status.brake.output.isEmpty() ? QString() : brakeHelp(status.brake));
-    setShown(*m_endSwitches, endSwitchesShown(status.endSwitches));
-    m_endSwitches->setToolTip(endSwitchesHelp(status.endSwitches));
 }
 
 }  // namespace boresight::ui

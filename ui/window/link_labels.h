@@ -9,8 +9,8 @@
 
 class QWidget;
 
-// The links of the station in the header: the line to the mount, both drives, the orientation sensor, the transmit
-// output, the brake and the end switches. What does not exist takes no room. Gui thread.
+// The links of the station in the header: the line to the mount, both drives with their end switches, the orientation
+// sensor, the transmit output and the brake. What does not exist takes no room. Gui thread.
 namespace boresight::ui {
 
 class ValueLabel;
@@ -26,7 +26,7 @@ public:
     void showStatus(const StationStatus& status);
 
     [[nodiscard]] std::array<QWidget*, 3> ofTheMount() const;
-    [[nodiscard]] std::array<QWidget*, 4> besideTheTarget() const;
+    [[nodiscard]] std::array<QWidget*, 3> besideTheTarget() const;
 
 private:
     ValueLabel* m_line;
@@ -35,7 +35,6 @@ private:
     ValueLabel* m_sensor;
     ValueLabel* m_transmit;
     ValueLabel* m_brake;
-    ValueLabel* m_endSwitches;
 };
 
 }  // namespace boresight::ui

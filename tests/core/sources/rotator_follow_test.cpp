@@ -94,7 +94,7 @@ TEST_F(RotatorFollowTest, ASilenceEndsIt)
 {
     follow();
     turn(Seconds(6.5), false);
-    EXPECT_THAT(alarm(), HasSubstr("no longer follows another rotator: no position was received for 6 s"));
+    EXPECT_THAT(alarm(), HasSubstr("no longer tracks another rotator: no position was received for 6 s"));
     turn(Seconds(3.0), false);
     const auto place = rig.control.status().actual;
     turn(Seconds(20.0));
