@@ -7,7 +7,7 @@
 
 namespace boresight {
 
-StationInputs::StationInputs(StationControl& control, const MountConnection& mount, const profile::InForce& profile,
+StationInputs::StationInputs(StationControl& control, StationSwitches::Pins pins, const profile::InForce& profile,
                              const Clock& clock, EventLog& log, QObject* parent)
     : QObject(parent),
       m_control(control),
@@ -20,7 +20,7 @@ StationInputs::StationInputs(StationControl& control, const MountConnection& mou
       m_azel(profile, this),
       m_position(profile, log, clock, m_broker, this),
       m_wind(profile, log, clock, m_broker, this),
-      m_switches(profile, mount, log, clock, m_broker, this)
+      m_switches(profile, std::move(pins), log, clock, m_broker, this)
 {
     for (const Axis axis : kAxes) {
         if (!control.mount().capabilities().has(axis)) {

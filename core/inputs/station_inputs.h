@@ -24,7 +24,7 @@ class StationInputs : public QObject
 
 public:
     // All arguments but the parent outlive this.
-    StationInputs(StationControl& control, const MountConnection& mount, const profile::InForce& profile,
+    StationInputs(StationControl& control, StationSwitches::Pins pins, const profile::InForce& profile,
                   const Clock& clock, EventLog& log, QObject* parent);
 
     void open();

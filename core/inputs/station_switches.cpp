@@ -5,6 +5,7 @@
 #include "core/status_lines/serial_status_port.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace boresight {
 namespace {
@@ -23,11 +24,11 @@ std::unique_ptr<status_lines::LineReader> readerOf(const QString& port, const Cl
 
 }  // namespace
 
-StationSwitches::StationSwitches(const profile::InForce& profile, const MountConnection& mount, EventLog& log,
-                                 const Clock& clock, StationBroker& broker, QObject* parent)
+StationSwitches::StationSwitches(const profile::InForce& profile, Pins pins, EventLog& log, const Clock& clock,
+                                 StationBroker& broker, QObject* parent)
     : QObject(parent),
       m_profile(profile),
-      m_mount(mount),
+      m_pins(std::move(pins)),
       m_clock(clock),
       m_broker(broker),
       m_lines(log, clock, kSwitchLinesPerSecond)
@@ -110,7 +111,7 @@ bool StationSwitches::isElsewhere(const contacts::InputName& name) const
                                 const profile::AxisSettings& settings = m_profile->axis(axis);
                                 return settings.driver == profile::AxisDriver::Moteus && settings.id == name.pin.board;
                             });
-    return m_mount.simulated() && !isOfAnAxis;
+    return m_pins.simulated && !isOfAnAxis;
 }
 
 InputReading StationSwitches::readOf(const Input& input) const
@@ -122,7 +123,7 @@ InputReading StationSwitches::readOf(const Input& input) const
         return {.isOn = m_profile->endSwitches.pressedWhen == profile::PressedWhen::Off};
     }
     if (input.name.kind == InputKind::Pin) {
-        return m_mount.pin(input.name.pin);
+        return m_pins.read(input.name.pin);
     }
     return input.topic.inlet ? readTopic(input.topic) : m_ports.at(input.name.place)->reading(input.name.kind);
 }

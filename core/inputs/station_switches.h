@@ -6,7 +6,6 @@
 #include "core/end_switches/end_switch.h"
 #include "core/guards/end_switch_guard.h"
 #include "core/inputs/message_inlet.h"
-#include "core/mount/mount_connection.h"
 #include "core/profile/in_force.h"
 #include "core/status_lines/line_reader.h"
 
@@ -14,6 +13,7 @@
 #include <QString>
 
 #include <array>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -28,8 +28,15 @@ class StationSwitches : public QObject
     Q_OBJECT
 
 public:
+    // The pins of the boards of the mount.
+    struct Pins
+    {
+        std::function<contacts::InputReading(const contacts::BoardPin&)> read;
+        bool simulated = false;
+    };
+
     // All arguments but the parent outlive this.
-    StationSwitches(const profile::InForce& profile, const MountConnection& mount, EventLog& log, const Clock& clock,
+    StationSwitches(const profile::InForce& profile, Pins pins, EventLog& log, const Clock& clock,
                     StationBroker& broker, QObject* parent);
 
     void open();
@@ -59,7 +66,7 @@ private:
     [[nodiscard]] bool isElsewhere(const contacts::InputName& name) const;
 
     const profile::InForce& m_profile;
-    const MountConnection& m_mount;
+    Pins m_pins;
     const Clock& m_clock;
     StationBroker& m_broker;
     LogThrottle m_lines;

@@ -369,11 +369,7 @@ void BoxMount::order()
     if (m_state.hard) {
         return;
     }
-    if (rareStarts()) {
-        sendTo(m_motors.next(m_now));
-    } else {
-        orderEachStep();
-    }
+    rareStarts() ? sendTo(m_motors.next(m_now)) : orderEachStep();
 }
 
 void BoxMount::orderEachStep()
@@ -409,11 +405,7 @@ void BoxMount::sendOrdered()
 
 void BoxMount::sendAgain(Axis axis)
 {
-    if (rareStarts()) {
-        sendTo(m_motors.again(axis));
-    } else {
-        sendOrdered();
-    }
+    rareStarts() ? sendTo(m_motors.again(axis)) : sendOrdered();
 }
 
 void BoxMount::sendTo(const SwitchedMotors::Targets& targets)

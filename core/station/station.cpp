@@ -53,7 +53,10 @@ Station::Station(const profile::Profile& profile, const MountMaker& mount, const
                .status = [this] { return status(); },
                .transmit = [this] { return m_transmit.status(); }},
               m_log, clock, this),
-      m_inputs(m_control, *m_mount, m_profile, clock, m_log, this),
+      m_inputs(m_control,
+               {.read = [this](const contacts::BoardPin& pin) { return m_mount->pin(pin); },
+                .simulated = m_mount->simulated()},
+               m_profile, clock, m_log, this),
       m_commands(
           m_control.alarms(), m_profile, m_log, clock, m_inputs.broker(), m_server.rotator(), m_server.newestClient(),
           [this](const rotctld::Client& client) { return askNow(request::Stop{}, clientSource(client)); }, this),

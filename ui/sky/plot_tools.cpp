@@ -177,6 +177,7 @@ void PlotTools::setReadout(const QString& text)
     m_readout->setValue(text);
     if (was != text.isEmpty()) {
         showMask();
+        Q_EMIT readoutToggled();
     }
 }
 

@@ -43,6 +43,7 @@ public:
 Q_SIGNALS:
     void editToggled(bool on);
     void zoomToggled();
+    void readoutToggled();  // the legend, which has the same place, comes or goes
 
 protected:
     void resizeEvent(QResizeEvent* event) override;

@@ -162,7 +162,8 @@ void PolarPlot::setUpTools()
     m_tools->setPainter([this](QPainter& painter) { paintPicture(painter); });
     connect(m_tools, &PlotTools::editToggled, this, &PolarPlot::setEditing);
     connect(m_tools, &PlotTools::zoomToggled, this, &PolarPlot::toggleZoom);
-    connect(m_editor, &PlotEditor::readout, this, &PolarPlot::showReadout);
+    connect(m_editor, &PlotEditor::readout, m_tools, &PlotTools::setReadout);
+    connect(m_tools, &PlotTools::readoutToggled, this, &PolarPlot::drawGround);
 }
 
 void PolarPlot::setUpMenu()
@@ -275,16 +276,6 @@ void PolarPlot::paintGround(QPainter& painter) const
     }
     if (!m_tools->hasReadout()) {
         paintLegend(painter, rect(), m_frame, m_hasSensor);
-    }
-}
-
-// The readout stands in the place of the legend, which is a part of the ground.
-void PolarPlot::showReadout(const QString& text)
-{
-    const bool had = m_tools->hasReadout();
-    m_tools->setReadout(text);
-    if (had != m_tools->hasReadout()) {
-        drawGround();
     }
 }
 

@@ -80,7 +80,6 @@ private:
     void showMarkers(const StationStatus& status);
     void changeView();
     void drawGround();
-    void showReadout(const QString& text);
     void paintSky(QPainter& painter) const;
     void paintGround(QPainter& painter) const;
     [[nodiscard]] QRectF square() const;

@@ -15,12 +15,8 @@ TEST_F(StationBrokerTest, ReadsAnEndSwitchFromItsTopic)
     profile.endSwitches.inputs[1] = "mqtt:roof/end";
     const profile::InForce inForce(profile);
     EventLog events(clock);
-    AlarmBoard alarms(events, clock);
     StationBroker read(inForce, events, clock, nullptr);
-    const auto mount =
-        moteusRotator(std::make_unique<SimulatedLink>(clock),
-                      {.stateDir = stateDir.path(), .simulation = Simulation::Off})(inForce, clock, events, alarms);
-    StationSwitches switches(inForce, *mount, events, clock, read, nullptr);
+    StationSwitches switches(inForce, {}, events, clock, read, nullptr);
     const auto reading = [&switches] { return switches.read().at(1); };
     const auto say = [this](const QByteArray& text, mqtt::Retain retain) {
         logger.client.publish({.topic = QStringLiteral("roof/end"), .payload = text, .retain = retain});
