@@ -23,6 +23,9 @@ namespace {
 // Backlash, and the overshoot of 0.03° that the drive corrects after standing still.
 constexpr Angle kKillStill = Angle::fromDegrees(0.05);
 
+// The program needs less to get replies from both drives.
+constexpr Seconds kLongRefusal{10.0};
+
 class KillTest : public ::testing::Test
 {
 protected:
@@ -32,9 +35,7 @@ protected:
         auto created = sim::PtyServer::create(terminal, pair, clock);
         ASSERT_TRUE(created) << textOf(created.error());
         server = std::move(*created);
-        boresightd = start(fakes::standingAt(QStringLiteral("0,10")));
-        ASSERT_TRUE(boresightd->listens()) << boresightd->complaints();
-        client = boresightd->connect();
+        startWhereItStands();
     }
 
     [[nodiscard]] std::unique_ptr<BoresightdProcess> start(const QStringList& more = {}) const
@@ -43,21 +44,37 @@ protected:
             fakes::confirmedMount(folder.path(), QStringLiteral("fdcanusb:") + terminal) +
             QStringList{QStringLiteral("--state-dir"), folder.path()} + more);
     }
+    // The operator enters where the mount stands.
+    void startWhereItStands()
+    {
+        boresightd.reset();
+        const double azimuth = truth(Axis::Azimuth).angle.degrees();
+        const double elevation = truth(Axis::Elevation).angle.degrees();
+        boresightd = start(fakes::standingAt(QStringLiteral("%1,%2").arg(azimuth, 0, 'f', 2).arg(elevation, 0, 'f', 2)));
+        ASSERT_TRUE(boresightd->listens()) << boresightd->complaints();
+        client = boresightd->connect();
+    }
     sim::AxisTruth truth(Axis axis)
     {
         pair.advanceTo(clock.now() - epoch);
         return pair.truth(axis);
     }
     // The program answers RPRT -6 until it has replies from both drives. If the computer ran nothing for longer than
-    // their watchdog time, the drives have stopped: they are re-armed and commanded again.
+    // their watchdog time, the drives have stopped: they are re-armed and commanded again. After a longer time the
+    // program does not know the cable wrap any more, and no client can enter it. Then the program starts anew.
     void setsOff(const std::string& command, const std::function<bool()>& reached)
     {
+        SteadyTime refusedFrom = clock.now();
         EXPECT_TRUE(fakes::waitUntil([&] {
             if (reached()) {
                 return true;
             }
-            if (abs(truth(Axis::Azimuth).rate) < kStandingStill && client->ask(command) != "RPRT 0\n") {
-                static_cast<void>(client->ask("R 1\n"));
+            if (abs(truth(Axis::Azimuth).rate) > kStandingStill || client->ask(command) == "RPRT 0\n" ||
+                client->ask("R 1\n") == "RPRT 0\n") {
+                refusedFrom = clock.now();
+            } else if (clock.now() - refusedFrom > kLongRefusal) {
+                startWhereItStands();
+                refusedFrom = clock.now();
             }
             return false;
         })) << boresightd->complaints();
