@@ -3,7 +3,6 @@
 
 #include "core/base/text.h"
 #include "core/mount/mount_service.h"
-#include "core/pointing/nearest_permitted.h"
 
 #include <algorithm>
 #include <type_traits>
@@ -249,32 +248,6 @@ void StationControl::watchFirstMoves()
     }
 }
 
-Result<AxisPosition> StationControl::measured() const
-{
-    for (const Axis axis : kAxes) {
-        if (const Result<> fresh = gates().isFresh(axis); !fresh) {
-            return tl::unexpected(fresh.error());
-        }
-    }
-    if (!turnsKnown()) {
-        return failure(ErrorCode::NoAnswer, Text::tr("the cable wrap of an axis is unknown"));
-    }
-    return *m_mount.measured();
-}
-
-std::optional<SkyPointing> StationControl::direction() const
-{
-    return directionBy(m_model.pointing().terms());
-}
-
-std::optional<SkyPointing> StationControl::directionBy(const pointing::PointingTerms& terms) const
-{
-    pointing::MountModel model = m_model;
-    model.setPointing(pointing::PointingModel(terms));
-    const auto place = measured();
-    return place ? std::optional(model.toSky(*place)) : std::nullopt;
-}
-
 void StationControl::setSensor(const std::optional<Angle>& azimuth, const std::optional<Angle>& elevation)
 {
     const SkyPointing beam{.azimuth = azimuth.value_or(Angle{}), .elevation = elevation.value_or(Angle{})};
@@ -283,23 +256,6 @@ void StationControl::setSensor(const std::optional<Angle>& azimuth, const std::o
     const AxisPosition axes = model.pointing().toAxes(beam).axes;
     m_mount.setSensor(Axis::Azimuth, azimuth ? std::optional(axes.azimuth) : std::nullopt);
     m_mount.setSensor(Axis::Elevation, elevation ? std::optional(axes.elevation) : std::nullopt);
-}
-
-std::optional<AxisPosition> StationControl::trimInUse() const
-{
-    return m_current.is(Activity::Streaming) && followsClient() ? std::optional(m_motion.trim()) : std::nullopt;
-}
-
-std::optional<AxisPosition> StationControl::streamGoal() const
-{
-    const auto& point = m_current.point();
-    return !point || region().permits(*point) ? point : pointing::nearestPermitted(region(), *point);
-}
-
-AxisPosition StationControl::untrimmedGoal() const
-{
-    const AxisPosition goal = m_motion.target(m_now).value_or(parts().stoppingPlace());
-    return {.azimuth = goal.azimuth - trim().azimuth, .elevation = goal.elevation - trim().elevation};
 }
 
 void StationControl::tick()

@@ -24,6 +24,7 @@
 #include "core/control/source_log.h"
 #include "core/control/status_report.h"
 #include "core/control/target_alarm.h"
+#include "core/control/whereabouts.h"
 #include "core/guards/brake_guard.h"
 #include "core/guards/cable_guard.h"
 #include "core/guards/end_switch_guard.h"
@@ -126,23 +127,26 @@ public:
         m_clientDesk.describe(client, lastMotion);
     }
     // The measured axis angles. An error when they are unknown or older than 1 s.
-    [[nodiscard]] Result<AxisPosition> measured() const;
+    [[nodiscard]] Result<AxisPosition> measured() const { return whereabouts().measured(); }
     // The difference between true directions and axis angles, as far as it is known for the axes of this mount.
     [[nodiscard]] const pointing::PointingModel& pointing() const { return m_model.pointing(); }
     [[nodiscard]] bool isSeenToMove(Axis axis) const { return m_standstill.moves(axis); }
     // Where the beam of the antenna in use points. Empty when that is unknown or older than 1 s.
-    [[nodiscard]] std::optional<SkyPointing> direction() const;
+    [[nodiscard]] std::optional<SkyPointing> direction() const { return whereabouts().direction(); }
     // The same with other terms of the pointing model. The terms of the profile give the main beam.
-    [[nodiscard]] std::optional<SkyPointing> directionBy(const pointing::PointingTerms& terms) const;
+    [[nodiscard]] std::optional<SkyPointing> directionBy(const pointing::PointingTerms& terms) const
+    {
+        return whereabouts().directionBy(terms);
+    }
     // The trim that is added to the targets of the client that is followed. The client gets positions without it.
-    [[nodiscard]] std::optional<AxisPosition> trimInUse() const;
+    [[nodiscard]] std::optional<AxisPosition> trimInUse() const { return whereabouts().trimInUse(); }
     // The axis angles for the last point of the stream: the point itself, or the nearest permitted place.
-    [[nodiscard]] std::optional<AxisPosition> streamGoal() const;
+    [[nodiscard]] std::optional<AxisPosition> streamGoal() const { return whereabouts().streamGoal(); }
     // The last point of a client as it was asked for, while the mount goes there or stays there.
     [[nodiscard]] const std::optional<SkyPointing>& askedPoint() const { return m_current.asked(); }
     // Where the axes go. If they go nowhere: where they stop or stand. It is without the trim, which is added to
     // points.
-    [[nodiscard]] AxisPosition untrimmedGoal() const;
+    [[nodiscard]] AxisPosition untrimmedGoal() const { return whereabouts().untrimmedGoal(); }
     // The correction by the operator that is added to every target that is tracked.
     [[nodiscard]] const AxisPosition& trim() const { return m_motion.trim(); }
     // Whether both axes are this near to their target.
@@ -188,6 +192,7 @@ private:
     [[nodiscard]] ControlParts parts() const;
     [[nodiscard]] StatusReport report() const { return StatusReport(parts()); }
     [[nodiscard]] Gates gates() const { return Gates(parts()); }
+    [[nodiscard]] Whereabouts whereabouts() const { return Whereabouts(parts()); }
     [[nodiscard]] bool moves() const { return m_current.moves(); }
     [[nodiscard]] bool turnsKnown() const { return m_mount.wrapsKnown(); }
     void watchFirstMoves();
