@@ -50,7 +50,8 @@ protected:
         boresightd.reset();
         const double azimuth = truth(Axis::Azimuth).angle.degrees();
         const double elevation = truth(Axis::Elevation).angle.degrees();
-        boresightd = start(fakes::standingAt(QStringLiteral("%1,%2").arg(azimuth, 0, 'f', 2).arg(elevation, 0, 'f', 2)));
+        boresightd =
+            start(fakes::standingAt(QStringLiteral("%1,%2").arg(azimuth, 0, 'f', 2).arg(elevation, 0, 'f', 2)));
         ASSERT_TRUE(boresightd->listens()) << boresightd->complaints();
         client = boresightd->connect();
     }

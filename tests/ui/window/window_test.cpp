@@ -1,23 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/messages/adapter.h"
 #include "tests/ui/window_fixture.h"
-#include "ui/hold/jog_button.h"
 #include "ui/kit/command_button.h"
 #include "ui/sky/polar_plot.h"
 #include "ui/window/close_prompt.h"
-#include "ui/window/panel_tabs.h"
 
 #include <QAbstractButton>
-#include <QAbstractItemView>
 #include <QComboBox>
-#include <QHeaderView>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QTabBar>
-#include <QTableView>
-
-#include <set>
-#include <string>
 
 namespace boresight::ui {
 namespace {
@@ -97,58 +87,6 @@ TEST_F(WindowTest, TheHeaderSaysThatTheScheduleIsArmed)
     status.targetText.clear();
     give(samples::update(status));
     EXPECT_EQ(text("Target and its source"), QStringLiteral("no target"));
-}
-
-// REQ-UI-1440: A line below the clock shows the error of the clock by its time source, and the effect on the sky for
-// the tracked target. For a clock that no time source sets it shows how far the target moves in a second, and the clock
-// has a question mark. The tooltip has the same in sentences, and what to do.
-TEST_F(WindowTest, TheClockSaysHowFarItIsOff)
-{
-    StationStatus status = samples::operatorMoving();
-    status.clock = {.synchronised = true, .error = Seconds(0.004)};
-    give(samples::update(status));
-    EXPECT_EQ(text("UTC"), QStringLiteral("17:06:19Z"));
-    EXPECT_EQ(text("Error of the clock"), QStringLiteral("±4.0 ms"));
-    status.tracked = TrackedTarget{.name = QStringLiteral("ISS")};
-    give(samples::update(status));
-    EXPECT_EQ(text("Error of the clock"), QStringLiteral("±4.0 ms")) << "what stays needs no clock";
-    status.tracked->skyRate = 3_deg_s;
-    give(samples::update(status));
-    EXPECT_EQ(text("Error of the clock"), QStringLiteral("±4.0 ms = 0.012°"));
-    EXPECT_EQ(
-        named<ValueLabel>("UTC")->toolTip(),
-        QStringLiteral("A time source sets the clock of the station. It reports an error of 4.0 ms. That is 0.012° "
-                       "for ISS."));
-    status.clock.error = Seconds(1.24);
-    status.tracked->skyRate = AngularRate::fromDegrees(0.004);
-    give(samples::update(status));
-    EXPECT_EQ(text("Error of the clock"), QStringLiteral("±1.2 s = 0.005°")) << "the Moon";
-    status.clock = {.synchronised = false, .error = {}};
-    give(samples::update(status));
-    EXPECT_EQ(text("UTC"), QStringLiteral("17:06:19Z?"));
-    EXPECT_EQ(named<ValueLabel>("UTC")->tone(), Tone::Warning);
-    EXPECT_EQ(text("Error of the clock"), QStringLiteral("1 s = 0.004°"));
-    EXPECT_EQ(named<ValueLabel>("UTC")->toolTip(),
-              QStringLiteral("No time source sets the clock of the station. Set up NTP or GPS. An error of one "
-                             "second is 0.004° for ISS."));
-    status.tracked.reset();
-    give(samples::update(status));
-    EXPECT_EQ(text("Error of the clock"), QStringLiteral("not set"));
-}
-
-// REQ-UI-1700: After the clock was set, and while Boresight still points by the old time, the window shows the old time
-// and by how much the clock was set.
-TEST_F(WindowTest, AClockThatWasSetIsShownAtTheClock)
-{
-    StationStatus status = samples::operatorMoving();
-    status.clock = {.synchronised = false, .ahead = Seconds(90.0)};
-    give(samples::update(status));
-    EXPECT_EQ(text("Error of the clock"), QStringLiteral("set by +90 s"));
-    EXPECT_TRUE(named<ValueLabel>("UTC")->toolTip().startsWith(
-        QStringLiteral("The clock of the station was set by +90 s. Boresight still uses the old time")));
-    status.clock.ahead = Seconds(-3600.0);
-    give(samples::update(status));
-    EXPECT_EQ(text("Error of the clock"), QStringLiteral("set by -3600 s"));
 }
 
 TEST_F(WindowTest, TheClientListIsInTheTooltip)
@@ -443,82 +381,6 @@ TEST_F(WindowTest, ClosingAStandingMountDoesNotAsk)
     QSignalSpy close(&window, &MainWindow::closeRequested);
     window.close();
     EXPECT_EQ(close.count(), 1);
-}
-
-TEST_F(WindowTest, EveryControlHasANameAndATouchableSize)
-{
-    const auto expectUsable = [this] {
-        settle();
-        for (const QAbstractButton* const button : window.findChildren<QAbstractButton*>()) {
-            if (button->isVisible() && button->inherits("QTabBar") == false &&
-                !button->parentWidget()->inherits("QLineEdit") && !button->parentWidget()->inherits("QTableView")) {
-                EXPECT_FALSE(button->accessibleName().isEmpty()) << button->text().toStdString();
-                EXPECT_GE(button->height(), 44) << button->accessibleName().toStdString();
-            }
-        }
-    };
-    give(samples::update(samples::tracking(1)));
-    for (const char panel : kPanels) {
-        openPanel(panel);
-        expectUsable();
-    }
-    give(samples::update(samples::asking(Axis::Azimuth, 7, 60_deg, false)));
-    expectUsable();
-    EXPECT_EQ(window.size(), QSize(1024, 700)) << "seven places do not fit";
-}
-
-// REQ-UI-1740: Tabs, and the rows of tables and lists that can be selected or edited, are 32 px high or more. The rows
-// of tables that are only read may be lower.
-TEST_F(WindowTest, RowsAndTabsAreHighEnoughForAFinger)
-{
-    constexpr int kFinger = 32;  // px
-    const std::set<QString> onlyRead{QStringLiteral("Readings of the drives"), QStringLiteral("Figures")};
-    const auto expectHigh = [&](const std::string& where) {
-        settle();
-        for (const QTableView* const table : window.findChildren<QTableView*>()) {
-            if (!onlyRead.contains(table->accessibleName())) {
-                EXPECT_GE(table->verticalHeader()->defaultSectionSize(), kFinger)
-                    << where << " " << table->accessibleName().toStdString();
-            }
-        }
-        for (const QAbstractItemView* const list : window.findChildren<QAbstractItemView*>()) {
-            const bool hasRow = list->isVisible() && list->model() != nullptr && list->model()->rowCount() > 0;
-            if (hasRow && !list->inherits("QTableView") && !list->inherits("QHeaderView")) {
-                EXPECT_GE(list->visualRect(list->model()->index(0, 0)).height(), kFinger)
-                    << where << " " << list->accessibleName().toStdString();
-            }
-        }
-        for (const QTabBar* const tabs : window.findChildren<QTabBar*>()) {
-            EXPECT_TRUE(!tabs->isVisible() || tabs->tabRect(tabs->currentIndex()).height() >= kFinger)
-                << where << " " << tabs->accessibleName().toStdString();
-        }
-    };
-    give(samples::update(samples::tracking(1)));
-    for (const char panel : kPanels) {
-        openPanel(panel);
-        expectHigh(std::string(1, panel));
-    }
-    QTest::keyClick(&window, Qt::Key_F3);
-    Adapter adapter;
-    adapter.bus = QStringLiteral("socketcan:can0");
-    Q_EMIT window.host().adaptersFound({adapter});
-    expectHigh("guide");
-}
-
-TEST_F(WindowTest, ALargeScreenGivesThePanelsAThirdAndTheJogButtonsNoMoreThanAHandNeeds)
-{
-    window.resize(3840, 2160);
-    openPanel('1');
-    settle();
-    const auto* const panels = window.findChild<PanelTabs*>();
-    EXPECT_GT(panels->width(), window.width() / 4);
-    EXPECT_LT(panels->width(), window.width() / 2);
-    for (const JogButton* const button : window.findChildren<JogButton*>()) {
-        if (button->isVisible()) {
-            EXPECT_LE(button->height(), 200) << button->accessibleName().toStdString();
-            EXPECT_LE(button->height(), button->width()) << button->accessibleName().toStdString();
-        }
-    }
 }
 
 }  // namespace
