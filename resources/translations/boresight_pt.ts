@@ -10788,6 +10788,10 @@ até %1</translation>
         <source>Boresight knows no satellites. Add their elements.</source>
         <translation>O Boresight não conhece satélites. Acrescente os seus elementos.</translation>
     </message>
+    <message>
+        <source>A pass is planned for a mount with two axes. This mount has one axis.</source>
+        <translation>Uma passagem é planeada para uma montagem com dois eixos. Esta montagem tem um eixo.</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>
