@@ -6849,10 +6849,6 @@ até %1</translation>
         <translation>Sem corrente o eixo cai. Sem limite o motor queima. O valor está na folha de dados do motor.</translation>
     </message>
     <message>
-        <source>Cleared.</source>
-        <translation>Terminou.</translation>
-    </message>
-    <message>
         <source>The operator has control. Press Hand over first.</source>
         <translation>O operador tem o controlo. Prima Entregar primeiro.</translation>
     </message>
@@ -10787,6 +10783,10 @@ até %1</translation>
     <message>
         <source>Boresight knows no satellites. Add their elements.</source>
         <translation>O Boresight não conhece satélites. Acrescente os seus elementos.</translation>
+    </message>
+    <message>
+        <source>Cleared: %1</source>
+        <translation>Terminado: %1</translation>
     </message>
 </context>
 <context>
