@@ -38,6 +38,7 @@ void AlarmBoard::raise(const AlarmKey& key, Severity severity, const QStringList
         QStringList line{text->brief, text->action, text->remedy};
         line.removeAll(QString());
         Lines& lines = linesOf(key);
+        lines.what = text->brief;
         lines.alarm = {.name = QString::fromLatin1(key.entry->id), .about = key.about};
         const QString joined = line.join(QLatin1Char(' '));
         const bool added = lines.throttle.add(severity, lines.source, joined, LogKind::Alarm, lines.alarm);
@@ -66,7 +67,8 @@ void AlarmBoard::clear(const AlarmKey& key)
     Lines& lines = linesOf(key);
     lines.leftOut.reset();
     if (std::exchange(lines.told, false)) {
-        lines.throttle.insist(Severity::Advisory, lines.source, Text::tr("Cleared."), LogKind::Alarm, lines.alarm);
+        lines.throttle.insist(Severity::Advisory, lines.source, Text::tr("Cleared: %1").arg(lines.what), LogKind::Alarm,
+                              lines.alarm);
     }
 }
 

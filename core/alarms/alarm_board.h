@@ -47,6 +47,7 @@ private:
     struct Lines
     {
         QString source;
+        QString what = {};       // happened, by the latest alarm
         LoggedAlarm alarm = {};  // the latest alarm
         LogThrottle throttle;
         bool told = false;                    // the beginning was written

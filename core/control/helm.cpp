@@ -35,7 +35,12 @@ Result<> Helm::mayGoTo(const AxisPosition& place) const
 
 Result<AxisPosition> Helm::placeOf(const SkyPointing& direction) const
 {
-    const pointing::Resolved resolved = view().model.resolve(direction, heading());
+    return placeNear(direction, view().stoppingPlace());
+}
+
+Result<AxisPosition> Helm::placeNear(const SkyPointing& direction, const AxisPosition& near) const
+{
+    const pointing::Resolved resolved = view().model.resolve(direction, near);
     if (resolved.limited) {
         return failure(ErrorCode::OutOfRange, resolved.reason);
     }
@@ -59,7 +64,7 @@ Result<AxisPosition> Helm::placeAlong(Axis axis, Angle angle, const AxisPosition
         const bool overTheTop = beam.elevation > Angle::fromDegrees(90.0);
         (axis == Axis::Azimuth ? beam.azimuth : beam.elevation) =
             axis == Axis::Azimuth && overTheTop ? angle + kHalfTurn : angle;
-        auto found = placeOf(beam);
+        auto found = placeNear(beam, from);
         if (!found) {
             return found;
         }
@@ -96,7 +101,7 @@ QString Helm::obstacleAt(const SkyPointing& direction) const
 
 std::optional<SkyPointing> Helm::nearestTo(const SkyPointing& direction) const
 {
-    const pointing::Resolved resolved = view().model.resolve(direction, heading());
+    const pointing::Resolved resolved = view().model.resolve(direction, view().stoppingPlace());
     const auto place = pointing::nearestPermitted(m_of.motion.region(), resolved.position);
     const auto beam = place ? std::optional(view().model.toSky(*place)) : std::nullopt;
     return beam && mayAim(*beam) ? beam : std::nullopt;
@@ -163,13 +168,25 @@ AxisPosition Helm::turnWithAWay(const AxisPosition& place) const
 Result<> Helm::streamTo(const SkyPointing& direction, const Source& by, const QString& what, bool anew)
 {
     return mayPoint(by).and_then([&] {
+        const AxisPosition near = anew ? view().stoppingPlace() : nearestWrapOf(direction, by);
         if (anew) {
             m_of.motion.rest();
         }
-        return follow(view().model.resolve(direction, heading()), direction, by, what).map([&] {
+        return follow(view().model.resolve(direction, near), direction, by, what).map([&] {
             m_of.current.ask(direction);
         });
     });
+}
+
+// A point that continues a stream is on the wrap nearest to the last point, also while the axes lag behind. A point far
+// from the last one is a new target, unless the points are a path in the sky.
+AxisPosition Helm::nearestWrapOf(const SkyPointing& point, const Source& by) const
+{
+    constexpr Angle kElsewhere = Angle::fromDegrees(90.0);
+    const AxisPosition last = heading();
+    const Angle leap = abs(view().model.resolve(point, last).position.azimuth - last.azimuth);
+    const bool goesOn = continuesStream(by) && (leap < kElsewhere || m_of.motion.streaming(now()));
+    return goesOn ? last : view().stoppingPlace();
 }
 
 Result<> Helm::streamTo(const AxisPosition& place, const Source& by)
@@ -184,11 +201,12 @@ Result<> Helm::streamTo(const AxisPosition& place, const Source& by)
 
 Result<AxisPosition> Helm::lead(const Lead& lead, const Source& by, const QString& what)
 {
-    const pointing::Resolved aim = view().model.resolve(lead.now, lead.near.value_or(heading()));
+    const AxisPosition before = continuesStream(by) ? heading() : view().stoppingPlace();
+    const pointing::Resolved aim = view().model.resolve(lead.now, lead.near.value_or(before));
     return mayPoint(by).and_then([&] { return view().endSwitches.admitsWay(standing(), aim.position); }).map([&] {
         const pointing::MountModel& model = view().model;
         pointing::Resolved here = aim;
-        const bool goesOn = current().continues(Activity::Streaming, by);
+        const bool goesOn = continuesStream(by);
         const bool onWrap = lead.near && abs(here.position.azimuth - lead.near->azimuth) < 180_deg;
         auto back = goesOn && onWrap ? std::nullopt : turnBackTo(here.position, by);
         if (waitsAtEnd(back, by)) {
@@ -254,14 +272,15 @@ Result<> Helm::follow(pointing::Resolved resolved, const SkyPointing& asked, con
 std::optional<CableGuard::TurnBack> Helm::turnBackTo(const AxisPosition& place, const Source& by) const
 {
     const bool follows = current().is(Activity::Streaming) && current().isFor(by);
+    const AxisPosition chosen = follows ? heading() : view().stoppingPlace();
     return CableGuard::turnBackTo(place.azimuth,
-                                  {.here = standing().azimuth, .heading = heading().azimuth, .follows = follows},
+                                  {.here = standing().azimuth, .heading = chosen.azimuth, .follows = follows},
                                   m_of.motion.region().ranges().azimuth);
 }
 
 bool Helm::waitsAtEnd(const std::optional<CableGuard::TurnBack>& back, const Source& by) const
 {
-    return back && current().keepsWrap() && current().continues(Activity::Streaming, by);
+    return back && current().keepsWrap() && continuesStream(by);
 }
 
 pointing::Resolved Helm::endOf(const CableGuard::TurnBack& back, const AxisPosition& place)

@@ -53,12 +53,13 @@ public:
     [[nodiscard]] Result<> mayPoint(const Source& by) const { return Gates(view()).mayPoint(by); }
     // The place is permitted, and a permitted route leads to it.
     [[nodiscard]] Result<> mayGoTo(const AxisPosition& place) const;
-    // The position of the axes for a direction, on the wrap nearest to the position that they are moving to. An error
-    // if the axes do not reach the direction.
+    // The position of the axes for a new target in this direction, on the wrap nearest to where the axes can stop. A
+    // former target that they still move to does not count. An error if the axes do not reach the direction.
     [[nodiscard]] Result<AxisPosition> placeOf(const SkyPointing& direction) const;
     // The same for a direction that the operator enters. An elevation beyond the travel over the top is refused.
     [[nodiscard]] Result<AxisPosition> aimOf(const SkyPointing& direction) const;
-    // The same for an azimuth or an elevation alone. The other axis stays where it is in `from`.
+    // The same for an azimuth or an elevation alone, on the wrap nearest to `from`. The other axis stays where it is in
+    // `from`.
     [[nodiscard]] Result<AxisPosition> placeAlong(Axis axis, Angle angle, const AxisPosition& from) const;
     // The beam can be pointed to this direction, and a permitted route leads there from where it is.
     [[nodiscard]] Result<> reaches(const SkyPointing& direction) const;
@@ -80,7 +81,7 @@ public:
         SkyPointing now;
         SkyPointing soon;
         Seconds apart;
-        std::optional<AxisPosition> near;  // determines the wrap; empty: where the axes are moving to
+        std::optional<AxisPosition> near;  // determines the wrap; empty: the target before, or where the axes can stop
     };
     // Follows the target and returns the position of the axes for `lead.now`. If the direction is out of reach, the
     // mount follows at the nearest permitted place.
@@ -128,6 +129,9 @@ private:
     [[nodiscard]] Result<> mayAim(const SkyPointing& direction) const;
     [[nodiscard]] QString obstacleAt(const SkyPointing& direction) const;
     [[nodiscard]] std::optional<SkyPointing> nearestTo(const SkyPointing& direction) const;
+    [[nodiscard]] Result<AxisPosition> placeNear(const SkyPointing& direction, const AxisPosition& near) const;
+    [[nodiscard]] AxisPosition nearestWrapOf(const SkyPointing& point, const Source& by) const;
+    [[nodiscard]] bool continuesStream(const Source& by) const { return current().continues(Activity::Streaming, by); }
     [[nodiscard]] std::optional<CableGuard::TurnBack> turnBackTo(const AxisPosition& place, const Source& by) const;
     void beginTurnBack(const std::optional<CableGuard::TurnBack>& back);
     [[nodiscard]] bool waitsAtEnd(const std::optional<CableGuard::TurnBack>& back, const Source& by) const;

@@ -27,7 +27,7 @@ Result<> fits(const profile::Profile& profile, const Capabilities& capabilities,
         return countsAsTheRotator(profile, axis);
     }
     return failure(ErrorCode::Refused,
-                   Text::tr("The travel %1…%2 does not fit this rotator, which counts whole degrees of %3…%4. Change "
+                   Text::tr("The travel %1…%2 does not fit this rotator. It counts whole degrees of %3…%4. Change "
                             "%5.travel_min_deg and %5.travel_max_deg in the profile.")
                        .arg(degreesText(travel.min, 1), degreesText(travel.max, 1), degreesText(reach.min, 0),
                             degreesText(reach.max, 0), tableOf(axis)));
@@ -40,11 +40,12 @@ Result<> fitsEsp32(const profile::Profile& profile, const Capabilities& capabili
     constexpr Angle kWidest = Angle::fromDegrees(350.0);
     const TravelRange& travel = profile.azimuth.geometry.travel;
     if (capabilities.has(Axis::Azimuth) && travel.max - travel.min > kWidest) {
-        return failure(ErrorCode::Refused,
-                       Text::tr("The travel %1…%2 does not fit this rotator, which reports a heading and does not know "
-                                "its cable wrap. Its travel may be %3 wide. Change azimuth.travel_min_deg and "
-                                "azimuth.travel_max_deg in the profile.")
-                           .arg(degreesText(travel.min, 1), degreesText(travel.max, 1), degreesText(kWidest, 0)));
+        return failure(
+            ErrorCode::Refused,
+            Text::tr("The travel %1…%2 does not fit this rotator. This rotator reports a heading and no cable "
+                     "wrap. So its travel may be at most %3 wide. Change azimuth.travel_min_deg and "
+                     "azimuth.travel_max_deg in the profile.")
+                .arg(degreesText(travel.min, 1), degreesText(travel.max, 1), degreesText(kWidest, 0)));
     }
     const Result<> counts = capabilities.has(Axis::Azimuth) ? countsAsTheRotator(profile, Axis::Azimuth) : Result<>{};
     return counts.and_then([&] { return fits(profile, capabilities, Axis::Elevation); });

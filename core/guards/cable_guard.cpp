@@ -73,7 +73,7 @@ QString CableGuard::begin(const TurnBack& back, const tracking::MotionLimits& li
     const QString by = degreesText(abs(back.by), 0);
     const QString end = degreesText(back.end, 1);
     return back.follows
-               ? Text::tr("turns back by %1 because the cable ends at axis %2, and the target is lost for about %3")
+               ? Text::tr("turns back by %1 because the cable ends at axis %2. The target is lost for about %3")
                      .arg(by, end, timeText(tracking::fullTurnTime(limits)))
                : Text::tr("goes the long way, %1, because the cable ends at axis %2").arg(by, end);
 }

@@ -32,7 +32,7 @@ public:
     struct Way
     {
         Angle here;
-        Angle heading;         // where the axis is going; this angle chose the wrap
+        Angle heading;         // this angle chose the wrap: where the axis is going, or can stop
         bool follows = false;  // the stream is the one that the mount tracks already
     };
 

@@ -15,11 +15,11 @@ std::optional<AxisPosition> roomyStart(const ControlParts& view, const std::vect
         first = first.value_or(axes);
     }
     const tracking::WholeTurns turns = arc.turnsInside(view.motion.region().ranges().azimuth);
-    const AxisPosition heading = view.heading();
+    const AxisPosition from = view.stoppingPlace();
     std::optional<AxisPosition> best;
     for (int turn = turns.first; turn <= turns.last; ++turn) {
         const AxisPosition start{first->azimuth + Angle::fromTurns(turn), first->elevation};
-        const auto distance = [&](const AxisPosition& to) { return abs(to.azimuth - heading.azimuth); };
+        const auto distance = [&](const AxisPosition& to) { return abs(to.azimuth - from.azimuth); };
         if (!best || distance(start) < distance(*best)) {
             best = start;
         }

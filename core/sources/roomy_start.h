@@ -10,7 +10,7 @@
 namespace boresight::sources {
 
 // The axis position at the start of the way `way`. Of the wraps that have room for the whole way, the one nearest to
-// the place that the axes are going to is chosen. Empty if no wrap has room, or if the way is empty.
+// the place where the axes can stop is chosen. Empty if no wrap has room, or if the way is empty.
 [[nodiscard]] std::optional<AxisPosition> roomyStart(const ControlParts& view,
                                                      const std::vector<targets::SkyMoment>& way);
 

@@ -6849,10 +6849,6 @@ até %1</translation>
         <translation>Sem corrente o eixo cai. Sem limite o motor queima. O valor está na folha de dados do motor.</translation>
     </message>
     <message>
-        <source>Cleared.</source>
-        <translation>Terminou.</translation>
-    </message>
-    <message>
         <source>The operator has control. Press Hand over first.</source>
         <translation>O operador tem o controlo. Prima Entregar primeiro.</translation>
     </message>
@@ -8583,10 +8579,6 @@ até %1</translation>
     <message>
         <source>&quot;%1&quot; and azimuth.driver &quot;%2&quot; need two buses, and bus.name names only one. Choose one driver for both axes, or &quot;none&quot; for one of them.</source>
         <translation>&quot;%1&quot; e azimuth.driver &quot;%2&quot; precisam de dois barramentos, e bus.name indica apenas um. Escolha o mesmo driver para os dois eixos, ou &quot;none&quot; para um deles.</translation>
-    </message>
-    <message>
-        <source>The travel %1…%2 does not fit this rotator, which counts whole degrees of %3…%4. Change %5.travel_min_deg and %5.travel_max_deg in the profile.</source>
-        <translation>O curso %1…%2 não serve para este rotor, que conta graus inteiros de %3…%4. Altere %5.travel_min_deg e %5.travel_max_deg no perfil.</translation>
     </message>
     <message>
         <source>End the program that commands the drive. If there is none, press STOP</source>
@@ -10445,10 +10437,6 @@ até %1</translation>
         <translation>Depois desta linha a caixa espera por uma resposta, e toma por ela as perguntas do Boresight. Feche o Boresight e envie esta linha com um programa de terminal.</translation>
     </message>
     <message>
-        <source>The travel %1…%2 does not fit this rotator, which reports a heading and does not know its cable wrap. Its travel may be %3 wide. Change azimuth.travel_min_deg and azimuth.travel_max_deg in the profile.</source>
-        <translation>O curso %1…%2 não serve para este rotor, que indica um rumo e não conhece a volta do seu cabo. O seu curso pode ter %3. Mude azimuth.travel_min_deg e azimuth.travel_max_deg no perfil.</translation>
-    </message>
-    <message>
         <source>system %1, gyroscope %2, accelerometer %3, magnetometer %4</source>
         <translation>sistema %1, giroscópio %2, acelerómetro %3, magnetómetro %4</translation>
     </message>
@@ -10637,10 +10625,6 @@ até %1</translation>
         <translation>espera-se on ou off</translation>
     </message>
     <message>
-        <source>turns back by %1 because the cable ends at axis %2, and the target is lost for about %3</source>
-        <translation>volta atrás %1 porque o cabo acaba em %2 do eixo, e o alvo perde-se durante cerca de %3</translation>
-    </message>
-    <message>
         <source>goes the long way, %1, because the cable ends at axis %2</source>
         <translation>vai pelo caminho longo, %1, porque o cabo acaba em %2 do eixo</translation>
     </message>
@@ -10791,6 +10775,22 @@ até %1</translation>
     <message>
         <source>A pass is planned for a mount with two axes. This mount has one axis.</source>
         <translation>Uma passagem é planeada para uma montagem com dois eixos. Esta montagem tem um eixo.</translation>
+    </message>
+    <message>
+        <source>Cleared: %1</source>
+        <translation>Terminado: %1</translation>
+    </message>
+    <message>
+        <source>The travel %1…%2 does not fit this rotator. It counts whole degrees of %3…%4. Change %5.travel_min_deg and %5.travel_max_deg in the profile.</source>
+        <translation>O curso %1…%2 não serve para este rotor. Ele conta graus inteiros de %3…%4. Mude %5.travel_min_deg e %5.travel_max_deg no perfil.</translation>
+    </message>
+    <message>
+        <source>The travel %1…%2 does not fit this rotator. This rotator reports a heading and no cable wrap. So its travel may be at most %3 wide. Change azimuth.travel_min_deg and azimuth.travel_max_deg in the profile.</source>
+        <translation>O curso %1…%2 não serve para este rotor. Este rotor indica um rumo e nenhuma volta do cabo. Por isso o seu curso pode ter no máximo %3. Mude azimuth.travel_min_deg e azimuth.travel_max_deg no perfil.</translation>
+    </message>
+    <message>
+        <source>turns back by %1 because the cable ends at axis %2. The target is lost for about %3</source>
+        <translation>volta atrás %1 porque o cabo acaba em %2 do eixo. O alvo perde-se durante cerca de %3</translation>
     </message>
 </context>
 <context>

@@ -74,7 +74,7 @@ protected:
 };
 
 constexpr const char* kTurnsBack =
-    "turns back by 360° because the cable ends at axis 450.0°, and the target is lost for about 37 s";
+    "turns back by 360° because the cable ends at axis 450.0°. The target is lost for about 37 s";
 constexpr const char* kDetail = "cable end, turns back 360°";
 
 // Story: at the end of the cable the mount started to turn by 360°, and neither the log nor the screen gave a reason.

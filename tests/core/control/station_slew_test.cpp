@@ -179,6 +179,64 @@ TEST_F(StationSlew, WhatEndsItEndsWhatIsShown)
     EXPECT_TRUE(rig.control.status().route.empty());
 }
 
+// Story: during a slew from 0° to 170°, a go-to to 300° went on to 300°, and not back to -60°, which is nearer.
+// REQ-CONTROL-1741 (StationSlew.ANewTarget*, StationSlew.AStream*): A new target in a slew is approached on the wrap
+// nearest to where the axes can stop. The target before does not count. The points of one stream stay on one wrap, also
+// while the axes lag behind.
+TEST_F(StationSlew, ANewTargetOfTheOperatorIsNearestToTheMount)
+{
+    StationRig rig(settings());
+    rig.run(Seconds(0.2));
+    ASSERT_TRUE(rig.point(170, 10, kOperator));
+    rig.run(Seconds(4.0));
+    ASSERT_LT(rig.azimuthDegrees(), 60.0);
+    ASSERT_TRUE(rig.point(300, 10, kOperator));
+    EXPECT_NEAR(rig.control.status().azimuth.target->degrees(), -60.0, 0.01);
+    rig.settle();
+    EXPECT_NEAR(rig.azimuthDegrees(), -60.0, 0.1);
+    // An azimuth alone.
+    ASSERT_TRUE(rig.point(100, 10, kOperator));
+    rig.run(Seconds(3.0));
+    ASSERT_TRUE(rig.ask(request::PointAxis{.axis = Axis::Azimuth, .angle = 290_deg}));
+    EXPECT_NEAR(rig.control.status().azimuth.target->degrees(), -70.0, 0.01);
+}
+
+TEST_F(StationSlew, ANewTargetOfAClientIsNearestToTheMount)
+{
+    StationRig rig(settings());
+    rig.run(Seconds(0.2));
+    ASSERT_TRUE(rig.point(170, 10));
+    rig.run(Seconds(4.0));
+    ASSERT_TRUE(rig.point(300, 10));
+    EXPECT_NEAR(rig.control.status().azimuth.target->degrees(), -60.0, 0.01);
+}
+
+TEST_F(StationSlew, AStreamStaysOnItsWrapWhileTheAxesLag)
+{
+    StationRig rig(settings());
+    rig.run(Seconds(0.2));
+    ASSERT_TRUE(rig.point(170, 10));
+    double azimuth = 170.0;
+    // The target is faster than the mount. In the end it is 200° ahead.
+    for (int second = 0; second < 10; ++second) {
+        rig.run(Seconds(1.0));
+        azimuth += 20.0;
+        ASSERT_TRUE(rig.point(std::fmod(azimuth, 360.0), 10));
+    }
+    EXPECT_GT(rig.control.status().azimuth.target->degrees(), 300.0);
+}
+
+// A step is counted from where the axes are going, so it stays on that wrap.
+TEST_F(StationSlew, AStepStaysOnTheWrapOfTheSlew)
+{
+    StationRig rig(settings());
+    rig.run(Seconds(0.2));
+    ASSERT_TRUE(rig.ask(request::PointAxes{{.azimuth = 270_deg, .elevation = 10_deg}}));
+    rig.run(Seconds(1.0));
+    ASSERT_TRUE(rig.ask(request::Step{.azimuth = 5_deg, .elevation = 0_deg}));
+    EXPECT_NEAR(rig.control.status().azimuth.target->degrees(), 275.0, 0.01);
+}
+
 // REQ-CONTROL-401: If the cable ends on the short path, the long path is shown. When the cable is unwrapped, a full
 // turn is shown.
 TEST_F(StationSlew, TheLongWayIsShownAsItWillBeGone)
