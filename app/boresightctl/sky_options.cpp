@@ -154,6 +154,16 @@ Result<> takeMinimumElevation(const std::string& text, SkyOptions& options)
     return {};
 }
 
+Result<> takeBound(const std::string& text, SkyOptions& options)
+{
+    const auto degrees = parseFinite(text);
+    if (!degrees || *degrees <= 0.0 || *degrees > 180.0) {
+        return expected("bound", text, QStringLiteral("degrees above 0, up to 180"));
+    }
+    options.bound = Angle::fromDegrees(*degrees);
+    return {};
+}
+
 struct SkyOption
 {
     std::string_view name;
@@ -184,20 +194,30 @@ constexpr std::array kEphemerisOptions{
     SkyOption{"doppler", [](const std::string& text,
                             SkyOptions& options) { return takeSwitch("doppler", text, options.doppler); }},
     kFormat};
+constexpr SkyOption kFrom{"from", takeFrom};
+constexpr SkyOption kProfile{"profile", [](const std::string& text, SkyOptions& options) {
+                                 options.profileFile = toQString(text);
+                                 return Result<>();
+                             }};
 constexpr std::array kPassesOptions{
     kElements,
     kNorad,
     kSite,
-    SkyOption{"from", takeFrom},
+    kFrom,
     SkyOption{"days", takeDays},
     SkyOption{"min-el", takeMinimumElevation},
-    SkyOption{"profile",
-              [](const std::string& text, SkyOptions& options) {
-                  options.profileFile = toQString(text);
-                  return Result<>();
-              }},
+    kProfile,
     SkyOption{"seen",
               [](const std::string& text, SkyOptions& options) { return takeSwitch("seen", text, options.seen); }},
+    kFormat};
+constexpr std::array kPlanOptions{
+    kProfile,
+    kElements,
+    kNorad,
+    kFrom,
+    SkyOption{"bound", takeBound},
+    SkyOption{"motion",
+              [](const std::string& text, SkyOptions& options) { return takeSwitch("motion", text, options.motion); }},
     kFormat};
 
 Result<SkyOptions> read(Arguments arguments, std::span<const SkyOption> permitted)
@@ -280,6 +300,19 @@ Result<SkyOptions> parsePassesOptions(Arguments arguments)
         return complete(std::move(options), missing);
     };
     return read(arguments, kPassesOptions).and_then(check);
+}
+
+Result<SkyOptions> parsePlanOptions(Arguments arguments)
+{
+    const auto check = [](SkyOptions options) -> Result<SkyOptions> {
+        const QString missing = options.profileFile.isEmpty() ? QStringLiteral("--profile FILE")
+                                : options.elements.empty()    ? QStringLiteral("--elements FILE")
+                                : !options.number             ? QStringLiteral("--norad N")
+                                : !options.from               ? QStringLiteral("--from UTC")
+                                                              : QString();
+        return complete(std::move(options), missing);
+    };
+    return read(arguments, kPlanOptions).and_then(check);
 }
 
 }  // namespace boresight::ctl

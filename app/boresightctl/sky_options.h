@@ -16,7 +16,8 @@
 #include <string>
 #include <vector>
 
-// The command lines of `boresightctl ephemeris` and `boresightctl passes`, as values. Pure, except for the time "now".
+// The command lines of `boresightctl ephemeris`, `boresightctl passes` and `boresightctl plan`, as values. Pure, except
+// for the time "now".
 namespace boresight::ctl {
 
 struct SkyOptions
@@ -33,13 +34,16 @@ struct SkyOptions
     std::optional<double> days;
     std::optional<Angle> minimumElevation;
     ephemeris::Refraction refraction = ephemeris::Refraction::None;
-    bool doppler = false;  // a column for the Doppler factor
-    bool seen = false;     // a column for the parts of each pass that the mount sees
+    bool doppler = false;        // a column for the Doppler factor
+    bool seen = false;           // a column for the parts of each pass that the mount sees
+    bool motion = false;         // of a plan: the positions of the axes instead of the variants
+    std::optional<Angle> bound;  // of the error of a plan
     TableFormat format = TableFormat::Csv;
 };
 
 // Refused if an option is missing, or if an option does not belong to the subcommand.
 [[nodiscard]] Result<SkyOptions> parseEphemerisOptions(Arguments arguments);
 [[nodiscard]] Result<SkyOptions> parsePassesOptions(Arguments arguments);
+[[nodiscard]] Result<SkyOptions> parsePlanOptions(Arguments arguments);
 
 }  // namespace boresight::ctl

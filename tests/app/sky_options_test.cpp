@@ -86,6 +86,27 @@ TEST(SkyOptions, AreRefusedWithWhatIsExpected)
 }
 
 // REQ-CTL-03
+TEST(SkyOptions, APlanNeedsAMountASatelliteAndATime)
+{
+    const auto refusal = [](const Line& line) {
+        const auto options = parsePlanOptions(line);
+        return options ? "accepted" : textOf(options.error());
+    };
+    const Line whole{"--profile", "m.toml", "--elements", "a.tle", "--norad", "7", "--from", "2024-05-10"};
+    EXPECT_EQ(refusal(whole), "accepted");
+    EXPECT_EQ(refusal({}), "--profile FILE is missing");
+    EXPECT_EQ(refusal({whole.begin(), whole.begin() + 2}), "--elements FILE is missing");
+    EXPECT_EQ(refusal({whole.begin(), whole.begin() + 4}), "--norad N is missing");
+    EXPECT_EQ(refusal({whole.begin(), whole.begin() + 6}), "--from UTC is missing");
+    EXPECT_EQ(refusal(with(whole, {"--site", "1,2,3"})), "there is no option --site") << "it is in the profile";
+    for (const char* const bound : {"0", "-1", "181", "x"}) {
+        EXPECT_THAT(refusal(with(whole, {"--bound", bound})), HasSubstr("expected degrees above 0, up to 180"));
+    }
+    EXPECT_EQ(parsePlanOptions(with(whole, {"--bound", "2.5"}))->bound, 2.5_deg);
+    EXPECT_TRUE(parsePlanOptions(with(whole, {"--motion", "on"}))->motion);
+}
+
+// REQ-CTL-03
 TEST(SkyOptions, ABodyIsNoSatellite)
 {
     EXPECT_EQ(refusalOfEphemeris({"--body", "moon", "--site", "1,2,3", "--times", "-"}), "accepted");
