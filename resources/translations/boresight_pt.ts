@@ -10792,6 +10792,10 @@ até %1</translation>
         <source>A pass is planned for a mount with two axes. This mount has one axis.</source>
         <translation>Uma passagem é planeada para uma montagem com dois eixos. Esta montagem tem um eixo.</translation>
     </message>
+    <message>
+        <source>plans the pass of %1 near the zenith, where the azimuth is too slow: off by up to %2, and for %3 by more than half of the beam width</source>
+        <translation>planeia a passagem de %1 perto do zénite, onde o azimute é demasiado lento: desvio até %2, e durante %3 superior a metade da largura do feixe</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>
