@@ -37,6 +37,7 @@ void CurrentMotion::forgetDetails()
     m_asked.reset();
     m_limitedReason.clear();
     m_limitedDirection.reset();
+    m_isPlanned = false;
     m_heldBy.reset();
 }
 

@@ -77,6 +77,11 @@ public:
     }  // empty: the mount goes to the target itself
     [[nodiscard]] const std::optional<SkyPointing>& limitedDirection() const { return m_limitedDirection; }
 
+    // The way to come is planned and keeps to the room of the cable. Valid until the next point of the stream.
+    void setPlanned() { m_isPlanned = true; }
+    // The present motion is all that is known of the way to come, so it shows whether the cable will end.
+    [[nodiscard]] bool needsForecast() const { return is(Activity::Streaming) && !m_isPlanned; }
+
     // The operator chose to wait at the end of the cable. The choice ends with the motion.
     void keepWrap() { m_keepsWrap = true; }
     [[nodiscard]] bool keepsWrap() const { return m_keepsWrap; }
@@ -93,6 +98,7 @@ private:
     std::optional<SkyPointing> m_asked;
     QString m_limitedReason;
     std::optional<SkyPointing> m_limitedDirection;
+    bool m_isPlanned = false;
     bool m_keepsWrap = false;
 };
 

@@ -9,6 +9,7 @@
 #include "core/tracking/cable_forecast.h"
 #include "core/units/angle_between.h"
 #include "core/units/degrees_text.h"
+#include "core/units/duration_text.h"
 
 #include <algorithm>
 #include <utility>
@@ -74,6 +75,14 @@ Result<SkyPointing> TargetTrack::Tracked::at(UtcTime utc)
         }
         return direction;
     });
+}
+
+Result<SkyPointing> TargetTrack::Tracked::aimAt(UtcTime utc, const pointing::PointingModel& pointing)
+{
+    if (const auto planned = keyhole.placeAt(utc, place)) {
+        return pointing.toSky(*planned);
+    }
+    return at(utc);
 }
 
 // The time for which the mount is aimed: ahead of `utc` by the lead of the profile, because the drives lag.
@@ -163,6 +172,11 @@ void TargetTrack::setWay(Tracked& tracked, UtcTime from) const
 {
     tracked.way = wayOf(tracked, from);
     tracked.fastest = fastestOf(*tracked.way);
+    if (elementsOf(tracked.target) && tracked.up.sets) {
+        const ControlParts view = helm().view();
+        tracked.keyhole = KeyholePlan(tracked.path, {.from = from, .to = *tracked.up.sets, .now = view.heading()},
+                                      view.profile, view.antenna.inUse());
+    }
 }
 
 // The way ends when the target sets, or at the last time for which its direction can be computed.
@@ -208,10 +222,31 @@ Result<AxisPosition> TargetTrack::follow(Tracked& tracked, UtcTime utc)
     return tracked.at(from).and_then([&](const SkyPointing& now) {
         return tracked.at(from + kApart).and_then([&](const SkyPointing& soon) {
             tracked.skyRate = rateBetween(now, soon, kApart);
-            return helm().lead({.now = now, .soon = waits ? now : soon, .apart = kApart, .near = tracked.place},
-                               tracked.by, Text::tr("track %1").arg(tracked.target.name));
+            const ControlParts view = helm().view();
+            const pointing::PointingModel& pointing = view.model.pointing();
+            const auto planned = tracked.keyhole.placeAt(from, tracked.place);
+            return tracked.aimAt(from, pointing).and_then([&](const SkyPointing& aim) {
+                return tracked.aimAt(waits ? from : from + kApart, pointing).and_then([&](const SkyPointing& next) {
+                    return helm().lead({.now = aim,
+                                        .soon = next,
+                                        .apart = kApart,
+                                        .near = planned ? planned : tracked.place,
+                                        .isPlanned = planned.has_value()},
+                                       tracked.by, Text::tr("track %1").arg(tracked.target.name));
+                });
+            });
         });
     });
+}
+
+void TargetTrack::notePlan()
+{
+    const plan::Forecast& forecast = m_tracked->keyhole.variant().forecast;
+    helm().note(
+        Severity::Advisory,
+        Text::tr("plans the pass of %1 near the zenith, where the azimuth is too slow: off by up to %2, and for "
+                 "%3 by more than half of the beam width")
+            .arg(m_tracked->target.name, degreesText(forecast.peak), durationText(forecast.beyond)));
 }
 
 // Checks again in each tick, because the profile may have changed.
@@ -244,6 +279,9 @@ void TargetTrack::step(SteadyTime)
         return;
     }
     renewWay(utc);
+    if (m_tracked->keyhole.hasArrived()) {
+        notePlan();
+    }
     m_tracked->isUp = utc > m_tracked->up.rises;
     if (m_tracked->up.sets && utc > *m_tracked->up.sets) {
         end(Severity::Advisory, (isTable(m_tracked->target) ? Text::tr("the table of %1 has ended, and the mount holds")

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/control/motion_source.h"
+#include "core/sources/keyhole_plan.h"
 #include "core/sources/steered_utc.h"
 #include "core/targets/target_path.h"
 
@@ -10,7 +11,8 @@
 // Tracks a target of core/targets. If the target rises and sets, the mount waits where the target rises, follows it
 // until it sets, and holds there. If the target does not move, the mount goes there and stays. In each tick position
 // and rate of the set-point come from the path of the target. The cable wrap is chosen at the start: a wrap with room
-// for the whole path, if there is one. Station thread only.
+// for the whole path, if there is one. Near the zenith, where the azimuth is too slow for a satellite, the mount moves
+// by a plan. Station thread only.
 namespace boresight::sources {
 
 class TargetTrack : public SourceOf<TargetTrack, request::Track>
@@ -32,6 +34,7 @@ private:
         Source by;
         targets::UpTime up = {};
         targets::SkyWay way = {};
+        KeyholePlan keyhole = {};
         pointing::PointingTerms terms = {};      // of the beam when the way was computed
         AngularRate skyRate = {};                // across the sky, now or at the rise
         AngularRate fastest = {};                // the largest rate on the way
@@ -40,6 +43,8 @@ private:
         bool isUp = false;
 
         [[nodiscard]] Result<SkyPointing> at(UtcTime utc);
+        // The direction of the beam: that of the target, or in the keyhole that of the plan.
+        [[nodiscard]] Result<SkyPointing> aimAt(UtcTime utc, const pointing::PointingModel& pointing);
     };
 
     [[nodiscard]] Result<> permits(const targets::Target& target, UtcTime now) const;
@@ -52,6 +57,7 @@ private:
     [[nodiscard]] Result<> mayGoOn() const;
     Result<> begin(Tracked tracked);
     Result<AxisPosition> follow(Tracked& tracked, UtcTime utc);
+    void notePlan();
     void followOn(UtcTime utc);
     void renewWay(UtcTime utc);
     [[nodiscard]] Result<> planAgain(UtcTime utc);

@@ -10792,6 +10792,10 @@ até %1</translation>
         <source>turns back by %1 because the cable ends at axis %2. The target is lost for about %3</source>
         <translation>volta atrás %1 porque o cabo acaba em %2 do eixo. O alvo perde-se durante cerca de %3</translation>
     </message>
+    <message>
+        <source>plans the pass of %1 near the zenith, where the azimuth is too slow: off by up to %2, and for %3 by more than half of the beam width</source>
+        <translation>planeia a passagem de %1 perto do zénite, onde o azimute é demasiado lento: desvio até %2, e durante %3 superior a metade da largura do feixe</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>
