@@ -431,7 +431,8 @@ void StationControl::stepProof()
 
 void StationControl::watchCable()
 {
-    const auto path = m_current.is(Activity::Streaming) && turnsKnown() ? m_motion.path(m_now) : std::nullopt;
+    const bool isTracked = m_current.is(Activity::Streaming) && turnsKnown() && !pointing().isXY();
+    const auto path = isTracked ? m_motion.path(m_now) : std::nullopt;
     const auto target = moves() && m_motion.noWay().isEmpty() ? m_motion.target(m_now) : std::nullopt;
     const auto left = target ? std::optional(target->azimuth - m_motion.place().azimuth) : std::nullopt;
     m_cable.watch(path, left, m_motion.region().ranges().azimuth, m_motion.limits(Axis::Azimuth),
