@@ -1192,20 +1192,12 @@ até %1</translation>
         <translation>fora dos limites</translation>
     </message>
     <message>
-        <source>X below %1</source>
-        <translation>X abaixo de %1</translation>
+        <source>X %1</source>
+        <translation>X %1</translation>
     </message>
     <message>
-        <source>X above %1</source>
-        <translation>X acima de %1</translation>
-    </message>
-    <message>
-        <source>Y below %1</source>
-        <translation>Y abaixo de %1</translation>
-    </message>
-    <message>
-        <source>Y above %1</source>
-        <translation>Y acima de %1</translation>
+        <source>Y %1</source>
+        <translation>Y %1</translation>
     </message>
 </context>
 <context>
