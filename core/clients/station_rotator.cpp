@@ -48,6 +48,16 @@ TravelRange trueRange(const TravelRange& travel, Angle offset, Angle rest)
     return {.min = travel.min + offset - rest, .max = travel.max + offset + rest};
 }
 
+// The directions that X and Y reach: every azimuth, and elevations from where X ends to the zenith.
+rotctld::Limits limitsOfXY(const TravelRange& x, profile::AzimuthConvention convention)
+{
+    const bool fromNorth = convention == profile::AzimuthConvention::ZeroTo360;
+    return {.minAzimuth = fromNorth ? 0_deg : -180_deg,
+            .maxAzimuth = fromNorth ? 360_deg : 180_deg,
+            .minElevation = std::min(0_deg, 90_deg - std::max(-x.min, x.max)),
+            .maxElevation = 90_deg};
+}
+
 // The elevations of an axis that ends at the zenith stay at or below 90°, even if the mast leans.
 TravelRange trueElevations(const TravelRange& travel, const pointing::PointingTerms& terms)
 {
@@ -88,6 +98,9 @@ std::string StationRotator::info() const
 
 rotctld::Limits StationRotator::limits() const
 {
+    if (model().isXY()) {
+        return limitsOfXY(m_profile->azimuth.geometry.travel, m_profile->rotctld.azimuth);
+    }
     const pointing::PointingTerms terms = m_profile->termsOf(m_control.antenna());
     const TravelRange azimuth =
         trueRange(m_profile->azimuth.geometry.travel, terms.azimuthOffset.wrapped180(), model().skew());

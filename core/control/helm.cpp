@@ -65,8 +65,8 @@ Result<AxisPosition> Helm::placeAlong(Axis axis, Angle angle, const AxisPosition
         (axis == Axis::Azimuth ? beam.azimuth : beam.elevation) =
             axis == Axis::Azimuth && overTheTop ? angle + kHalfTurn : angle;
         auto found = placeNear(beam, from);
-        if (!found) {
-            return found;
+        if (!found || view().model.pointing().isXY()) {
+            return found;  // X and Y both change with each angle of the beam
         }
         (axis == Axis::Azimuth ? place.azimuth : place.elevation) =
             axis == Axis::Azimuth ? found->azimuth : found->elevation;
@@ -274,6 +274,9 @@ Result<> Helm::follow(pointing::Resolved resolved, const SkyPointing& asked, con
 
 std::optional<CableGuard::TurnBack> Helm::turnBackTo(const AxisPosition& place, const Source& by) const
 {
+    if (view().model.pointing().isXY()) {
+        return std::nullopt;
+    }
     const bool follows = current().is(Activity::Streaming) && current().isFor(by);
     const AxisPosition chosen = follows ? heading() : view().stoppingPlace();
     return CableGuard::turnBackTo(place.azimuth,
@@ -333,9 +336,10 @@ Result<> Helm::mayRun(const AxisRates& rates, Activity activity, const Source& b
 void Helm::setTrim(const AxisPosition& trim, const Source& by)
 {
     m_of.motion.setTrim(trim);
-    m_of.log.insist(Severity::Advisory, by,
-                    Text::tr("trims the tracked target by %1 in azimuth, %2 in elevation")
-                        .arg(degreesText(trim.azimuth, 2), degreesText(trim.elevation, 2)));
+    const QString what = view().model.pointing().isXY()
+                             ? Text::tr("trims the tracked target by %1 in X, %2 in Y")
+                             : Text::tr("trims the tracked target by %1 in azimuth, %2 in elevation");
+    m_of.log.insist(Severity::Advisory, by, what.arg(degreesText(trim.azimuth, 2), degreesText(trim.elevation, 2)));
 }
 
 void Helm::settleStream(const Source& by)

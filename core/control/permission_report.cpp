@@ -3,6 +3,7 @@
 
 #include "core/control/gates.h"
 #include "core/control/typed_line_gate.h"
+#include "core/control/xy_gate.h"
 
 namespace boresight {
 namespace {
@@ -57,9 +58,12 @@ void PermissionReport::judgePlaces(Permissions& may) const
     judge(may, Action::Park, gates.mayPark(kTheOperator).and_then([&] { return gates.mayBeAt(gates.park()); }));
     judge(may, Action::OverrideWind, m_of.wind.mayOverride());
     judge(may, Action::Home, point.and_then([&] { return gates.mayBeAt(gates.home()); }));
+    judge(may, Action::Horizon, point.and_then([&] { return hasElevationAxis(m_of); }));
     judge(may, Action::HoldAtEnd, gates.mayHoldAtEnd());
     judge(may, Action::UseAntenna, gates.mayUseAntenna());
-    judge(may, Action::Unwind, point.and_then([&] { return gates.unwound().map([](const AxisPosition&) {}); }));
+    judge(may, Action::Unwind, point.and_then([&] { return hasCable(m_of); }).and_then([&] {
+        return gates.unwound().map([](const AxisPosition&) {});
+    }));
 }
 
 void PermissionReport::judgeJogs(Permissions& may) const

@@ -387,7 +387,8 @@ void StationControl::stepProof()
 
 void StationControl::watchCable()
 {
-    const auto path = m_current.needsForecast() && turnsKnown() ? m_motion.path(m_now) : std::nullopt;
+    const bool isForecast = m_current.needsForecast() && turnsKnown() && !pointing().isXY();
+    const auto path = isForecast ? m_motion.path(m_now) : std::nullopt;
     const auto target = moves() && m_motion.noWay().isEmpty() ? m_motion.target(m_now) : std::nullopt;
     const auto left = target ? std::optional(target->azimuth - m_motion.place().azimuth) : std::nullopt;
     m_cable.watch(path, left, m_motion.region().ranges().azimuth, m_motion.limits(Axis::Azimuth),

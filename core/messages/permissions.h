@@ -36,6 +36,7 @@ enum class Action
     Park,
     OverrideWind,
     Home,
+    Horizon,
     Unwind,
     HoldAtEnd,
     UseAntenna,

@@ -3,12 +3,14 @@
 
 #include "core/base/text.h"
 #include "core/cross_check/sensor_curve.h"
+#include "core/north/calibration_gates.h"
 
 namespace boresight {
 
 CalibrationDesk::CalibrationDesk(StationControl& control, const profile::InForce& profile, CalibrationFile& file,
                                  const Clock& clock, EventLog& log)
-    : m_sensor(profile, clock),
+    : m_profile(profile),
+      m_sensor(profile, clock),
       m_axes(control, clock),
       m_mount(control, profile),
       m_model(file, profile, m_mount, clock),
@@ -38,6 +40,9 @@ Result<> CalibrationDesk::carryOut(const CalibrationRequest& request)
 {
     m_report.expire();
     noteDrives();
+    if (const QString why = whyNoCalibration(*m_profile); !why.isEmpty()) {
+        return failure(ErrorCode::NotAvailable, why);
+    }
     const Result<> done = std::visit([this](const auto& wanted) { return handle(wanted); }, request);
     useWhatEnded();
     return done;

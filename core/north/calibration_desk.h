@@ -73,6 +73,7 @@ private:
     void noteDrives();
     void watchPoints();
 
+    const profile::InForce& m_profile;
     LiveSensor m_sensor;
     AxisObserver m_axes;
     MountIdentity m_mount;

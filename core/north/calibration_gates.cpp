@@ -29,10 +29,11 @@ void judgeMotions(const StationStatus& status, Permissions& may)
     if (status.state != StationState::Calibrate || !moves) {
         return;
     }
-    for (const Action action : {Action::Move, Action::Point, Action::Park, Action::Home, Action::Unwind, Action::JogUp,
-                                Action::JogDown, Action::JogLeft, Action::JogRight, Action::StepUp, Action::StepDown,
-                                Action::StepLeft, Action::StepRight, Action::SetAzimuth, Action::SetElevation,
-                                Action::ReleaseBus, Action::ProveCrashStop, Action::Reconnect, Action::TypeLine}) {
+    for (const Action action :
+         {Action::Move,         Action::Point,      Action::Park,           Action::Home,      Action::Horizon,
+          Action::Unwind,       Action::JogUp,      Action::JogDown,        Action::JogLeft,   Action::JogRight,
+          Action::StepUp,       Action::StepDown,   Action::StepLeft,       Action::StepRight, Action::SetAzimuth,
+          Action::SetElevation, Action::ReleaseBus, Action::ProveCrashStop, Action::Reconnect, Action::TypeLine}) {
         may.refuse(action, otherRun(*status.calibration));
     }
 }
@@ -69,12 +70,34 @@ void judgeProposal(const CalibrationStatus& calibration, Permissions& may)
                                                             : Text::tr("There is no calibration to redo."));
 }
 
+// The actions of the calibration follow one another.
+void refuseAll(Permissions& may, const QString& why)
+{
+    for (int action = static_cast<int>(Action::AverageSensor); action <= static_cast<int>(Action::RedoCalibration);
+         ++action) {
+        may.refuse(static_cast<Action>(action), why);
+    }
+}
+
 }  // namespace
+
+QString whyNoCalibration(const profile::Profile& profile)
+{
+    return profile.pointing.geometry.kind == pointing::Geometry::XY
+               ? Text::tr(
+                     "An X/Y mount cannot be calibrated here. The profile has the direction of its X axis "
+                     "(mount.x_axis_deg) and the zero of each axis.")
+               : QString();
+}
 
 void judgeCalibration(StationStatus& status)
 {
     const CalibrationStatus& calibration = *status.calibration;
     Permissions& may = status.permissions;
+    if (const QString why = whyNoCalibration(*status.profile); !why.isEmpty()) {
+        refuseAll(may, why);
+        return;
+    }
     const QString point = may.reason(Action::Point);
     const QString other = otherRun(calibration);
     judgeMotions(status, may);

@@ -9,5 +9,7 @@
 namespace boresight {
 
 void judgeCalibration(StationStatus& status);
+// Why this mount cannot be calibrated at all. Empty if it can.
+[[nodiscard]] QString whyNoCalibration(const profile::Profile& profile);
 
 }  // namespace boresight

@@ -12,6 +12,11 @@ Result<PlanMount> planMount(const profile::Profile& profile, const pointing::Ant
                        Text::tr("A pass is planned for a mount with two axes. This mount has one axis."));
     }
     const pointing::PointingModel pointing(profile.termsOf(antenna));
+    if (pointing.isXY()) {
+        return failure(
+            ErrorCode::NotAvailable,
+            Text::tr("An X/Y mount needs no plan: it has no cable to unwrap, and no keyhole at the zenith."));
+    }
     return PlanMount{.region = pointing::PermittedRegion(profile.limits, profile.azimuth.geometry.travel,
                                                          profile.elevation.geometry.travel, pointing),
                      .pointing = pointing,

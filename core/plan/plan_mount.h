@@ -19,7 +19,8 @@ struct PlanMount
     Angle beamWidth = Angle::fromDegrees(10.0);  // half-power
 };
 
-// One antenna on the mount of a profile. Refused for a mount with one axis: nothing can be chosen there.
+// One antenna on the mount of a profile. Refused for a mount with one axis and for an X/Y mount: nothing can be chosen
+// there.
 [[nodiscard]] Result<PlanMount> planMount(const profile::Profile& profile, const pointing::Antenna& antenna);
 
 [[nodiscard]] tracking::MotionBounds boundsOf(const tracking::MotionLimits& limits);

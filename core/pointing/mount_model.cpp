@@ -64,14 +64,22 @@ QString past(const QString& sentence, Angle angle, Angle limit)
     return sentence.arg(degreesText(angle, decimals), degreesText(limit, decimals));
 }
 
-QString azimuthReason(Angle angle, const TravelRange& travel)
+QString lowerAxisReason(Angle angle, const TravelRange& travel, bool isXY)
 {
+    if (isXY) {
+        return angle < travel.min ? past(Text::tr("X axis %1 below limit %2"), angle, travel.min)
+                                  : past(Text::tr("X axis %1 above limit %2"), angle, travel.max);
+    }
     return angle < travel.min ? past(Text::tr("azimuth axis %1 below limit %2"), angle, travel.min)
                               : past(Text::tr("azimuth axis %1 above limit %2"), angle, travel.max);
 }
 
-QString elevationReason(Angle angle, const TravelRange& travel)
+QString upperAxisReason(Angle angle, const TravelRange& travel, bool isXY)
 {
+    if (isXY) {
+        return angle < travel.min ? past(Text::tr("Y axis %1 below limit %2"), angle, travel.min)
+                                  : past(Text::tr("Y axis %1 above limit %2"), angle, travel.max);
+    }
     return angle < travel.min ? past(Text::tr("elevation %1 below limit %2"), angle, travel.min)
                               : past(Text::tr("elevation %1 above limit %2"), angle, travel.max);
 }
@@ -164,7 +172,7 @@ std::optional<AxisPosition> MountModel::overTheTop(const SkyPointing& direction,
 {
     const AxisPosition wanted = present(m_pointing.toAxes(direction).axes);
     const auto azimuth = turnInside(m_azimuths, wanted.azimuth, now.azimuth);
-    if (direction.elevation <= 90_deg || !azimuth || !reaches(m_elevations, wanted.elevation)) {
+    if (m_pointing.isXY() || direction.elevation <= 90_deg || !azimuth || !reaches(m_elevations, wanted.elevation)) {
         return std::nullopt;
     }
     return AxisPosition{.azimuth = *azimuth, .elevation = m_elevations.clamped(wanted.elevation)};
@@ -182,21 +190,25 @@ Resolved MountModel::resolve(const SkyPointing& direction, const AxisPosition& n
         resolved.position = {*azimuth, m_elevations.clamped(wanted.elevation)};
     } else {
         resolved.position = nearestAcrossGap(wanted, now);
-        const QString sentence = m_azimuths == m_azimuth.travel ? Text::tr("azimuth %1 outside travel (axis %2…%3)")
-                                                                : Text::tr("azimuth %1 outside limits (axis %2…%3)");
-        addReason(resolved,
-                  sentence.arg(azimuthText(wanted.azimuth), degreesText(m_azimuths.min), degreesText(m_azimuths.max)));
+        addReason(resolved, m_pointing.isXY() ? lowerAxisReason(wanted.azimuth, m_azimuths, true) : gapReason(wanted));
     }
     if (!reaches(m_elevations, wanted.elevation)) {
-        addReason(resolved, elevationReason(wanted.elevation, m_elevations));
+        addReason(resolved, upperAxisReason(wanted.elevation, m_elevations, m_pointing.isXY()));
     }
-    if (resolved.limited && !m_pointing.isIdentity()) {
+    if (resolved.limited && !m_pointing.isIdentity() && !m_pointing.isXY()) {
         resolved.reason += u' ' + Text::tr("(mechanical angles)");
     }
     if (miss > kHoleTolerance) {
         addReason(resolved, Text::tr("the beam misses the zenith by %1").arg(degreesText(miss)));
     }
     return resolved;
+}
+
+QString MountModel::gapReason(const AxisPosition& wanted) const
+{
+    const QString sentence = m_azimuths == m_azimuth.travel ? Text::tr("azimuth %1 outside travel (axis %2…%3)")
+                                                            : Text::tr("azimuth %1 outside limits (axis %2…%3)");
+    return sentence.arg(azimuthText(wanted.azimuth), degreesText(m_azimuths.min), degreesText(m_azimuths.max));
 }
 
 AxisPosition MountModel::nearestAcrossGap(const AxisPosition& wanted, const AxisPosition& now) const
@@ -218,10 +230,10 @@ Resolved MountModel::resolve(const AxisPosition& position) const
     const AxisPosition wanted = present(position);
     Resolved resolved{.position = {m_azimuths.clamped(wanted.azimuth), m_elevations.clamped(wanted.elevation)}};
     if (!reaches(m_azimuths, wanted.azimuth)) {
-        addReason(resolved, azimuthReason(wanted.azimuth, m_azimuths));
+        addReason(resolved, lowerAxisReason(wanted.azimuth, m_azimuths, m_pointing.isXY()));
     }
     if (!reaches(m_elevations, wanted.elevation)) {
-        addReason(resolved, elevationReason(wanted.elevation, m_elevations));
+        addReason(resolved, upperAxisReason(wanted.elevation, m_elevations, m_pointing.isXY()));
     }
     return resolved;
 }

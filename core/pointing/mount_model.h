@@ -76,8 +76,8 @@ public:
     // The axis angles for a direction. Among all turns inside the range it takes the one nearest to `now`, so that a
     // track through north continues as far as the cable allows. `now` is the last target, or the present position if
     // there is none. An elevation above 90° is reached over the top if the travel allows that, else as the equivalent
-    // direction (azimuth + 180°, 180° - elevation). For an unreachable direction the result is the nearest permitted
-    // point.
+    // direction (azimuth + 180°, 180° - elevation). An X/Y mount has one way to each direction and no way over the top.
+    // For an unreachable direction the result is the nearest permitted point.
     [[nodiscard]] Resolved resolve(const SkyPointing& direction, const AxisPosition& now) const;
 
     // Takes mechanical angles unchanged. Angles outside the travel become the end of the travel, and `limited` is set.
@@ -100,6 +100,7 @@ private:
         return place;
     }
     [[nodiscard]] std::optional<AxisPosition> overTheTop(const SkyPointing& direction, const AxisPosition& now) const;
+    [[nodiscard]] QString gapReason(const AxisPosition& wanted) const;
     [[nodiscard]] AxisPosition nearestAcrossGap(const AxisPosition& wanted, const AxisPosition& now) const;
 
     AxisGeometry m_azimuth;

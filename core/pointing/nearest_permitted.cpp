@@ -96,7 +96,7 @@ private:
 
     void tryGround(Angle azimuth)
     {
-        if (squareOf(azimuth - m_wanted.azimuth, {}) < m_bestSquare && m_region.hasHorizon()) {
+        if (squareOf(azimuth - m_wanted.azimuth, {}) < m_bestSquare && m_region.hasHorizonLine()) {
             const TravelRange here{azimuth, azimuth};
             tryPlace({azimuth, m_region.floor(here)});
             tryPlace({azimuth, m_region.ceiling(here)});

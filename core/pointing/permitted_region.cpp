@@ -6,6 +6,7 @@
 #include "core/pointing/axis_image.h"
 #include "core/pointing/ranges.h"
 #include "core/pointing/slits.h"
+#include "core/pointing/xy_image.h"
 #include "core/units/direction_text.h"
 
 #include <algorithm>
@@ -73,6 +74,13 @@ std::optional<AxisBox> slitBetween(const AxisBox& a, const AxisBox& b)
     return std::nullopt;
 }
 
+// The horizon as a line in axis angles. X and Y have none: at one X the beam may be below the horizon between two
+// places above it.
+Skyline lineOf(const Skyline& horizon, const PointingModel& pointing, Side side)
+{
+    return Skyline(pointing.isXY() ? std::vector<HorizonPoint>{} : AxisImage(pointing).of(horizon, side));
+}
+
 }  // namespace
 
 PermittedRegion::PermittedRegion(const Region& region, const TravelRange& azimuthTravel,
@@ -81,11 +89,24 @@ PermittedRegion::PermittedRegion(const Region& region, const TravelRange& azimut
       m_ranges{.azimuth = common(region.azimuth, azimuthTravel),
                .elevation = common(region.elevation, elevationTravel)},
       m_horizon(region.horizon),
-      m_upright(AxisImage(pointing).of(m_horizon, Side::Upright)),
-      m_overTheTop(AxisImage(pointing).of(m_horizon, Side::OverTheTop)),
+      m_upright(lineOf(m_horizon, pointing, Side::Upright)),
+      m_overTheTop(lineOf(m_horizon, pointing, Side::OverTheTop)),
       m_keepOuts(region.keepOuts)
 {
-    const AxisImage image(pointing);
+    if (pointing.isXY()) {
+        layOutXY();
+    } else {
+        layOutAzimuthElevation();
+    }
+    closeSlits();
+    dropCovered();  // before the next round, which compares all pairs
+    closeSlits();   // slits where three boxes meet, next to the boxes that the first round added
+    dropCovered();
+}
+
+void PermittedRegion::layOutAzimuthElevation()
+{
+    const AxisImage image(m_pointing);
     for (std::size_t i = 0; i < m_keepOuts.size(); ++i) {
         std::vector<KeepOut> parts = standingOnHorizon(m_keepOuts[i], m_horizon);
         parts.insert(parts.begin(), m_keepOuts[i]);
@@ -98,10 +119,32 @@ PermittedRegion::PermittedRegion(const Region& region, const TravelRange& azimut
     for (const AxisBox& cap : image.capOf(m_horizon)) {
         layOut(cap, m_keepOuts.size());
     }
-    closeSlits();
-    dropCovered();  // before the next round, which compares all pairs
-    closeSlits();   // slits where three boxes meet, next to the boxes that the first round added
-    dropCovered();
+}
+
+// Keep-outs of one name, such as the band of the Sun, become one shape with few boxes.
+void PermittedRegion::layOutXY()
+{
+    const XYImage image(m_ranges, m_pointing.terms().geometry.xAxis);
+    for (std::size_t i = 0; i < m_keepOuts.size(); ++i) {
+        const auto isNamed = [&](const KeepOut& one) { return one.name == m_keepOuts[i].name; };
+        if (std::any_of(m_keepOuts.begin(), m_keepOuts.begin() + static_cast<std::ptrdiff_t>(i), isNamed)) {
+            continue;
+        }
+        std::vector<KeepOut> parts;
+        for (const KeepOut& one : m_keepOuts) {
+            if (isNamed(one)) {
+                const std::vector<KeepOut> standing = standingOnHorizon(one, m_horizon);
+                parts.push_back(one);
+                parts.insert(parts.end(), standing.begin(), standing.end());
+            }
+        }
+        for (const AxisBox& box : image.of(parts)) {
+            add(box, i);
+        }
+    }
+    for (const AxisBox& box : image.of(m_horizon)) {
+        add(box, m_keepOuts.size());
+    }
 }
 
 // Adds the box on every turn that the axis can reach.
@@ -212,10 +255,14 @@ QString PermittedRegion::reason(const AxisPosition& place) const
         return {};
     }
     if (!within(AxisBox::at(place).azimuth, m_ranges.azimuth)) {
-        return outside(Text::tr("azimuth axis %1 outside limits %2…%3"), place.azimuth, m_ranges.azimuth);
+        return outside(m_pointing.isXY() ? Text::tr("X axis %1 outside limits %2…%3")
+                                         : Text::tr("azimuth axis %1 outside limits %2…%3"),
+                       place.azimuth, m_ranges.azimuth);
     }
     if (!within(AxisBox::at(place).elevation, m_ranges.elevation)) {
-        return outside(Text::tr("elevation %1 outside limits %2…%3"), place.elevation, m_ranges.elevation);
+        return outside(m_pointing.isXY() ? Text::tr("Y axis %1 outside limits %2…%3")
+                                         : Text::tr("elevation %1 outside limits %2…%3"),
+                       place.elevation, m_ranges.elevation);
     }
     return trueReason(place);
 }
@@ -227,6 +274,10 @@ QString PermittedRegion::trueReason(const AxisPosition& place) const
         return Text::tr("%1 lies in keep-out \"%2\"").arg(beamText(upright(beamAt(place))), toQString(keepOut->name));
     }
     const SkyPointing beam = upright(beamAt(place));
+    if (beam.elevation >= m_horizon.at(beam.azimuth)) {
+        return Text::tr("%1 lies too close to the horizon (%2)")
+            .arg(beamText(beam), degreesText(m_horizon.at(beam.azimuth)));
+    }
     return Text::tr("%1 lies below the horizon (%2)").arg(beamText(beam), degreesText(m_horizon.at(beam.azimuth)));
 }
 
@@ -236,10 +287,12 @@ QString PermittedRegion::obstacle(const AxisPosition& place) const
         return {};
     }
     if (!within(AxisBox::at(place).azimuth, m_ranges.azimuth)) {
-        return Text::tr("the azimuth axis limit %1").arg(degreesText(m_ranges.azimuth.clamped(place.azimuth)));
+        return (m_pointing.isXY() ? Text::tr("the X axis limit %1") : Text::tr("the azimuth axis limit %1"))
+            .arg(degreesText(m_ranges.azimuth.clamped(place.azimuth)));
     }
     if (!within(AxisBox::at(place).elevation, m_ranges.elevation)) {
-        return Text::tr("the elevation limit %1").arg(degreesText(m_ranges.elevation.clamped(place.elevation)));
+        return (m_pointing.isXY() ? Text::tr("the Y axis limit %1") : Text::tr("the elevation limit %1"))
+            .arg(degreesText(m_ranges.elevation.clamped(place.elevation)));
     }
     const KeepOut* const keepOut = keepOutAt(place);
     return keepOut != nullptr ? Text::tr("the keep-out \"%1\"").arg(toQString(keepOut->name)) : Text::tr("the horizon");
@@ -270,7 +323,7 @@ TravelRange PermittedRegion::elevationsAround(const AxisBox& box) const
             cut(range, box.elevation, keepOut.elevation);
         }
     }
-    if (!m_horizon.empty()) {
+    if (hasHorizonLine()) {
         range.min = std::max(range.min, floor(box.azimuth));
         range.max = std::min(range.max, ceiling(box.azimuth));
     }

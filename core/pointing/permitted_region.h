@@ -13,8 +13,9 @@
 
 // Where the axes may be: a Region and the travel of both axes in mechanical angles, prepared for fast queries. It
 // covers every turn of the azimuth and elevations above 90°, where the beam points to azimuth + 180°, 180° - elevation.
-// Horizon and keep-outs are true directions, which axis_image.h converts to axis angles. Edges are permitted where the
-// axes can move along them (slits.h). Rounding of 1e-9° is tolerated. Pure values, any thread.
+// Horizon and keep-outs are true directions, which axis_image.h converts to axis angles, and xy_image.h to X and Y,
+// which have no turns and no second side. Edges are permitted where the axes can move along them (slits.h). Rounding of
+// 1e-9° is tolerated. Pure values, any thread.
 namespace boresight::pointing {
 
 class PermittedRegion
@@ -39,7 +40,8 @@ public:
     // The direction of the beam. Keeps the turn and the side of the zenith of the axes.
     [[nodiscard]] SkyPointing beamAt(const AxisPosition& place) const { return m_pointing.toSky(place); }
 
-    [[nodiscard]] bool hasHorizon() const { return !m_horizon.empty(); }
+    // False for X and Y, where boxes stand for the horizon.
+    [[nodiscard]] bool hasHorizonLine() const { return !m_upright.empty(); }
     // The horizon in axis angles, and its image over the top, turned by 180° and with 180° - elevation.
     [[nodiscard]] const Skyline& horizon() const { return m_upright; }
     [[nodiscard]] const Skyline& overTheTop() const { return m_overTheTop; }
@@ -47,10 +49,12 @@ public:
     // stay.
     [[nodiscard]] Angle floor(const TravelRange& azimuths) const;
     [[nodiscard]] Angle ceiling(const TravelRange& azimuths) const;
-    // The keep-outs in axis angles, one for each reachable turn and side of the zenith.
+    // The keep-outs in axis angles, one for each reachable turn and side of the zenith. For X and Y also the horizon.
     [[nodiscard]] const std::vector<AxisBox>& keepOuts() const { return m_boxes; }
 
 private:
+    void layOutAzimuthElevation();
+    void layOutXY();
     void layOut(const AxisBox& box, std::size_t index);
     void add(AxisBox box, std::size_t index);
     void closeSlits();

@@ -22,6 +22,25 @@ Angle angleOf(double y, double x)
     return Angle::fromRadians(std::atan2(y, x));
 }
 
+// A direction on a globe whose pole is at `latitude` 90°. Both angles of the mount and of the sky are of this kind.
+struct OnGlobe
+{
+    Angle longitude;
+    Angle latitude;
+};
+
+// Turns the globe so that its pole and the place of longitude 0° on its equator change places. This is its own inverse.
+// It brings the zenith, the pole of the sky, to X = Y = 0, and the X axis, in azimuth 0°, to the pole of X and Y.
+OnGlobe swapped(const OnGlobe& place)
+{
+    const double sinLongitude = std::sin(place.longitude.radians());
+    const double cosLongitude = std::cos(place.longitude.radians());
+    const double up = std::sin(place.latitude.radians());
+    const double level = std::cos(place.latitude.radians());
+    const double across = level * sinLongitude;
+    return {.longitude = angleOf(across, up), .latitude = angleOf(level * cosLongitude, std::hypot(across, up))};
+}
+
 }  // namespace
 
 PointingModel::Turn PointingModel::turn(Angle angle)
@@ -75,6 +94,10 @@ Angle PointingModel::withoutSag(Angle elevation) const
 
 SkyPointing PointingModel::toSky(const AxisPosition& axes) const
 {
+    if (isXY()) {
+        const auto [azimuth, elevation] = swapped({.longitude = axes.azimuth, .latitude = axes.elevation});
+        return {.azimuth = (azimuth + m_terms.geometry.xAxis).wrapped360(), .elevation = elevation};
+    }
     if (isIdentity()) {
         return {.azimuth = axes.azimuth, .elevation = axes.elevation};
     }
@@ -98,6 +121,11 @@ SkyPointing PointingModel::toSky(const AxisPosition& axes) const
 
 Aim PointingModel::toAxes(const SkyPointing& direction) const
 {
+    if (isXY()) {
+        const auto [x, y] =
+            swapped({.longitude = direction.azimuth - m_terms.geometry.xAxis, .latitude = direction.elevation});
+        return {.axes = {.azimuth = x, .elevation = y}, .miss = {}};
+    }
     if (isIdentity()) {
         return {.axes = {.azimuth = direction.azimuth, .elevation = direction.elevation}, .miss = {}};
     }

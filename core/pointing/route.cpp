@@ -126,7 +126,7 @@ std::vector<Place> turningPlaces(const PermittedRegion& region, const AxisPositi
     for (const AxisBox& keepOut : region.keepOuts()) {
         addCorners(corners, keepOut);
     }
-    if (region.hasHorizon()) {
+    if (region.hasHorizonLine()) {
         addSteps(corners, region, columns(region, from, to));
     }
     std::ranges::sort(corners, {},

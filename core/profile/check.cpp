@@ -281,6 +281,7 @@ std::vector<Problem> crossCheck(const Profile& profile)
     }
     checkBroker(problems, profile);
     checkListeners(problems, profile);
+    checkGeometry(problems, profile);
     checkRegion(problems, profile);
     checkAntennas(problems, profile);
     checkSupervision(problems, profile);

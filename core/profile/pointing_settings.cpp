@@ -3,6 +3,7 @@
 #include "core/base/text.h"
 #include "core/profile/setting_groups.h"
 #include "core/profile/setting_makers.h"
+#include "core/units/degrees_text.h"
 
 #include <set>
 
@@ -76,6 +77,53 @@ void checkAntennas(std::vector<Problem>& problems, const Profile& profile)
                                                     "describes. Choose another name.")
                                          : Text::tr("The name \"%1\" is used twice.").arg(toQString(name))});
         }
+    }
+}
+
+// What Boresight does not do on an X/Y mount is refused here, so that such a mount never moves by a setting that means
+// something else.
+void checkGeometry(std::vector<Problem>& problems, const Profile& profile)
+{
+    using pointing::Geometry;
+    if (profile.pointing.geometry.kind != Geometry::XY) {
+        return;
+    }
+    const auto refuse = [&](const std::string& key, const QString& text) { problems.push_back({key, text}); };
+    for (const Axis axis : kAxes) {
+        const std::string table = axis == Axis::Azimuth ? "azimuth" : "elevation";
+        const Angle most = axis == Axis::Azimuth ? 180_deg : 90_deg;
+        const TravelRange& travel = profile.axis(axis).geometry.travel;
+        if (profile.axis(axis).driver != AxisDriver::Moteus) {
+            refuse(table + ".driver", Text::tr("An X/Y mount needs a moteus drive for each axis."));
+        }
+        if (travel.min < -most || travel.max > most) {
+            refuse(table + (travel.min < -most ? ".travel_min_deg" : ".travel_max_deg"),
+                   (axis == Axis::Azimuth ? Text::tr("The X axis of an X/Y mount turns by at most %1 to each side.")
+                                          : Text::tr("The Y axis of an X/Y mount turns by at most %1 to each side."))
+                       .arg(degreesText(most, 0)));
+        }
+    }
+    for (const Setting& setting : settings()) {
+        const bool isTerm = setting.key.starts_with("pointing.");
+        if (isTerm && setting.get(profile) != setting.get(Profile{})) {
+            refuse(setting.key,
+                   Text::tr("An X/Y mount has no pointing terms. Set 0, and enter the zero of each axis as "
+                            "azimuth.offset_deg and elevation.offset_deg."));
+        }
+    }
+    for (std::size_t i = 0; i < profile.antennas.size(); ++i) {
+        if (profile.antennas[i].across != Angle{} || profile.antennas[i].up != Angle{}) {
+            refuse(
+                std::string(kAntennaKey) + "[" + std::to_string(i + 1) + "].offset_across_deg",
+                Text::tr("On an X/Y mount every antenna points where the main antenna points. Set both offsets to 0."));
+        }
+    }
+    if (profile.sensor.source != SensorSource::None) {
+        refuse("sensor.source", Text::tr("Boresight cannot use an orientation sensor on an X/Y mount. Set \"none\"."));
+    }
+    if (profile.rotctld.azimuth == AzimuthConvention::Continuous) {
+        refuse("rotctld.azimuth",
+               Text::tr("\"continuous\" counts turns of the azimuth axis, which an X/Y mount does not have."));
     }
 }
 

@@ -55,10 +55,11 @@ void checkNumbers(std::vector<Problem>& problems, std::string_view list, const s
 // Whether the sensor, the positions, the wind or an end switch come from this topic of the broker.
 [[nodiscard]] bool takesReadings(const Profile& profile, const std::string& topic);
 
-// Check settings that depend on each other: broker; region, Sun, park position and presets; antennas; source of
-// positions; satellites; watch list; sensor; received power; transmit output; brake; end
-// switches; wind.
+// Check settings that depend on each other: broker; geometry of the mount; region, Sun, park position and presets;
+// antennas; source of positions; satellites; watch list; sensor; received power; transmit output; brake; end switches;
+// wind.
 void checkBroker(std::vector<Problem>& problems, const Profile& profile);
+void checkGeometry(std::vector<Problem>& problems, const Profile& profile);
 void checkRegion(std::vector<Problem>& problems, const Profile& profile);
 void checkAntennas(std::vector<Problem>& problems, const Profile& profile);
 void checkPosition(std::vector<Problem>& problems, const Profile& profile);

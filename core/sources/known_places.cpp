@@ -2,6 +2,7 @@
 #include "core/sources/known_places.h"
 
 #include "core/base/text.h"
+#include "core/control/xy_gate.h"
 #include "core/units/degrees_text.h"
 
 #include <algorithm>
@@ -36,6 +37,9 @@ Result<> KnownPlaces::ask(const request::Home&, const Source& by)
 // Goes down to 0°, or to the lowest permitted elevation.
 Result<> KnownPlaces::ask(const request::Horizon& wanted, const Source& by)
 {
+    if (const Result<> may = hasElevationAxis(helm().view()); !may) {
+        return may;
+    }
     const pointing::PermittedRegion& region = helm().view().motion.region();
     AxisPosition low{.azimuth = helm().view().stoppingPlace().azimuth,
                      .elevation = std::max(0_deg, region.ranges().elevation.min)};
@@ -55,7 +59,9 @@ Result<> KnownPlaces::ask(const request::Horizon& wanted, const Source& by)
 
 Result<> KnownPlaces::ask(const request::Unwind&, const Source& by)
 {
-    const auto unwound = helm().mayPoint(by).and_then([this] { return Gates(helm().view()).unwound(); });
+    const auto unwound = helm().mayPoint(by).and_then([this] { return hasCable(helm().view()); }).and_then([this] {
+        return Gates(helm().view()).unwound();
+    });
     return unwound.and_then([&](const AxisPosition& place) {
         return helm().goTo(place, Activity::Placing, by,
                            Text::tr("unwrap the cable, azimuth axis to %1").arg(degreesText(place.azimuth, 1)));

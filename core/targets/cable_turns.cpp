@@ -119,7 +119,7 @@ MountReach reachOf(const profile::Profile& profile, const pointing::Antenna& ant
 
 CableTurns cableTurns(const std::vector<SkyMoment>& way, const MountReach& reach)
 {
-    if (way.empty() || reach.model.missing() == Axis::Azimuth) {
+    if (way.empty() || reach.model.missing() == Axis::Azimuth || reach.model.pointing().isXY()) {
         return {};
     }
     tracking::SweptArc arc;

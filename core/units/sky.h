@@ -11,6 +11,7 @@
 // two positions of the cable. Only MountModel converts between them.
 namespace boresight {
 
+// The lower and the upper axis of the mount. On an X/Y mount (pointing::MountGeometry) they are X and Y.
 enum class Axis
 {
     Azimuth,

@@ -1191,6 +1191,14 @@ até %1</translation>
         <source>out of limits</source>
         <translation>fora dos limites</translation>
     </message>
+    <message>
+        <source>X %1</source>
+        <translation>X %1</translation>
+    </message>
+    <message>
+        <source>Y %1</source>
+        <translation>Y %1</translation>
+    </message>
 </context>
 <context>
     <name>StripTexts</name>
@@ -10796,6 +10804,106 @@ até %1</translation>
         <source>plans the pass of %1 near the zenith, where the azimuth is too slow: off by up to %2, and for %3 by more than half of the beam width</source>
         <translation>planeia a passagem de %1 perto do zénite, onde o azimute é demasiado lento: desvio até %2, e durante %3 superior a metade da largura do feixe</translation>
     </message>
+    <message>
+        <source>trims the tracked target by %1 in X, %2 in Y</source>
+        <translation>compensa o alvo seguido em %1 de X, %2 de Y</translation>
+    </message>
+    <message>
+        <source>An X/Y mount has no cable to unwrap.</source>
+        <translation>Uma montagem X/Y não tem cabo para desenrolar.</translation>
+    </message>
+    <message>
+        <source>An X/Y mount has no elevation axis to lower. Go to a direction instead.</source>
+        <translation>Uma montagem X/Y não tem um eixo de elevação para baixar. Vá antes para uma direção.</translation>
+    </message>
+    <message>
+        <source>An X/Y mount cannot be calibrated here. The profile has the direction of its X axis (mount.x_axis_deg) and the zero of each axis.</source>
+        <translation>Uma montagem X/Y não pode ser calibrada aqui. O perfil tem a direção do eixo X (mount.x_axis_deg) e o zero de cada eixo.</translation>
+    </message>
+    <message>
+        <source>An X/Y mount needs no plan: it has no cable to unwrap, and no keyhole at the zenith.</source>
+        <translation>Uma montagem X/Y não precisa de plano: não tem cabo para desenrolar nem zona cega no zénite.</translation>
+    </message>
+    <message>
+        <source>X axis %1 below limit %2</source>
+        <translation>eixo X %1 abaixo do limite %2</translation>
+    </message>
+    <message>
+        <source>X axis %1 above limit %2</source>
+        <translation>eixo X %1 acima do limite %2</translation>
+    </message>
+    <message>
+        <source>Y axis %1 below limit %2</source>
+        <translation>eixo Y %1 abaixo do limite %2</translation>
+    </message>
+    <message>
+        <source>Y axis %1 above limit %2</source>
+        <translation>eixo Y %1 acima do limite %2</translation>
+    </message>
+    <message>
+        <source>X axis %1 outside limits %2…%3</source>
+        <translation>eixo X %1 fora dos limites %2…%3</translation>
+    </message>
+    <message>
+        <source>Y axis %1 outside limits %2…%3</source>
+        <translation>eixo Y %1 fora dos limites %2…%3</translation>
+    </message>
+    <message>
+        <source>%1 lies too close to the horizon (%2)</source>
+        <translation>%1 está demasiado perto do horizonte (%2)</translation>
+    </message>
+    <message>
+        <source>the X axis limit %1</source>
+        <translation>o limite do eixo X %1</translation>
+    </message>
+    <message>
+        <source>the Y axis limit %1</source>
+        <translation>o limite do eixo Y %1</translation>
+    </message>
+    <message>
+        <source>An X/Y mount needs a moteus drive for each axis.</source>
+        <translation>Uma montagem X/Y precisa de um acionamento moteus em cada eixo.</translation>
+    </message>
+    <message>
+        <source>The X axis of an X/Y mount turns by at most %1 to each side.</source>
+        <translation>O eixo X de uma montagem X/Y roda no máximo %1 para cada lado.</translation>
+    </message>
+    <message>
+        <source>The Y axis of an X/Y mount turns by at most %1 to each side.</source>
+        <translation>O eixo Y de uma montagem X/Y roda no máximo %1 para cada lado.</translation>
+    </message>
+    <message>
+        <source>An X/Y mount has no pointing terms. Set 0, and enter the zero of each axis as azimuth.offset_deg and elevation.offset_deg.</source>
+        <translation>Uma montagem X/Y não tem termos de apontamento. Ponha 0 e introduza o zero de cada eixo em azimuth.offset_deg e elevation.offset_deg.</translation>
+    </message>
+    <message>
+        <source>On an X/Y mount every antenna points where the main antenna points. Set both offsets to 0.</source>
+        <translation>Numa montagem X/Y todas as antenas apontam para onde aponta a antena principal. Ponha os dois desvios a 0.</translation>
+    </message>
+    <message>
+        <source>Boresight cannot use an orientation sensor on an X/Y mount. Set &quot;none&quot;.</source>
+        <translation>O Boresight não pode usar um sensor de orientação numa montagem X/Y. Escolha &quot;none&quot;.</translation>
+    </message>
+    <message>
+        <source>&quot;continuous&quot; counts turns of the azimuth axis, which an X/Y mount does not have.</source>
+        <translation>&quot;continuous&quot; conta voltas do eixo de azimute, que uma montagem X/Y não tem.</translation>
+    </message>
+    <message>
+        <source>Geometry</source>
+        <translation>Geometria</translation>
+    </message>
+    <message>
+        <source>What the two axes turn about. &quot;az-el&quot;: azimuth and elevation. &quot;x-y&quot;: the lower axis X is horizontal and carries the upper axis Y. At X 0° and Y 0° the beam points to the zenith. All settings of the azimuth axis are then those of X, and those of the elevation axis are those of Y.</source>
+        <translation>Em torno de que rodam os dois eixos. &quot;az-el&quot;: azimute e elevação. &quot;x-y&quot;: o eixo inferior X é horizontal e suporta o eixo superior Y. Com X 0° e Y 0° o feixe aponta para o zénite. Todas as definições do eixo de azimute são então as de X, e as do eixo de elevação são as de Y.</translation>
+    </message>
+    <message>
+        <source>Direction of the X axis</source>
+        <translation>Direção do eixo X</translation>
+    </message>
+    <message>
+        <source>Only for &quot;x-y&quot;: true azimuth of the X axis. 0 is north-south, 90 is east-west. A positive Y leans the beam to this azimuth, a positive X to the azimuth 90° clockwise of it.</source>
+        <translation>Só para &quot;x-y&quot;: azimute verdadeiro do eixo X. 0 é norte-sul, 90 é este-oeste. Um Y positivo inclina o feixe para este azimute, um X positivo para o azimute 90° no sentido dos ponteiros do relógio a partir deste.</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>
@@ -11449,6 +11557,14 @@ velocidade %1</translation>
     <message>
         <source>the cable wrap is unknown</source>
         <translation>a volta é desconhecida</translation>
+    </message>
+    <message>
+        <source>X %1</source>
+        <translation>X %1</translation>
+    </message>
+    <message>
+        <source>Y %1</source>
+        <translation>Y %1</translation>
     </message>
 </context>
 <context>
@@ -13268,6 +13384,14 @@ trocar os motores</translation>
         <source>Turn azimuth clockwise at %1 while held</source>
         <translation>Girar o azimute no sentido horário a %1 enquanto premido</translation>
     </message>
+    <message>
+        <source>X: AZ ↻ must lean the antenna to azimuth %1</source>
+        <translation>X: AZ ↻ tem de inclinar a antena para o azimute %1</translation>
+    </message>
+    <message>
+        <source>Y: EL ↑ must lean the antenna to azimuth %1</source>
+        <translation>Y: EL ↑ tem de inclinar a antena para o azimute %1</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::GuideNorth</name>
@@ -13374,6 +13498,14 @@ trocar os motores</translation>
     <message>
         <source>True azimuth</source>
         <translation>Azimute verdadeiro</translation>
+    </message>
+    <message>
+        <source>An X/Y mount needs no north. The profile has the direction of the X axis (mount.x_axis_deg). Press Next.</source>
+        <translation>Uma montagem X/Y não precisa de norte. O perfil tem a direção do eixo X (mount.x_axis_deg). Prima Seguinte.</translation>
+    </message>
+    <message>
+        <source>an X/Y mount has the direction of its X axis in the profile</source>
+        <translation>uma montagem X/Y tem a direção do eixo X no perfil</translation>
     </message>
 </context>
 <context>
@@ -14502,6 +14634,10 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
     <message>
         <source>%1. Your steps are added to the targets of the clients.</source>
         <translation>%1. Os seus passos somam-se aos alvos dos clientes.</translation>
+    </message>
+    <message>
+        <source>Trim: X %1 Y %2</source>
+        <translation>Correção: X %1 Y %2</translation>
     </message>
 </context>
 <context>
@@ -15744,6 +15880,10 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
     <message>
         <source>Go to elevation 0°, or to the lowest permitted elevation. If an azimuth is entered, go there. If not, the azimuth stays.</source>
         <translation>Ir para a elevação 0°, ou para a mais baixa permitida. Se houver um azimute escrito, ir para lá. Se não, o azimute fica.</translation>
+    </message>
+    <message>
+        <source>Go to X 0° and Y 0°: the beam points to the zenith</source>
+        <translation>Ir para X 0° e Y 0°: o feixe aponta para o zénite</translation>
     </message>
 </context>
 <context>

@@ -32,8 +32,9 @@ Permissions withoutMotion(const QString& why, Permissions may)
 
 Permissions withoutPointing(const QString& why, Permissions may)
 {
-    for (const Action action : {Action::Point, Action::Park, Action::Home, Action::Unwind, Action::StepUp,
-                                Action::StepDown, Action::StepLeft, Action::StepRight, Action::ProveCrashStop}) {
+    for (const Action action :
+         {Action::Point, Action::Park, Action::Home, Action::Horizon, Action::Unwind, Action::StepUp, Action::StepDown,
+          Action::StepLeft, Action::StepRight, Action::ProveCrashStop}) {
         may.refuse(action, why);
     }
     return may;

@@ -197,6 +197,7 @@ void StripCharts::showStatus(const StationStatus& status)
     m_limits = {.profile = status.profile, .beamWidth = antennaOf(status).beamWidth};
     for (const Axis axis : kAxes) {
         m_turnKnown[axisIndex(axis)] = isTurnKnown(status, axis);
+        m_axes->button(static_cast<int>(axis))->setText(shortName(axis, status));
     }
     strip(Strip::Drive).setVisible(status.drives.has_value());
     m_quantity->setVisible(status.drives.has_value());

@@ -34,6 +34,19 @@ bool sameMotor(const profile::AxisSettings& one, const profile::AxisSettings& ot
     return one.id == other.id && one.geometry.sign == other.geometry.sign;
 }
 
+// The buttons move the axes. On an X/Y mount these are X and Y.
+QString hintOf(Axis axis, const pointing::MountGeometry& geometry)
+{
+    if (geometry.kind == pointing::Geometry::XY) {
+        return axis == Axis::Azimuth ? GuideDirections::tr("X: AZ ↻ must lean the antenna to azimuth %1")
+                                           .arg(azimuthText((geometry.xAxis + 90_deg).wrapped360(), 0))
+                                     : GuideDirections::tr("Y: EL ↑ must lean the antenna to azimuth %1")
+                                           .arg(azimuthText(geometry.xAxis.wrapped360(), 0));
+    }
+    return axis == Axis::Azimuth ? GuideDirections::tr("↻ must turn the antenna clockwise, seen from above")
+                                 : GuideDirections::tr("↑ must raise the antenna");
+}
+
 }  // namespace
 
 GuideDirections::GuideDirections(ProfileChange& change, RequestDesk& desk, QWidget* parent)
@@ -145,8 +158,7 @@ void GuideDirections::follow(Axis axis)
     if (now.state == AxisState::Moving) {
         row.farthest = std::max(row.farthest, abs(moved));
     }
-    const QString hint = axis == Axis::Azimuth ? tr("↻ must turn the antenna clockwise, seen from above")
-                                               : tr("↑ must raise the antenna");
+    const QString hint = hintOf(axis, m_status.profile->pointing.geometry);
     row.moved->setValue(row.farthest < kSeen ? hint : tr("%1. Now %2.").arg(hint, signedAngleText(moved, 1)),
                         row.farthest < kSeen ? Tone::Normal : Tone::Secondary);
 }

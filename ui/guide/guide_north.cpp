@@ -54,12 +54,15 @@ QString panelText(const StationStatus& status)
                                       : GuideNorth::tr("Sun, Moon (Ctrl+9)");
 }
 
-QString explanation(const QString& known, bool sensor)
+QString explanation(const QString& known, bool sensor, bool isXY)
 {
-    return known.isEmpty() && !sensor ? GuideNorth::tr(
-                                            "Point the antenna at a landmark with a known bearing, and type the "
-                                            "bearing. Or use the Sun or the Moon. This mount has no sensor. To find "
-                                            "north later, press Next. Everything else works without north.")
+    return isXY ? GuideNorth::tr(
+                      "An X/Y mount needs no north. The profile has the direction of the X axis "
+                      "(mount.x_axis_deg). Press Next.")
+           : known.isEmpty() && !sensor ? GuideNorth::tr(
+                                              "Point the antenna at a landmark with a known bearing, and type the "
+                                              "bearing. Or use the Sun or the Moon. This mount has no sensor. To find "
+                                              "north later, press Next. Everything else works without north.")
            : known.isEmpty()
                ? GuideNorth::tr(
                      "Point the antenna at a landmark with a known bearing, and type the bearing. Or use the sensor, "
@@ -184,7 +187,7 @@ void GuideNorth::showKnown()
 {
     const QString known = knownText(m_status, m_change.applied().pointing.azimuthOffset);
     m_known = !known.isEmpty();
-    m_explanation->setValue(explanation(known, m_status.sensor.configured()));
+    m_explanation->setValue(explanation(known, m_status.sensor.configured(), hasXY(m_status)));
     m_panel->setText(panelText(m_status));
     m_panel->setAccessibleName(m_panel->text());
     m_replace->setVisible(m_known);
@@ -203,6 +206,9 @@ AxisPosition GuideNorth::axes() const
 
 QString GuideNorth::whyNot() const
 {
+    if (hasXY(m_status)) {
+        return tr("an X/Y mount has the direction of its X axis in the profile");
+    }
     for (const Axis axis : kAxes) {
         const QString reason = m_status.permissions.reason(setAction(axis));
         if (m_status.capabilities.has(axis) && !reason.isEmpty()) {

@@ -2,6 +2,7 @@
 #include "ui/jog/jog_panel.h"
 
 #include "ui/jog/jog_choices.h"
+#include "ui/kit/axes.h"
 #include "ui/kit/caption.h"
 #include "ui/kit/command_button.h"
 #include "ui/kit/format.h"
@@ -66,7 +67,8 @@ void JogPanel::showStatus(const StationStatus& status)
 void JogPanel::showTrim()
 {
     const SkyPointing trim = m_status.trim.value_or(SkyPointing{});
-    const QString text = tr("Trim: AZ %1 EL %2").arg(signedAngleText(trim.azimuth), signedAngleText(trim.elevation));
+    const QString words = hasXY(m_status) ? tr("Trim: X %1 Y %2") : tr("Trim: AZ %1 EL %2");
+    const QString text = words.arg(signedAngleText(trim.azimuth), signedAngleText(trim.elevation));
     m_trim->setValue(m_status.trim ? text : tr("No trim"), m_status.trim ? Tone::Normal : Tone::Secondary);
     m_clearTrim->setBlocked(m_status.permissions.reason(Action::ClearTrim));
     m_clearTrim->setCommand(tr("Clear trim"), tr("%1. Your steps are added to the targets of the clients.").arg(text));

@@ -5,6 +5,7 @@
 #include "ui/jog/go_to_bar.h"
 #include "ui/jog/nearest_offer.h"
 #include "ui/jog/preset_bar.h"
+#include "ui/kit/axes.h"
 #include "ui/kit/command_button.h"
 #include "ui/kit/format.h"
 #include "ui/kit/push_button.h"
@@ -104,7 +105,9 @@ void PlacesBar::showStatus(const StationStatus& status)
     const QString reason = status.permissions.reason(Action::Point);
     m_goTo->setBlocked(reason);
     m_goTo->setPresent(status.actual);
-    m_horizon->setBlocked(reason);
+    m_horizon->setBlocked(status.permissions.reason(Action::Horizon));
+    m_home->setCommand(tr("Home"), hasXY(status) ? tr("Go to X 0° and Y 0°: the beam points to the zenith")
+                                                 : tr("Go to azimuth 0° and the lowest elevation"));
     m_home->setBlocked(status.permissions.reason(Action::Home));
     m_unwrap->setBlocked(status.permissions.reason(Action::Unwind));
     showPark();

@@ -19,6 +19,16 @@ QString shortName(Axis axis)
                                  : QCoreApplication::translate("Axes", "EL");
 }
 
+QString shortName(Axis axis, const StationStatus& status)
+{
+    return !hasXY(status) ? shortName(axis) : axis == Axis::Azimuth ? QStringLiteral("X") : QStringLiteral("Y");
+}
+
+bool hasXY(const StationStatus& status)
+{
+    return status.profile->pointing.geometry.kind == pointing::Geometry::XY;
+}
+
 std::size_t axisIndex(Axis axis)
 {
     return axis == Axis::Azimuth ? 0 : 1;

@@ -10,8 +10,11 @@
 // The status of one axis, and whether its wrap is known.
 namespace boresight::ui {
 
-[[nodiscard]] QString name(Axis axis);           // "azimuth"
-[[nodiscard]] QString shortName(Axis axis);      // "AZ"
+[[nodiscard]] QString name(Axis axis);       // "azimuth"
+[[nodiscard]] QString shortName(Axis axis);  // "AZ"
+// "AZ", or "X" for an X/Y mount. Only for angles of the axis itself: directions are always AZ and EL.
+[[nodiscard]] QString shortName(Axis axis, const StationStatus& status);
+[[nodiscard]] bool hasXY(const StationStatus& status);
 [[nodiscard]] std::size_t axisIndex(Axis axis);  // 0, 1
 // The axis that the mount does not have.
 [[nodiscard]] std::optional<Axis> missingAxis(const StationStatus& status);

@@ -58,7 +58,8 @@ QDoubleSpinBox* LimitRow::makeField(const QString& name, Angle TravelRange::*end
 
 void LimitRow::addTo(QGridLayout& grid, int row)
 {
-    grid.addWidget(makeCaption(shortName(m_axis), *m_min), row, 0);
+    m_caption = makeCaption(shortName(m_axis), *m_min);
+    grid.addWidget(m_caption, row, 0);
     grid.addWidget(m_min, row, 1);
     grid.addWidget(m_bar, row, 2);
     grid.addWidget(m_max, row, 3);
@@ -73,6 +74,9 @@ std::string LimitRow::key(Angle TravelRange::*end) const
 void LimitRow::showStatus(const StationStatus& status)
 {
     const AxisStatus& axis = axisOf(status, m_axis);
+    if (m_caption != nullptr) {
+        m_caption->setText(shortName(m_axis, status));
+    }
     if (axis.travel != m_travel) {
         m_travel = axis.travel;
         showDraft();

@@ -37,6 +37,7 @@ private:
     QDoubleSpinBox* m_min;
     QDoubleSpinBox* m_max;
     LimitBar* m_bar;
+    QLabel* m_caption = nullptr;  // after addTo()
 };
 
 }  // namespace boresight::ui

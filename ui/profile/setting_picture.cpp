@@ -30,7 +30,9 @@ struct Match
 };
 
 // The first match counts.
-constexpr Match kMatches[] = {{".travel_m", Kind::Travel},
+constexpr Match kMatches[] = {{"mount.geometry", Kind::Geometry},
+                              {"mount.x_axis", Kind::Geometry},
+                              {".travel_m", Kind::Travel},
                               {"limits.azimuth_", Kind::AzimuthLimits},
                               {"limits.elevation_", Kind::ElevationLimits},
                               {profile::kHorizonKey, Kind::Horizon},
@@ -144,6 +146,7 @@ void SettingPicture::draw(QPainter& painter, const QRectF& box) const
 {
     using Draw = void (SettingPicture::*)(QPainter&) const;
     static constexpr Draw kDraws[] = {nullptr,
+                                      &SettingPicture::drawGeometry,
                                       &SettingPicture::drawTravel,
                                       &SettingPicture::drawAzimuthLimits,
                                       &SettingPicture::drawElevationLimits,
@@ -173,6 +176,22 @@ void SettingPicture::draw(QPainter& painter, const QRectF& box) const
 QIcon SettingPicture::icon() const
 {
     return QIcon(new PictureIcon(*this));
+}
+
+// The lower axis lies level on two posts. The dish leans beside it.
+void SettingPicture::drawGeometry(QPainter& painter) const
+{
+    ground(painter);
+    for (const double post : {12.0, 36.0}) {
+        painter.drawLine(QPointF(post, kGround), QPointF(post, 19));
+    }
+    painter.setPen(strong());
+    painter.drawLine(QPointF(8, 19), QPointF(40, 19));
+    arc(painter, QPointF(24, 19), 10, 40, 100);
+    arrowHead(painter, around(QPointF(24, 19), 10, 40), -50);
+    painter.setPen(line(1.8));
+    painter.drawLine(QPointF(24, 19), QPointF(24, 12));
+    arc(painter, QPointF(24, 5), 7, 200, 140);
 }
 
 // One and a half turns, wound outwards: the cable, with the end that the setting moves.

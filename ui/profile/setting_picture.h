@@ -18,6 +18,7 @@ public:
     enum class Kind
     {
         None,
+        Geometry,
         Travel,  // of an axis, as a cable
         AzimuthLimits,
         ElevationLimits,
@@ -41,6 +42,7 @@ public:
     [[nodiscard]] QIcon icon() const;  // empty if there is no picture, so that all names are aligned
 
 private:
+    void drawGeometry(QPainter& painter) const;
     void drawTravel(QPainter& painter) const;
     void drawAzimuthLimits(QPainter& painter) const;
     void drawElevationLimits(QPainter& painter) const;

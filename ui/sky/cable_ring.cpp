@@ -26,7 +26,7 @@ constexpr double kDotMargin = 2.5;                      // px of the dot outside
 
 CableState cableOf(const StationStatus& status)
 {
-    if (missingAxis(status) == Axis::Azimuth) {
+    if (missingAxis(status) == Axis::Azimuth || hasXY(status)) {
         return {};
     }
     const AxisStatus& axis = status.azimuth;

@@ -67,8 +67,12 @@ std::string freeName(const std::vector<KeepOut>& keepOuts)
 // In whole degrees, at most 0°: directions that the beam can reach without a horizon must stay in reach.
 Angle lowestOfTheSky(const Region& region, const Travel& travel)
 {
-    const Angle axis = std::max(permitted(region, travel).elevation.min, -90_deg);
+    const Travel limits = permitted(region, travel);
+    const Angle axis = std::max(limits.elevation.min, -90_deg);
     Angle lowest = 0_deg;
+    if (travel.pointing.isXY()) {
+        return std::clamp(90_deg - std::max(-limits.azimuth.min, limits.azimuth.max), -90_deg, 0_deg);
+    }
     for (Angle azimuth; azimuth < 360_deg; azimuth += 30_deg) {
         lowest = std::min(lowest, travel.pointing.toSky({azimuth, axis}).elevation);
     }

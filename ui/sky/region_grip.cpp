@@ -78,12 +78,14 @@ private:
         return std::nullopt;
     }
 
-    // If both limits have the same direction (0…360°), the permitted side decides which one is meant.
+    // The limits of X and Y are typed in the panel. If both limits have the same direction (0…360°), the permitted side
+    // decides which one is meant.
     [[nodiscard]] std::optional<Grip> azimuthLimit() const
     {
         const auto& [min, max] = m_limits.azimuth;
         const bool wholeCircle = max - min >= 360_deg;
-        if (max <= min || (wholeCircle && axesUnder().elevation > m_limits.level() + kLimitMark)) {
+        if (m_limits.pointing.isXY() || max <= min ||
+            (wholeCircle && axesUnder().elevation > m_limits.level() + kLimitMark)) {
             return std::nullopt;
         }
         const bool onMin = onLimitRay(min);
@@ -98,7 +100,7 @@ private:
     [[nodiscard]] std::optional<Grip> elevationLimit() const
     {
         const auto& [min, max] = m_limits.elevation;
-        if (max <= min) {
+        if (m_limits.pointing.isXY() || max <= min) {
             return std::nullopt;
         }
         if (max <= m_limits.level() + 90_deg && onLimitRing(max)) {

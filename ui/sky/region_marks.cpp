@@ -76,19 +76,36 @@ void RegionMarks::paintKeepOuts(QPainter& painter, const std::vector<pointing::K
     }
 }
 
-void RegionMarks::paintGrips(QPainter& painter, const std::optional<Grip>& selected) const
+void RegionMarks::paintLimitGrips(QPainter& painter, const std::optional<Grip>& selected) const
 {
-    const auto isSelected = [&selected](RegionPart part, std::size_t index) {
-        return selected && selected->part == part && selected->index == index;
-    };
+    const auto isSelected = [&selected](RegionPart part) { return selected && selected->part == part; };
     const Travel limits = permitted(m_edited, m_travel);
     const bool wholeCircle = limits.azimuth.max - limits.azimuth.min >= 360_deg;
     const Angle level = limits.level();
     for (const auto& [part, azimuth] : {std::pair(RegionPart::AzimuthMin, limits.azimuth.min),
                                         std::pair(RegionPart::AzimuthMax, limits.azimuth.max)}) {
-        painter.setPen(QPen(currentTheme().accent, isSelected(part, 0) ? 4.0 : 2.5));
+        painter.setPen(QPen(currentTheme().accent, isSelected(part) ? 4.0 : 2.5));
         painter.drawPath(
             meridian(azimuth, level, level + (wholeCircle ? kLimitMark : kLimitMark * 0.5), limits.pointing, m_sky));
+    }
+    const auto southOf = [&](Angle elevation) {
+        const Angle south = 180_deg - limits.pointing.terms().azimuthOffset;
+        return m_sky.toPixel(limits.pointing.toSky({south, elevation}));
+    };
+    if (limits.elevation.max <= level + 90_deg) {
+        drawGrip(painter, southOf(limits.elevation.max), isSelected(RegionPart::ElevationMax));
+    }
+    drawGrip(painter, southOf(limits.elevation.min), isSelected(RegionPart::ElevationMin));
+}
+
+// The limits of X and Y are curves without grips. They are typed in the panel.
+void RegionMarks::paintGrips(QPainter& painter, const std::optional<Grip>& selected) const
+{
+    const auto isSelected = [&selected](RegionPart part, std::size_t index) {
+        return selected && selected->part == part && selected->index == index;
+    };
+    if (!m_travel.pointing.isXY()) {
+        paintLimitGrips(painter, selected);
     }
     for (std::size_t i = 0; i < m_edited.keepOuts.size(); ++i) {
         const SkySector sector = sectorOf(m_edited.keepOuts[i]);
@@ -102,14 +119,6 @@ void RegionMarks::paintGrips(QPainter& painter, const std::optional<Grip>& selec
         const pointing::HorizonPoint& point = m_edited.horizon[i];
         drawGrip(painter, m_sky.toPixel({point.azimuth, point.elevation}), isSelected(RegionPart::HorizonPoint, i));
     }
-    const auto southOf = [&](Angle elevation) {
-        const Angle south = 180_deg - limits.pointing.terms().azimuthOffset;
-        return m_sky.toPixel(limits.pointing.toSky({south, elevation}));
-    };
-    if (limits.elevation.max <= level + 90_deg) {
-        drawGrip(painter, southOf(limits.elevation.max), isSelected(RegionPart::ElevationMax, 0));
-    }
-    drawGrip(painter, southOf(limits.elevation.min), isSelected(RegionPart::ElevationMin, 0));
 }
 
 }  // namespace boresight::ui

@@ -21,6 +21,7 @@ public:
     void paintGrips(QPainter& painter, const std::optional<Grip>& selected) const;
 
 private:
+    void paintLimitGrips(QPainter& painter, const std::optional<Grip>& selected) const;
     void paintLimits(QPainter& painter, const pointing::Region& inForce) const;
     void paintKeepOuts(QPainter& painter, const std::vector<pointing::KeepOut>& inForce) const;
 

@@ -32,12 +32,32 @@ int stepsOf(Angle width)
 void addArc(QPolygonF& line, const AxisPosition& from, const AxisPosition& to, const pointing::PointingModel& pointing,
             const SkyProjection& sky)
 {
-    const int steps = stepsOf(abs(to.azimuth - from.azimuth));
+    const Angle height = pointing.isSkewed() ? abs(to.elevation - from.elevation) : 0_deg;
+    const int steps = stepsOf(std::max(abs(to.azimuth - from.azimuth), height));
     for (int step = 0; step <= steps; ++step) {
         const double part = double(step) / steps;
         line << sky.toPixel(pointing.toSky({from.azimuth + (to.azimuth - from.azimuth) * part,
                                             from.elevation + (to.elevation - from.elevation) * part}));
     }
+}
+
+// The part of the sky above the horizon is X and Y from -90° to 90°.
+constexpr TravelRange kUpper{.min = -90_deg, .max = 90_deg};
+
+std::vector<SkySector> beyondXY(const Travel& permitted)
+{
+    const auto& [x, y, pointing] = permitted;
+    std::vector<SkySector> sectors;
+    const auto add = [&](const TravelRange& ofX, const TravelRange& ofY, const char* text, Angle limit) {
+        if (ofX.min < ofX.max && ofY.min < ofY.max) {
+            sectors.push_back({ofX.min, ofX.max, ofY.min, ofY.max, named(text, limit), SectorKind::Sector, pointing});
+        }
+    };
+    add({kUpper.min, x.min}, kUpper, QT_TRANSLATE_NOOP("SkyLimits", "X %1"), x.min);
+    add({x.max, kUpper.max}, kUpper, QT_TRANSLATE_NOOP("SkyLimits", "X %1"), x.max);
+    add(kUpper, {kUpper.min, y.min}, QT_TRANSLATE_NOOP("SkyLimits", "Y %1"), y.min);
+    add(kUpper, {y.max, kUpper.max}, QT_TRANSLATE_NOOP("SkyLimits", "Y %1"), y.max);
+    return sectors;
 }
 
 }  // namespace
@@ -62,6 +82,9 @@ std::vector<SkySector> unreachable(const Travel& permitted)
     std::vector<SkySector> sectors;
     if (azimuth.max <= azimuth.min || elevation.max <= elevation.min) {
         return sectors;  // no profile received yet
+    }
+    if (pointing.isXY()) {
+        return beyondXY(permitted);
     }
     // The axis elevations of the horizon and of the zenith.
     const Angle level = permitted.level();
@@ -118,6 +141,12 @@ QPainterPath outline(const SkySector& sector, const SkyProjection& sky)
         path.addPolygon(rim);
         path.addPolygon(inner);  // a ring: odd-even fill leaves the middle open
     } else {
+        if (sector.pointing.isXY()) {  // the sides are curves, too
+            addArc(rim, {sector.toAzimuth, sector.fromElevation}, {sector.toAzimuth, sector.toElevation},
+                   sector.pointing, sky);
+            addArc(inner, {sector.fromAzimuth, sector.toElevation}, {sector.fromAzimuth, sector.fromElevation},
+                   sector.pointing, sky);
+        }
         path.addPolygon(rim + inner);
         path.closeSubpath();
     }
@@ -127,8 +156,13 @@ QPainterPath outline(const SkySector& sector, const SkyProjection& sky)
 QPainterPath ring(Angle elevation, const pointing::PointingModel& pointing, const SkyProjection& sky)
 {
     QPolygonF line;
-    addArc(line, {0_deg, elevation}, {360_deg, elevation}, pointing, sky);
     QPainterPath path;
+    if (pointing.isXY()) {
+        addArc(line, {kUpper.min, elevation}, {kUpper.max, elevation}, pointing, sky);
+        path.addPolygon(line);
+        return path;
+    }
+    addArc(line, {0_deg, elevation}, {360_deg, elevation}, pointing, sky);
     path.addPolygon(line);
     path.closeSubpath();
     return path;
@@ -138,9 +172,10 @@ QPainterPath meridian(Angle azimuth, Angle from, Angle to, const pointing::Point
                       const SkyProjection& sky)
 {
     QPolygonF line;
-    const int steps = pointing.isSkewed() ? stepsOf(to - from) : 1;
-    for (int step = 0; step <= steps; ++step) {
-        line << sky.toPixel(pointing.toSky({azimuth, from + (to - from) * (double(step) / steps)}));
+    if (pointing.isXY()) {
+        addArc(line, {azimuth, kUpper.min}, {azimuth, kUpper.max}, pointing, sky);
+    } else {
+        addArc(line, {azimuth, from}, {azimuth, to}, pointing, sky);
     }
     QPainterPath path;
     path.addPolygon(line);

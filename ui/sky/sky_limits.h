@@ -60,8 +60,8 @@ struct Travel
 // The range in which the mount may work: the limits within the travel.
 [[nodiscard]] Travel permitted(const pointing::Region& region, const Travel& travel);
 
-// The areas that the axes may not reach. An elevation range over the top reaches a closed azimuth sector from the other
-// side, above an elevation of 180° - max.
+// The areas that the axes may not reach. Those of an X/Y mount lie beyond the ends of X and Y. An elevation range over
+// the top reaches a closed azimuth sector from the other side, above an elevation of 180° - max.
 [[nodiscard]] std::vector<SkySector> unreachable(const Travel& permitted);
 
 [[nodiscard]] SkySector sectorOf(const pointing::KeepOut& keepOut);
@@ -70,7 +70,8 @@ struct Travel
 [[nodiscard]] std::vector<SkySector> sectorsOf(const pointing::Region& region, const Travel& travel);
 
 [[nodiscard]] QPainterPath outline(const SkySector& sector, const SkyProjection& sky);
-// In axis angles: a circle around their zenith, and the line upwards at one azimuth.
+// In axis angles: a circle around their zenith, and the line upwards at one azimuth. For X and Y: the line at one Y,
+// and the line at one X, both from horizon to horizon.
 [[nodiscard]] QPainterPath ring(Angle elevation, const pointing::PointingModel& pointing, const SkyProjection& sky);
 [[nodiscard]] QPainterPath meridian(Angle azimuth, Angle from, Angle to, const pointing::PointingModel& pointing,
                                     const SkyProjection& sky);

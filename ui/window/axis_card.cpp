@@ -269,6 +269,7 @@ void AxisCard::showStatus(const StationStatus& status)
     m_registers = driveOf(status, m_axis).registers;
     m_trim = status.trim;
     m_hasModel = termsOf(status) != pointing::PointingTerms{};
+    m_isXY = hasXY(status);
     const bool turnKnown = isTurnKnown(status, m_axis);
     showNumbers(turnKnown);
     // While the wrap is unknown the count of the drive has no meaning: there is nothing to compare.
@@ -315,7 +316,8 @@ void AxisCard::showError(const StationStatus& status, bool known)
     // The higher the beam, the smaller a degree of azimuth is on the sky.
     const double onSky = m_axis == Axis::Azimuth && status.actual ? std::cos(status.actual->elevation.radians()) : 1.0;
     const Angle width = antennaOf(status).beamWidth;
-    const auto share = [&](Angle to) { return (to - *beam.actual) / width * onSky; };
+    const auto off = [&](Angle to) { return m_isXY ? (to - *beam.actual).wrapped180() : to - *beam.actual; };
+    const auto share = [&](Angle to) { return off(to) / width * onSky; };
     const std::optional<Angle> expected = expectedAngle(status, beam);
     m_bar->setError(share(*beam.target), expected && std::abs(share(*expected)) > 0.5);
 }
@@ -336,7 +338,10 @@ QString AxisCard::detail()
         parts << tr("trim %1").arg(signedAngleText(trim()));
     }
     if (m_shown.actual && m_shown.turnKnown && m_hasModel && freshness(m_shown.age) != Freshness::NoData) {
-        parts << tr("axis %1").arg(angleText(steady(m_steadyAxis, *m_shown.actual)));
+        const QString angle = angleText(steady(m_steadyAxis, *m_shown.actual));
+        parts << (!m_isXY                   ? tr("axis %1").arg(angle)
+                  : m_axis == Axis::Azimuth ? tr("X %1").arg(angle)
+                                            : tr("Y %1").arg(angle));
     }
     if (const QString text = detailText(m_shown, m_shown.turnKnown); !text.isEmpty()) {
         parts << text;

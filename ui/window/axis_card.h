@@ -12,9 +12,8 @@ class QGridLayout;
 
 // One axis: actual and target as true directions, error (target minus actual, along the real way of the axis), rate and
 // a state word. Below it the error as a bar, and further values: the trim, the axis angle if it is not the true
-// direction, a detail. An old number is dimmed with its age, a very old one is not shown. While the wrap is unknown
-// there is no number. Gui thread.
-// More than 15 members: the widgets that it composes.
+// direction (named X or Y on an X/Y mount), a detail. An old number is dimmed with its age, a very old one is not
+// shown. While the wrap is unknown there is no number. Gui thread. More than 15 members: the widgets that it composes.
 namespace boresight::ui {
 
 class ErrorBar;
@@ -76,6 +75,7 @@ private:
     QString m_registers;  // the values reported by the drive
     std::optional<SkyPointing> m_trim;
     bool m_hasModel = false;  // the axis angle is not the true direction
+    bool m_isXY = false;      // the axis is X or Y: error and rate are its own, the numbers are of the beam
     // A measured value varies a little even while the axis stands still.
     SteadyNumber m_steadyActual;
     SteadyNumber m_steadyAxis{2};

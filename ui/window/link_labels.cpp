@@ -268,9 +268,11 @@ void LinkLabels::showStatus(const StationStatus& status)
     setShown(*m_line, lineShown(status));
     m_line->setToolTip(status.line.kind.isEmpty() ? QString() : lineHelp(status));
     const bool released = drivesOf(status).released;
-    setShown(*m_azimuth, driveShown(tr("AZ"), status.azimuth, released, isAtEnd(status, Axis::Azimuth)));
+    setShown(*m_azimuth,
+             driveShown(shortName(Axis::Azimuth, status), status.azimuth, released, isAtEnd(status, Axis::Azimuth)));
     m_azimuth->setToolTip(driveHelp(status, Axis::Azimuth));
-    setShown(*m_elevation, driveShown(tr("EL"), status.elevation, released, isAtEnd(status, Axis::Elevation)));
+    setShown(*m_elevation, driveShown(shortName(Axis::Elevation, status), status.elevation, released,
+                                      isAtEnd(status, Axis::Elevation)));
     m_elevation->setToolTip(driveHelp(status, Axis::Elevation));
     setShown(*m_sensor, sensorShown(status.sensor));
     m_sensor->setToolTip(status.sensor.configured() ? sensorHelp(status.sensor) : QString());

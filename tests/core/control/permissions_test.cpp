@@ -156,6 +156,8 @@ Request requestOf(Action action, const StationRig& rig)
             return request::Park{};
         case Action::Home:
             return request::Home{};
+        case Action::Horizon:
+            return request::Horizon{};
         case Action::Unwind:
             return request::Unwind{};
         case Action::JogUp:
@@ -220,6 +222,7 @@ Request requestOf(Action action, const StationRig& rig)
 constexpr std::array kAsked{Action::Point,
                             Action::Park,
                             Action::Home,
+                            Action::Horizon,
                             Action::Unwind,
                             Action::JogUp,
                             Action::JogDown,

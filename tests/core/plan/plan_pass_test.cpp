@@ -194,6 +194,13 @@ TEST(PlanPass, NeedsTwoAxes)
     EXPECT_FALSE(planMount(profile, profile.antenna({})));
 }
 
+TEST(PlanPass, AnXYMountNeedsNone)
+{
+    profile::Profile profile;
+    profile.pointing.geometry.kind = pointing::Geometry::XY;
+    EXPECT_FALSE(planMount(profile, profile.antenna({})));
+}
+
 // REQ-PLAN-08: Variants are compared side by side: a pass near the zenith costs a slow mount degrees, and over the top
 // only the distance from the zenith.
 TEST(PlanPass, ComparesTheWaysThroughTheKeyhole)

@@ -29,6 +29,34 @@ TEST(CrossCheck, FindsEveryClashAtOnce)
                                         "jog.normal_deg_s"}));
 }
 
+// REQ-PROFILE-967: On an X/Y mount Boresight refuses each setting that it would not obey there: another driver, travel
+// beyond half a turn of X or a quarter turn of Y to each side, pointing terms, offsets of antennas, the orientation
+// sensor, and a continuous azimuth for clients.
+TEST(CrossCheck, AnXYMountHasOnlyWhatItCanDo)
+{
+    Profile profile;
+    profile.pointing.geometry = {.kind = pointing::Geometry::XY, .xAxis = 90_deg};
+    profile.azimuth.geometry.travel = {-100_deg, 100_deg};
+    profile.elevation.geometry.travel = {-90_deg, 90_deg};
+    EXPECT_EQ(keysOf(problemsOf(profile)), std::vector<std::string>{});
+
+    profile.azimuth.driver = AxisDriver::Rotctld;
+    profile.azimuth.geometry.travel = {-181_deg, 100_deg};
+    profile.elevation.geometry.travel = {-90_deg, 91_deg};
+    profile.pointing.azimuthOffset = 1_deg;
+    profile.pointing.elevationSag = 0.1_deg;
+    profile.antennas = {{.name = "70 cm", .beamWidth = 20_deg}, {.name = "23 cm", .beamWidth = 5_deg, .up = 1_deg}};
+    profile.sensor.source = SensorSource::Serial;
+    profile.sensor.port = "/dev/ttyUSB0";
+    profile.rotctld.azimuth = AzimuthConvention::Continuous;
+    EXPECT_EQ(keysOf(problemsOf(profile)),
+              (std::vector<std::string>{"azimuth.driver", "azimuth.travel_min_deg", "elevation.travel_max_deg",
+                                        "pointing.azimuth_offset_deg", "pointing.elevation_sag_deg",
+                                        "antenna[2].offset_across_deg", "sensor.source", "rotctld.azimuth"}));
+    profile.pointing.geometry.kind = pointing::Geometry::AzimuthElevation;
+    EXPECT_EQ(keysOf(problemsOf(profile)), std::vector<std::string>{});
+}
+
 // REQ-PROFILE-966: A rotator has 36 steps in a turn or more, or as many as its box counts. Steps of a driver without
 // steps give advice.
 TEST(CrossCheck, StepsAreNotTooCoarse)

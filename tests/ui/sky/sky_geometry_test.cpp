@@ -56,6 +56,34 @@ TEST(SkyLimits, OnlyWhatTheAxesCannotReach)
     EXPECT_NEAR(sectors[2].toAzimuth.degrees(), 210.0, 1e-9);
 }
 
+// The limits of X cut off the east and the west, those of Y the north and the south.
+// REQ-UI-1751: The sky shows the limits of X and Y of an X/Y mount as the curves that they are there.
+TEST(SkyLimits, TheLimitsOfXAndYAreCurves)
+{
+    const SkyProjection sky{QPointF(100, 100), 90.0};
+    const pointing::PointingModel xy(pointing::PointingTerms{.geometry = {.kind = pointing::Geometry::XY}});
+    EXPECT_TRUE(unreachable({{-90_deg, 90_deg}, {-90_deg, 90_deg}, xy}).empty());
+    const auto sectors = unreachable({{-60_deg, 70_deg}, {-90_deg, 80_deg}, xy});
+    ASSERT_EQ(sectors.size(), 3u);
+    EXPECT_EQ(sectors[0].name, QStringLiteral("X -60°"));
+    EXPECT_EQ(sectors[1].name, QStringLiteral("X 70°"));
+    EXPECT_EQ(sectors[2].name, QStringLiteral("Y 80°"));
+    for (double azimuth = 1.0; azimuth < 360.0; azimuth += 7.0) {
+        for (double elevation = 1.0; elevation < 90.0; elevation += 3.0) {
+            const SkyPointing beam{Angle::fromDegrees(azimuth), Angle::fromDegrees(elevation)};
+            const AxisPosition axes = xy.toAxes(beam).axes;
+            const auto isNear = [](Angle angle, Angle limit) { return abs(angle - limit) < 1_deg; };
+            if (isNear(axes.azimuth, -60_deg) || isNear(axes.azimuth, 70_deg) || isNear(axes.elevation, 80_deg)) {
+                continue;
+            }
+            const QPointF pixel = sky.toPixel(beam);
+            EXPECT_EQ(outline(sectors[0], sky).contains(pixel), axes.azimuth < -60_deg) << azimuth << ' ' << elevation;
+            EXPECT_EQ(outline(sectors[1], sky).contains(pixel), axes.azimuth > 70_deg) << azimuth << ' ' << elevation;
+            EXPECT_EQ(outline(sectors[2], sky).contains(pixel), axes.elevation > 80_deg) << azimuth << ' ' << elevation;
+        }
+    }
+}
+
 TEST(SkyLimits, OverTheTopReachesAClosedSectorFromTheOtherSide)
 {
     EXPECT_TRUE(unreachable({{-150_deg, 150_deg}, {0_deg, 180_deg}}).empty());

@@ -57,6 +57,24 @@ TEST(AxisReadout, WithoutAModelTheAxisIsTheTruth)
     EXPECT_FALSE(shown(readout, "Detail of azimuth").contains(QStringLiteral("axis")));
 }
 
+// REQ-UI-1752: On an X/Y mount the numbers are those of the beam. X and Y stand below, by name, and error and rate are
+// theirs.
+TEST(AxisReadout, AnXYMountShowsXAndYBesideTheBeam)
+{
+    AxisReadout readout;
+    StationStatus status = pointed({.geometry = {.kind = pointing::Geometry::XY}});
+    status.azimuth.actual = 35.2644_deg;
+    status.azimuth.target = 36.2644_deg;
+    status.elevation.actual = 30_deg;
+    status.elevation.target = 30_deg;
+    readout.showStatus(samples::judged(status));
+    EXPECT_EQ(shown(readout, "Actual azimuth"), QStringLiteral("45.00°"));
+    EXPECT_EQ(shown(readout, "Actual elevation"), QStringLiteral("45.00°"));
+    EXPECT_EQ(shown(readout, "Error of azimuth"), QStringLiteral("+1.00°"));
+    EXPECT_TRUE(shown(readout, "Detail of azimuth").contains(QStringLiteral("X 35.26°")));
+    EXPECT_TRUE(shown(readout, "Detail of elevation").contains(QStringLiteral("Y 30.00°")));
+}
+
 // REQ-UI-1004
 TEST(AxisReadout, TheNumeralsOfAMountThatStandsDoNotFlip)
 {
