@@ -10149,10 +10149,6 @@ até %1</translation>
         <translation>outros computadores poderiam mover a montagem por UDP. Acrescente os endereços permitidos. Ou escute em 127.0.0.1, ou use o direito &quot;read&quot;</translation>
     </message>
     <message>
-        <source>This is not a command. The commands are take, release, stop, reset-stop, override-wind, use-new-time, satellites, status, transmit, track TARGET, antennas, antenna NAME and the commands of the schedule.</source>
-        <translation>Isto não é um comando. Os comandos são take, release, stop, reset-stop, override-wind, use-new-time, satellites, status, transmit, track ALVO, antennas, antenna NOME e os comandos da agenda.</translation>
-    </message>
-    <message>
         <source>The station is closing.</source>
         <translation>A estação está a fechar.</translation>
     </message>
@@ -10787,6 +10783,26 @@ até %1</translation>
     <message>
         <source>turns back by %1 because the cable ends at axis %2. The target is lost for about %3</source>
         <translation>volta atrás %1 porque o cabo acaba em %2 do eixo. O alvo perde-se durante cerca de %3</translation>
+    </message>
+    <message>
+        <source>This is not a command. The commands are take, release, stop, reset-stop, override-wind, use-new-time, satellites, status, transmit, track TARGET, antennas, antenna NAME, simulate FAULT and the commands of the schedule.</source>
+        <translation>Isto não é um comando. Os comandos são take, release, stop, reset-stop, override-wind, use-new-time, satellites, status, transmit, track ALVO, antennas, antenna NOME, simulate FALHA e os comandos da agenda.</translation>
+    </message>
+    <message>
+        <source>This station moves a real mount, which shows no faults on request. Start it with --simulate.</source>
+        <translation>Esta estação move uma montagem real, que não mostra falhas a pedido. Inicie-a com --simulate.</translation>
+    </message>
+    <message>
+        <source>This simulated mount has no moteus drive, and only these show faults on request.</source>
+        <translation>Esta montagem simulada não tem nenhum acionamento moteus, e só estes mostram falhas a pedido.</translation>
+    </message>
+    <message>
+        <source>The azimuth of this mount has no simulated moteus drive.</source>
+        <translation>O azimute desta montagem não tem nenhum acionamento moteus simulado.</translation>
+    </message>
+    <message>
+        <source>The elevation of this mount has no simulated moteus drive.</source>
+        <translation>A elevação desta montagem não tem nenhum acionamento moteus simulado.</translation>
     </message>
 </context>
 <context>
