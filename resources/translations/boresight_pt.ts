@@ -14695,6 +14695,14 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
         <source>Add a keep-out around the present direction of the mount</source>
         <translation>Acrescentar uma zona proibida em torno da direção atual da montagem</translation>
     </message>
+    <message>
+        <source>The horizon has no point.</source>
+        <translation>O horizonte não tem nenhum ponto.</translation>
+    </message>
+    <message>
+        <source>There is no keep-out.</source>
+        <translation>Não há nenhuma zona proibida.</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::LinesView</name>
