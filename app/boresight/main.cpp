@@ -183,6 +183,7 @@ int run(QApplication& application, const app::Options& options, const QElapsedTi
         const MountMaker mount = mounts.make(profile, {options.stateDir, simulation, standingAt});
         auto station = std::make_unique<Station>(profile, mount, options.stateDir, clock);
         station->setSensorMaker(mounts.sensors(profile, simulation));
+        station->setFaults(mounts.faults(profile, simulation));
         station->serveShell(local::runtimeFolder());
         station->wantRealTime();
         return station;

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/boresightctl/injection_option.h"
+#include "app/boresightctl/local_client.h"
 #include "app/boresightctl/sensor_option.h"
 #include "app/boresightctl/simulate_options.h"
+#include "app/boresightctl/station_help.h"
 #include "app/unix_signals.h"
 #include "core/base/numbers.h"
 #include "core/can/socketcan_link.h"
+#include "core/sim/injection_option.h"
 #include "core/sim_bus/can_server.h"
 #include "core/sim_bus/pty_server.h"
+#include "core/sim_bus/running_faults.h"
 #include "core/sim_sensor/sensor_port.h"
 #include "core/sim_sensor/sensor_publisher.h"
 #include "core/station/real_time.h"
@@ -146,9 +149,9 @@ void SimulatedDevice::announceInjections()
         QTimer::singleShot(wait, Qt::PreciseTimer, &m_truthTimer, [this, text] { remark(now(), text); });
     };
     for (const sim::Injection& injection : m_options.injections) {
-        announceAt(injection.at, "begins: " + describe(injection));
+        announceAt(injection.at, "begins: " + sim::describe(injection));
         if (std::isfinite(injection.duration.count())) {
-            announceAt(injection.at + injection.duration, "ends: " + describe(injection));
+            announceAt(injection.at + injection.duration, "ends: " + sim::describe(injection));
         }
     }
 }
@@ -184,10 +187,33 @@ ExitStatus simulate(const SimulateOptions& options)
     return kDone;
 }
 
+// One request after the other: a station takes one fault each time.
+ExitStatus askStation(const SimulateOptions& options)
+{
+    std::vector<std::string> texts = options.faults;
+    if (options.endFaults) {
+        texts.insert(texts.begin(), std::string(kEndFaults));
+    }
+    for (const std::string& text : texts) {
+        const auto answer = askLocally(
+            *options.station, {.command = local::LocalCommand::Simulate, .target = QByteArray::fromStdString(text)});
+        if (!answer) {
+            return failedBy(kSimulateCommand, answer.error());
+        }
+        printLine(QString::fromUtf8(answer->trimmed()));
+    }
+    return kDone;
+}
+
 const std::string kDetails =
     R"(  --pty PATH      simulate an fdcanusb adapter on a pseudo-terminal. PATH becomes a link to it. Programs may connect and
                   disconnect
   --can IFACE     reply on a CAN interface that is up, for example vcan0
+  --station HOST:PORT
+                  start no mount: show the faults on the simulated mount of a running station of this user on this
+                  computer, for example boresight --simulate. A START is then a time from now. A station with a real
+                  mount refuses
+  --end-faults    with --station: first end the faults that were asked for before
   --sensor PATH   simulate the orientation sensor, too, on a pseudo-terminal. PATH becomes a link to it. Set in the
                   profile sensor.source = "serial", sensor.port = "PATH"
   --sensor-mqtt HOST[:PORT]
@@ -203,7 +229,8 @@ const std::string kDetails =
   --print-truth   print the true state of the axes ten times a second: seconds, degrees, °/s, mode and fault code of the
                   drive
 
-Prints "ready" when it replies to commands. Ends at SIGTERM or Ctrl-C. The mount starts at azimuth 0°, elevation 10°.
+With --pty or --can the program prints "ready" when it replies to commands, and ends at SIGTERM or Ctrl-C. The mount
+starts at azimuth 0°, elevation 10°.
 
 Errors of the sensor and the mount, for Boresight to find:
 )" + sensorHelp() +
@@ -215,26 +242,30 @@ Errors of the sensor and the mount, for Boresight to find:
 Faults to inject. Each option may be given several times. AXIS is az or el. Default: both axes. START and DURATION are
 times after the start of the simulation, like 5, 5s or 500ms. Without START a fault begins at once. Without DURATION it
 lasts until the end. Standard error shows when a fault begins and ends.
-)" + injectionHelp() +
+)" + sim::injectionHelp() +
     R"(
 Examples:
   boresightctl simulate --pty /tmp/mount --wind az:30Nm@5+3 --silence el@12s+500ms --fault az:38@20
   boresightd --profile mount.toml   (with bus.name = "fdcanusb:/tmp/mount", mount.directions = "confirmed")
   boresightctl simulate --pty /tmp/mount --sensor /tmp/sensor --sensor-north -12 --sensor-silence @60+20
   boresightctl simulate --pty /tmp/mount --sensor-mqtt 127.0.0.1 --sensor-deviation 0,0,0,0
+  boresightctl simulate --station localhost:4533 --wind az:12Nm+3 --jam el:30@10
 )";
 
 ExitStatus runSimulate(Arguments arguments)
 {
     const Result<SimulateOptions> options = parseSimulateOptions(arguments);
+    if (options && options->station) {
+        return askStation(*options);
+    }
     return options ? simulate(*options) : usageError(kSimulateCommand, options.error().text);
 }
 
 }  // namespace
 
 const Subcommand kSimulateCommand{.name = "simulate",
-                                  .arguments = "--pty PATH | --can IFACE [OPTION …]",
-                                  .summary = "Simulate a mount: two moteus controllers on a CAN bus",
+                                  .arguments = "--pty PATH | --can IFACE | --station HOST:PORT [OPTION …]",
+                                  .summary = "Simulate a mount: two moteus controllers on a CAN bus, and faults of one",
                                   .details = kDetails,
                                   .run = runSimulate};
 

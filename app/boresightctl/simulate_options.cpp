@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/boresightctl/simulate_options.h"
 
-#include "app/boresightctl/injection_option.h"
 #include "app/boresightctl/option_reader.h"
 #include "app/boresightctl/sensor_option.h"
 #include "core/base/numbers.h"
 #include "core/base/text.h"
 #include "core/profile/setting.h"
+#include "core/sim/injection_option.h"
 
 namespace boresight::ctl {
 namespace {
@@ -33,10 +33,13 @@ Result<> takeId(const std::string& name, OptionReader& reader, std::optional<int
     return {};
 }
 
-Result<> takeInjection(const InjectionOption& option, OptionReader& reader, SimulateOptions& options)
+Result<> takeInjection(const sim::InjectionOption& option, OptionReader& reader, SimulateOptions& options)
 {
     const std::string text = reader.takeValue().value_or("");
-    return parseInjection(option, text).map([&](const sim::Injection& one) { options.injections.push_back(one); });
+    return sim::parseInjection(option, text).map([&](const sim::Injection& one) {
+        options.injections.push_back(one);
+        options.faults.push_back(text.empty() ? std::string(option.name) : std::string(option.name) + ' ' + text);
+    });
 }
 
 Result<> takeBroker(OptionReader& reader, SimulateOptions& options)
@@ -93,6 +96,16 @@ std::optional<Result<>> takeOptionOfSensor(const std::string& name, OptionReader
     return std::nullopt;
 }
 
+Result<> takeStation(OptionReader& reader, SimulateOptions& options)
+{
+    const auto address = profile::parseListenAddress(reader.takeValue().value_or(""));
+    if (!address || address->port == 0) {
+        return refuse(QStringLiteral("--station: expected HOST:PORT like localhost:4533"));
+    }
+    options.station = *address;
+    return {};
+}
+
 Result<> takeOption(const std::string& name, OptionReader& reader, SimulateOptions& options)
 {
     if (name == "pty") {
@@ -100,6 +113,12 @@ Result<> takeOption(const std::string& name, OptionReader& reader, SimulateOptio
     }
     if (name == "can") {
         return takeText(name, reader, options.can);
+    }
+    if (name == "station") {
+        return takeStation(reader, options);
+    }
+    if (name == "end-faults") {
+        return takeSwitch(name, reader, options.endFaults);
     }
     if (name == "az-id") {
         return takeId(name, reader, options.azimuthId);
@@ -113,16 +132,36 @@ Result<> takeOption(const std::string& name, OptionReader& reader, SimulateOptio
     if (const auto taken = takeOptionOfSensor(name, reader, options)) {
         return *taken;
     }
-    if (const InjectionOption* const option = findInjectionOption(name)) {
+    if (const sim::InjectionOption* const option = sim::findInjectionOption(name)) {
         return takeInjection(*option, reader, options);
     }
     return refuse(QStringLiteral("there is no option --%1").arg(toQString(name)));
 }
 
+// A running station has its mount already, so it takes faults only.
+Result<> checkForStation(const SimulateOptions& options)
+{
+    const bool isMore = !options.pty.empty() || !options.can.empty() || options.hasSensor() ||
+                        !options.ofSensor.empty() || options.azimuthId || options.elevationId || options.factory ||
+                        options.printTruth;
+    if (isMore) {
+        return refuse(QStringLiteral("--station takes faults and --end-faults only"));
+    }
+    return options.faults.empty() && !options.endFaults
+               ? refuse(QStringLiteral("--station needs a fault, for example --wind az:60+3, or --end-faults"))
+               : Result<>();
+}
+
 Result<> check(const SimulateOptions& options)
 {
+    if (options.station) {
+        return checkForStation(options);
+    }
+    if (options.endFaults) {
+        return refuse(QStringLiteral("--end-faults needs --station"));
+    }
     if (options.pty.empty() == options.can.empty()) {
-        return refuse(QStringLiteral("use either --pty PATH or --can IFACE"));
+        return refuse(QStringLiteral("use either --pty PATH, --can IFACE or --station HOST:PORT"));
     }
     if (!options.sensor.empty() && options.sensor == options.pty) {
         return refuse(QStringLiteral("--sensor and --pty name the same file"));
@@ -138,9 +177,9 @@ Result<> check(const SimulateOptions& options)
                 .arg(pair.azimuth.config.id));
     }
     for (const sim::Injection& injection : options.injections) {
-        if (isOfAdapter(injection.kind) && options.pty.empty()) {
+        if (sim::isOfAdapter(injection.kind) && options.pty.empty()) {
             return refuse(QStringLiteral("faults of the adapter need --pty: a CAN interface has no adapter (%1)")
-                              .arg(toQString(describe(injection))));
+                              .arg(toQString(sim::describe(injection))));
         }
     }
     return {};

@@ -55,6 +55,7 @@ QString doneText(local::LocalCommand command)
         case local::LocalCommand::ScheduleRehearsal:
         case local::LocalCommand::Status:
         case local::LocalCommand::Transmit:
+        case local::LocalCommand::Simulate:
             break;
     }
     return QStringLiteral("STOP is latched. The mount slows down and holds. Nothing moves it until reset-stop.");

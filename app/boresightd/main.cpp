@@ -75,6 +75,7 @@ int run(QCoreApplication& application, const app::Options& options)
     Station station(options.profile, mounts.make(options.profile, {options.stateDir, simulation, options.standingAt}),
                     options.stateDir, clock);
     station.setSensorMaker(mounts.sensors(options.profile, simulation));
+    station.setFaults(mounts.faults(options.profile, simulation));
     station.serveShell(local::runtimeFolder());
     station.wantRealTime();
     QThreadPool reader;

@@ -56,6 +56,7 @@ Request requestOf(const local::LocalRequest& asked)
         case local::LocalCommand::ScheduleRehearsal:
         case local::LocalCommand::Status:
         case local::LocalCommand::Transmit:
+        case local::LocalCommand::Simulate:
             break;
     }
     return request::Stop{};
@@ -206,7 +207,19 @@ local::LocalAnswer StationShell::answerNow(const local::LocalRequest& asked)
     if (asked.command == local::LocalCommand::Transmit) {
         return transmitJson(m_station.transmit()) + '\n';
     }
+    if (asked.command == local::LocalCommand::Simulate) {
+        return told(asked, simulate(asked.target));
+    }
     return told(asked, m_station.ask(requestOf(asked), shellSource()).map([] { return QByteArray(); }));
+}
+
+// A fault of the simulated mount is no act of the operator, so it changes nothing but that mount.
+local::LocalAnswer StationShell::simulate(const QByteArray& text)
+{
+    return m_station.simulate(text).map([this](const QString& words) {
+        m_lines.insist(Severity::Advisory, shellSource().name, words);
+        return QByteArray(words.toUtf8() + '\n');
+    });
 }
 
 // Returns the answer and logs a refusal.

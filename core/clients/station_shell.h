@@ -35,6 +35,7 @@ public:
         std::function<RehearsalStatus()> rehearsal;
         std::function<StationStatus()> status;
         std::function<TransmitStatus()> transmit;
+        std::function<Result<QString>(const QByteArray& text)> simulate;
     };
 
     // Log and clock outlive this.
@@ -55,6 +56,7 @@ private:
     void track(const QByteArray& text, const local::Reply& reply);
     [[nodiscard]] local::LocalAnswer track(const targets::Target& target);
     [[nodiscard]] local::LocalAnswer follow(const QString& rotator);
+    [[nodiscard]] local::LocalAnswer simulate(const QByteArray& text);
     [[nodiscard]] local::LocalAnswer told(const local::LocalRequest& asked, local::LocalAnswer answer);
     [[nodiscard]] QByteArray satelliteLines() const;
     [[nodiscard]] QByteArray antennaLines() const;

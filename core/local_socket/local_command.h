@@ -35,19 +35,21 @@ enum class LocalCommand
     ScheduleRehearse,   // begins the rehearsal
     ScheduleRehearsal,  // its progress or its result, as JSON
     Status,             // what the station is doing, as JSON
-    Transmit            // whether the transmitter may transmit, as JSON
+    Transmit,           // whether the transmitter may transmit, as JSON
+    Simulate            // shows a fault on a simulated mount
 };
 
 struct LocalRequest
 {
     LocalCommand command = LocalCommand::Stop;
-    QByteArray target = {};  // the target of Track or the name of UseAntenna, as typed: UTF-8 without LF
+    // The target of Track, the name of UseAntenna or the fault of Simulate, as typed: UTF-8 without LF.
+    QByteArray target = {};
 
     bool operator==(const LocalRequest&) const = default;
 };
 
 // The lines after "ok", each with its LF: the name of the tracked target, the satellites, the antennas, or the report
-// about the station, the schedule or the transmit output. Empty for other commands.
+// about the station, the schedule or the transmit output, or the fault that begins. Empty for other commands.
 using LocalAnswer = Result<QByteArray>;
 
 // The longest line of a command, without its LF. A path has up to 4096 bytes.

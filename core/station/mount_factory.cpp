@@ -19,7 +19,7 @@ using profile::AxisDriver;
 MountFactory::MountFactory(const profile::Profile& profile, const Clock& clock) : m_clock(clock)
 {
     const LinkMaker links(profile, clock);
-    m_sensor = links.simulated();
+    m_simulated = links.simulated();
     // All kinds of rotator. A new kind needs a line here, its offer below, and its name in core/profile/axis_driver.h.
     m_kinds = {
         {AxisDriver::Moteus, moteusRotators(links)},
@@ -61,7 +61,19 @@ MountMaker MountFactory::make(const profile::Profile& profile, const MountStart&
 
 SensorMaker MountFactory::sensors(const profile::Profile& profile, const Simulation& simulation) const
 {
-    return sensorMaker(m_clock, hasSensor(simulation, profile) ? m_sensor : nullptr);
+    return sensorMaker(m_clock, hasSensor(simulation, profile) ? m_simulated : nullptr);
+}
+
+ShowFault MountFactory::faults(const profile::Profile& profile, const Simulation& simulation) const
+{
+    if (!simulation.on) {
+        return [](std::string_view) { return noFaultOfARealMount(); };
+    }
+    const AxisSet axes = axesIf(driverOf(simulation, profile, Axis::Azimuth) == AxisDriver::Moteus,
+                                driverOf(simulation, profile, Axis::Elevation) == AxisDriver::Moteus);
+    return [&clock = m_clock, mount = m_simulated, axes](std::string_view text) {
+        return showFault(*mount, clock, axes, text);
+    };
 }
 
 }  // namespace boresight

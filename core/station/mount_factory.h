@@ -7,6 +7,7 @@
 #include "core/messages/rotator_offer.h"
 #include "core/mount/mount_kind.h"
 #include "core/profile/profile.h"
+#include "core/sim_bus/running_faults.h"
 
 #include <map>
 #include <memory>
@@ -31,11 +32,13 @@ public:
     [[nodiscard]] MountMaker make(const profile::Profile& profile, const MountStart& start) const;
     // Makes the sensor of the profile. A simulated sensor exists only with the simulated mount that carries it.
     [[nodiscard]] SensorMaker sensors(const profile::Profile& profile, const Simulation& simulation) const;
+    // Shows faults on the simulated moteus drives. Refuses for a real mount, and for a mount without such a drive.
+    [[nodiscard]] ShowFault faults(const profile::Profile& profile, const Simulation& simulation) const;
 
 private:
     const Clock& m_clock;
     std::map<profile::AxisDriver, MountKind> m_kinds;
-    std::shared_ptr<SimulatedMount> m_sensor;  // the simulated mount that carries the simulated sensor
+    std::shared_ptr<SimulatedMount> m_simulated;  // the two simulated moteus, which also carry the simulated sensor
 };
 
 }  // namespace boresight

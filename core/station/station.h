@@ -19,6 +19,7 @@
 #include "core/north/calibration_desk.h"
 #include "core/profile/in_force.h"
 #include "core/profile/profile.h"
+#include "core/sim_bus/running_faults.h"
 #include "core/station/profile_desk.h"
 #include "core/station/real_time.h"
 #include "core/station/screen_feed.h"
@@ -59,6 +60,10 @@ public:
 
     // Replaces how the output of the brakes is made. Call before start().
     void setBrakeMaker(outputs::NamedOutput::Make make) { m_brake.setMaker(std::move(make)); }
+
+    // Replaces how the mount shows faults on request. Without it the station refuses, like that of a real mount. Call
+    // before start().
+    void setFaults(ShowFault show) { m_showFault = std::move(show); }
 
     // Opens a socket in this folder for the commands of boresightctl that rotctld does not know. If that fails, the log
     // has the reason. Call before start().
@@ -129,6 +134,7 @@ private:
     EventLog m_log;
     AlarmBoard m_alarms;
     std::unique_ptr<MountConnection> m_mount;
+    ShowFault m_showFault = [](std::string_view) { return noFaultOfARealMount(); };
     StationControl m_control;
     ClockGuard m_clockGuard;
     StationServer m_server;

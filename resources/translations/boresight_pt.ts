@@ -10157,10 +10157,6 @@ até %1</translation>
         <translation>outros computadores poderiam mover a montagem por UDP. Acrescente os endereços permitidos. Ou escute em 127.0.0.1, ou use o direito &quot;read&quot;</translation>
     </message>
     <message>
-        <source>This is not a command. The commands are take, release, stop, reset-stop, override-wind, use-new-time, satellites, status, transmit, track TARGET, antennas, antenna NAME and the commands of the schedule.</source>
-        <translation>Isto não é um comando. Os comandos são take, release, stop, reset-stop, override-wind, use-new-time, satellites, status, transmit, track ALVO, antennas, antenna NOME e os comandos da agenda.</translation>
-    </message>
-    <message>
         <source>The station is closing.</source>
         <translation>A estação está a fechar.</translation>
     </message>
@@ -10903,6 +10899,26 @@ até %1</translation>
     <message>
         <source>Only for &quot;x-y&quot;: true azimuth of the X axis. 0 is north-south, 90 is east-west. A positive Y leans the beam to this azimuth, a positive X to the azimuth 90° clockwise of it.</source>
         <translation>Só para &quot;x-y&quot;: azimute verdadeiro do eixo X. 0 é norte-sul, 90 é este-oeste. Um Y positivo inclina o feixe para este azimute, um X positivo para o azimute 90° no sentido dos ponteiros do relógio a partir deste.</translation>
+    </message>
+    <message>
+        <source>This is not a command. The commands are take, release, stop, reset-stop, override-wind, use-new-time, satellites, status, transmit, track TARGET, antennas, antenna NAME, simulate FAULT and the commands of the schedule.</source>
+        <translation>Isto não é um comando. Os comandos são take, release, stop, reset-stop, override-wind, use-new-time, satellites, status, transmit, track ALVO, antennas, antenna NOME, simulate FALHA e os comandos da agenda.</translation>
+    </message>
+    <message>
+        <source>This station moves a real mount, which shows no faults on request. Start it with --simulate.</source>
+        <translation>Esta estação move uma montagem real, que não mostra falhas a pedido. Inicie-a com --simulate.</translation>
+    </message>
+    <message>
+        <source>This simulated mount has no moteus drive, and only these show faults on request.</source>
+        <translation>Esta montagem simulada não tem nenhum acionamento moteus, e só estes mostram falhas a pedido.</translation>
+    </message>
+    <message>
+        <source>The azimuth of this mount has no simulated moteus drive.</source>
+        <translation>O azimute desta montagem não tem nenhum acionamento moteus simulado.</translation>
+    </message>
+    <message>
+        <source>The elevation of this mount has no simulated moteus drive.</source>
+        <translation>A elevação desta montagem não tem nenhum acionamento moteus simulado.</translation>
     </message>
 </context>
 <context>
@@ -14822,6 +14838,14 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
     <message>
         <source>Add a keep-out around the present direction of the mount</source>
         <translation>Acrescentar uma zona proibida em torno da direção atual da montagem</translation>
+    </message>
+    <message>
+        <source>The horizon has no point.</source>
+        <translation>O horizonte não tem nenhum ponto.</translation>
+    </message>
+    <message>
+        <source>There is no keep-out.</source>
+        <translation>Não há nenhuma zona proibida.</translation>
     </message>
 </context>
 <context>

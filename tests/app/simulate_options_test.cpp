@@ -124,8 +124,8 @@ TEST(SimulateOptions, ChooseThePair)
 
 TEST(SimulateOptions, RefuseWithTheOptionsName)
 {
-    EXPECT_THAT(refusal({}), HasSubstr("either --pty PATH or --can IFACE"));
-    EXPECT_THAT(refusal({"--pty", "p", "--can", "vcan0"}), HasSubstr("either --pty PATH or --can IFACE"));
+    EXPECT_THAT(refusal({}), HasSubstr("either --pty PATH, --can IFACE or --station"));
+    EXPECT_THAT(refusal({"--pty", "p", "--can", "vcan0"}), HasSubstr("either --pty PATH, --can IFACE or --station"));
     EXPECT_THAT(refusal({"--pty", "--factory"}), HasSubstr("--pty needs a value"));
     EXPECT_THAT(refusal({"--pty", "p", "--az-id", "127"}), HasSubstr("--az-id \"127\": expected an id, 1…126"));
     EXPECT_THAT(refusal({"--pty", "p", "--factory=yes"}), HasSubstr("--factory takes no value"));
@@ -133,6 +133,22 @@ TEST(SimulateOptions, RefuseWithTheOptionsName)
     EXPECT_THAT(refusal({"p"}), HasSubstr("\"p\" is not an option."));
     EXPECT_THAT(refusal({"--pty", "p", "--wind"}), HasSubstr("--wind : the value is missing"));
     EXPECT_THAT(refusal({"--can", "vcan0", "--bus-off", "@5"}), HasSubstr("need --pty"));
+}
+
+// REQ-CTL-996: "simulate --station" shows faults on the mount of a running station, and takes nothing else.
+TEST(SimulateOptions, ARunningStationTakesFaultsOnly)
+{
+    const auto options = parse({"--station", "localhost:4533", "--wind", "az:60+3", "--stall"});
+    ASSERT_TRUE(options) << textOf(options.error());
+    EXPECT_EQ(options->station->port, 4533);
+    EXPECT_EQ(options->faults, (std::vector<std::string>{"wind az:60+3", "stall"}));
+    EXPECT_TRUE(parse({"--station", "localhost:4533", "--end-faults"})->endFaults);
+    EXPECT_TRUE(parse({"--station", "localhost:4533", "--bus-off"})) << "the simulated bus has an adapter";
+    EXPECT_THAT(refusal({"--station", "localhost:4533"}), HasSubstr("needs a fault"));
+    EXPECT_THAT(refusal({"--station", "localhost"}), HasSubstr("expected HOST:PORT"));
+    EXPECT_THAT(refusal({"--station", "localhost:1", "--stall", "--pty", "p"}), HasSubstr("only"));
+    EXPECT_THAT(refusal({"--station", "localhost:1", "--stall", "--sensor-north", "3"}), HasSubstr("only"));
+    EXPECT_THAT(refusal({"--pty", "p", "--end-faults"}), HasSubstr("needs --station"));
 }
 
 }  // namespace

@@ -282,7 +282,10 @@ QStringList RotatorChoice::wordsInUse() const
     }
     if (m_status.state == StationState::Disconnected) {
         lines.prepend(isDown ? tr("Not connected. Boresight tries again each second.") : tr("In use. No answer yet."));
-        return lines + numbered(offer().checks);
+        // A serial port that does not open has nothing to do with the box behind it: the alarm gives the remedy.
+        const auto bus = parseBusName(m_status.profile->bus);
+        const bool isPort = isDown && bus && bus->kind == BusKind::Serial;
+        return isPort ? lines : lines + numbered(offer().checks);
     }
     lines.prepend(tr("In use. It answers as: %1.").arg(m_status.line.kind));
     if (!m_status.line.condition.isEmpty()) {

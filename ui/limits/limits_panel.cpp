@@ -19,7 +19,23 @@
 
 namespace boresight::ui {
 
-namespace {}  // namespace
+namespace {
+
+// The button acts on a row of this table. While the table has no row, the button is disabled, and `whyNot` replaces its
+// help.
+void needRows(QPushButton& button, const QAbstractItemModel& model, const QString& whyNot)
+{
+    const auto show = [&button, &model, whyNot, help = button.toolTip()] {
+        const bool hasRows = model.rowCount() > 0;
+        button.setEnabled(hasRows);
+        button.setToolTip(hasRows ? help : whyNot);
+    };
+    QObject::connect(&model, &QAbstractItemModel::rowsInserted, &button, show);
+    QObject::connect(&model, &QAbstractItemModel::rowsRemoved, &button, show);
+    show();
+}
+
+}  // namespace
 
 LimitsPanel::LimitsPanel(ProfileDraft& draft, RequestDesk& desk, QWidget* parent)
     : QWidget(parent),
@@ -108,6 +124,7 @@ QWidget* LimitsPanel::makeHorizonBox()
     grid->addWidget(take, 2, 1);
     connect(add, &QPushButton::clicked, this, &LimitsPanel::addPoint);
     const auto remove = [this] { removeCurrent(*m_horizon, RegionPart::HorizonPoint); };
+    needRows(*take, *m_horizon->model(), tr("The horizon has no point."));
     connect(take, &QPushButton::clicked, this, remove);
     connect(new QShortcut(Qt::Key_Delete, m_horizon, nullptr, nullptr, Qt::WidgetShortcut), &QShortcut::activated, this,
             remove);
@@ -135,6 +152,7 @@ QWidget* LimitsPanel::makeKeepOutBox()
     }
     connect(add, &QPushButton::clicked, this, &LimitsPanel::addSector);
     const auto remove = [this] { removeCurrent(*m_keepOuts, RegionPart::KeepOut); };
+    needRows(*take, *m_keepOuts->model(), tr("There is no keep-out."));
     connect(take, &QPushButton::clicked, this, remove);
     connect(new QShortcut(Qt::Key_Delete, m_keepOuts, nullptr, nullptr, Qt::WidgetShortcut), &QShortcut::activated,
             this, remove);

@@ -288,7 +288,7 @@ void PolarPlot::drawGround()
     ground.setDevicePixelRatio(devicePixelRatio());
     QPainter painter(&ground);
     paintGround(painter);
-    m_markers->setGround(ground, sky(), ring());
+    m_markers->setGround(ground, sky(), ring(), m_regionItem->nameBoxes(sky()));
     m_editor->setSky(sky());
 }
 

@@ -51,7 +51,9 @@ void RegionItem::draw(QPainter* painter, const QwtScaleMap&, const QwtScaleMap&,
     drawSectors(*painter, sky, SectorKind::Sector);
     drawSectors(*painter, sky, SectorKind::KeepOut);
     for (const SkySector& sector : m_sectors) {
-        drawName(*painter, sector, sky);
+        if (const QRectF box = nameBox(sector, sky); !box.isEmpty()) {
+            drawOutlinedText(*painter, box, sector.name, currentTheme().text, currentTheme().band);
+        }
     }
     painter->restore();
 }
@@ -90,7 +92,18 @@ void RegionItem::drawHorizon(QPainter& painter, const SkyProjection& sky) const
     painter.drawPath(line);
 }
 
-void RegionItem::drawName(QPainter& painter, const SkySector& sector, const SkyProjection& sky) const
+std::vector<QRectF> RegionItem::nameBoxes(const SkyProjection& sky) const
+{
+    std::vector<QRectF> boxes;
+    for (const SkySector& sector : m_sectors) {
+        boxes.push_back(nameBox(sector, sky));
+    }
+    std::erase_if(boxes, [](const QRectF& box) { return box.isEmpty(); });
+    return boxes;
+}
+
+// Empty: the name is not drawn.
+QRectF RegionItem::nameBox(const SkySector& sector, const SkyProjection& sky) const
 {
     const bool ring = sector.toAzimuth - sector.fromAzimuth >= 360_deg;
     const Angle elevation = (sector.fromElevation + sector.toElevation) * 0.5;
@@ -100,13 +113,13 @@ void RegionItem::drawName(QPainter& painter, const SkySector& sector, const SkyP
         centre = ring ? sky.toPixel({sky.toSky(m_view.center()).azimuth, elevation})
                       : (outline(sector, sky).boundingRect() & m_view).center();
     }
-    QRectF box = painter.fontMetrics().boundingRect(sector.name);
+    QRectF box = QFontMetrics(fonts::label()).boundingRect(sector.name);
     const double thickness = (sector.toElevation - sector.fromElevation) / 90_deg * sky.radius;
     if (ring && thickness < 2.0 * box.height()) {
-        return;  // the rim would cut the word off, or the word would hide too much
+        return {};  // the rim would cut the word off, or the word would hide too much
     }
     box.moveCenter(centre);
-    drawOutlinedText(painter, box, sector.name, currentTheme().text, currentTheme().band);
+    return box;
 }
 
 void LabelsItem::setView(const QRectF& view, bool magnified)

@@ -19,11 +19,13 @@ public:
 
     void draw(QPainter* painter, const QwtScaleMap& azimuthMap, const QwtScaleMap& radialMap, const QPointF& pole,
               double radius, const QRectF& canvasRect) const override;
+    // The boxes of the names of the sectors, in pixels.
+    [[nodiscard]] std::vector<QRectF> nameBoxes(const SkyProjection& sky) const;
 
 private:
     void drawSectors(QPainter& painter, const SkyProjection& sky, SectorKind kind) const;
     void drawHorizon(QPainter& painter, const SkyProjection& sky) const;
-    void drawName(QPainter& painter, const SkySector& sector, const SkyProjection& sky) const;
+    [[nodiscard]] QRectF nameBox(const SkySector& sector, const SkyProjection& sky) const;
 
     std::vector<SkySector> m_sectors;
     std::vector<pointing::HorizonPoint> m_horizon;

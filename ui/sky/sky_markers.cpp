@@ -40,11 +40,13 @@ SkyMarkers::SkyMarkers(QWidget* parent) : QWidget(parent)
     setCursor(Qt::CrossCursor);
 }
 
-void SkyMarkers::setGround(const QPixmap& ground, const SkyProjection& projection, const std::optional<CableRing>& ring)
+void SkyMarkers::setGround(const QPixmap& ground, const SkyProjection& projection, const std::optional<CableRing>& ring,
+                           const std::vector<QRectF>& names)
 {
     m_ground = ground;
     m_projection = projection;
     m_ring = ring;
+    m_names = names;
     m_trail.setSky(projection);
     m_tracked.setSky(projection);
     m_chosen.setSky(projection);
@@ -174,14 +176,22 @@ QRect SkyMarkers::targetLabelBox() const
     const QPointF offsets[] = {
         {gap, -gap}, {-gap - box.width(), -gap}, {gap, gap}, {-gap - box.width(), gap}, {0, -3 * gap}, {0, 3 * gap}};
     const QPoint most(std::max(width() - box.width(), 0), std::max(height() - box.height(), 0));
-    for (const QPointF& offset : offsets) {
-        const QPoint corner = (marker.center() + offset).toPoint();
-        box.moveTopLeft({std::clamp(corner.x(), 0, most.x()), std::clamp(corner.y(), 0, most.y())});
-        if (!covers(box)) {
-            break;
+    // If no place hides nothing, the name of a keep-out may be hidden.
+    for (const bool sparesNames : {true, false}) {
+        for (const QPointF& offset : offsets) {
+            const QPoint corner = (marker.center() + offset).toPoint();
+            box.moveTopLeft({std::clamp(corner.x(), 0, most.x()), std::clamp(corner.y(), 0, most.y())});
+            if (!covers(box) && !(sparesNames && coversName(box))) {
+                return box;
+            }
         }
     }
     return box;
+}
+
+bool SkyMarkers::coversName(const QRect& box) const
+{
+    return std::ranges::any_of(m_names, [&box](const QRectF& name) { return name.intersects(box); });
 }
 
 // True if the box would hide the actual or the commanded direction.

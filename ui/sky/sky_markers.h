@@ -46,8 +46,10 @@ class SkyMarkers : public QWidget
 public:
     explicit SkyMarkers(QWidget* parent = nullptr);
 
-    // The ring of the cable is drawn only while the whole sky is shown.
-    void setGround(const QPixmap& ground, const SkyProjection& projection, const std::optional<CableRing>& ring = {});
+    // The ring of the cable is drawn only while the whole sky is shown. `names` are the boxes of the names on the
+    // ground.
+    void setGround(const QPixmap& ground, const SkyProjection& projection, const std::optional<CableRing>& ring = {},
+                   const std::vector<QRectF>& names = {});
     void setMarkers(const MarkerData& markers, UtcTime utc);
     void setCable(const CableState& cable);
     void setBodies(const std::vector<BodyPlace>& bodies);
@@ -83,6 +85,7 @@ private:
     [[nodiscard]] double beamRadius() const;
     [[nodiscard]] QPainterPath beamPixels() const;
     [[nodiscard]] bool covers(const QRect& box) const;
+    [[nodiscard]] bool coversName(const QRect& box) const;
     [[nodiscard]] QRegion occupied() const;
     void drawWay(QPainter& painter) const;
     void drawActual(QPainter& painter) const;
@@ -94,6 +97,7 @@ private:
     bool m_focused = false;
     SkyTrail m_trail;
     std::optional<CableRing> m_ring;
+    std::vector<QRectF> m_names;
     CableState m_cable;
     std::vector<BodyPlace> m_bodies;
     SkySatellites m_satellites;

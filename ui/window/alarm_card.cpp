@@ -225,7 +225,8 @@ void AlarmCard::setLow(bool low)
     layout()->setSpacing(low ? kLowAlarmSpacing : kAlarmSpacing);
 }
 
-// An alarm that was acknowledged has been read. The choice is still open.
+// An alarm that was acknowledged has been read. The choice is still open. An alarm that has ended asks for nothing but
+// the Re-arm of its fault, and its action belongs to the past.
 QString AlarmCard::adviceIn(AlarmForm form) const
 {
     if (!m_shown) {
@@ -233,8 +234,9 @@ QString AlarmCard::adviceIn(AlarmForm form) const
     }
     const Alarm& alarm = *m_shown;
     const bool isRead = alarm.acknowledged;
-    const QString did = isRead || form == AlarmForm::Remedy ? QString() : alarm.action;
-    const QString lines = linesOf({did, isRead ? QString() : alarm.remedy, m_cost});
+    const bool asks = alarm.active || (alarm.help == AlarmHelp::Rearm && m_recovery == AlarmHelp::Rearm);
+    const QString did = isRead || !asks || form == AlarmForm::Remedy ? QString() : alarm.action;
+    const QString lines = linesOf({did, isRead || !asks ? QString() : alarm.remedy, m_cost});
     return form == AlarmForm::Lines ? lines : QString(lines).replace(QLatin1Char('\n'), QLatin1Char(' '));
 }
 

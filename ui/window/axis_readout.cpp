@@ -5,8 +5,6 @@
 
 #include <QBoxLayout>
 
-#include <utility>
-
 namespace boresight::ui {
 
 namespace {
@@ -45,24 +43,26 @@ void AxisReadout::showStatus(const StationStatus& status)
     m_elevation->showStatus(status);
 }
 
-void AxisReadout::setNumerals(Numerals numerals)
+void AxisReadout::arrange(Numerals numerals, CardForm form)
 {
     m_numerals = numerals;
-    m_cards->setDirection(areBeside(numerals) ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
-    m_azimuth->setNumerals(numerals);
-    m_elevation->setNumerals(numerals);
+    m_form = form;
+    m_cards->setDirection(form == CardForm::Wide ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+    m_azimuth->arrange(numerals, form);
+    m_elevation->arrange(numerals, form);
 }
 
 // Measured once: the parts of a card have the size of their templates, whatever they show.
-QSize AxisReadout::sizeWith(Numerals numerals)
+QSize AxisReadout::sizeWith(Numerals numerals, CardForm form)
 {
-    if (!m_sizes.contains(numerals)) {
-        const Numerals now = m_numerals;
-        setNumerals(numerals);
-        m_sizes[numerals] = minimumSizeHint();
-        setNumerals(now);
+    const std::pair key(numerals, form);
+    if (!m_sizes.contains(key)) {
+        const std::pair now(m_numerals, m_form);
+        arrange(numerals, form);
+        m_sizes[key] = minimumSizeHint();
+        arrange(now.first, now.second);
     }
-    return m_sizes[numerals];
+    return m_sizes[key];
 }
 
 }  // namespace boresight::ui

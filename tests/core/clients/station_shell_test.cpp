@@ -80,6 +80,24 @@ TEST(StationShell, AsksAsTheOperator)
     EXPECT_THAT(log, HasSubstr("shell: release refused: STOP is latched"));
 }
 
+// REQ-STATION-966: The shell asks the simulated mount for a fault, and the log names the fault. Without a simulated
+// mount the request is refused with the reason.
+TEST(StationShell, ShowsAFaultOfTheSimulatedMount)
+{
+    const QTemporaryDir runtime;
+    LinkedStation rig;
+    rig.station->serveShell(runtime.path());
+    rig.station->openAll();
+    rig.run(5);
+    const QString path = socketOf(rig.station->status(), runtime);
+    EXPECT_THAT(ask(path, "simulate wind az:60\n"), HasSubstr("error: This station moves a real mount"));
+    rig.station->setFaults([](std::string_view text) { return QStringLiteral("begins: ") + toQString(text); });
+    EXPECT_EQ(ask(path, "simulate wind az:60\n"), "ok\nbegins: wind az:60\n");
+    const std::string log = logOf(rig);
+    EXPECT_THAT(log, HasSubstr("shell: simulate refused: This station moves a real mount"));
+    EXPECT_THAT(log, HasSubstr("shell: begins: wind az:60"));
+}
+
 // A mount that may move, and the shell that controls it.
 struct ShellRig : StationRig
 {

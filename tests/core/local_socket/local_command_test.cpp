@@ -11,8 +11,9 @@ namespace boresight::local {
 namespace {
 
 // REQ-LOCALSOCKET-01: The commands are take, release, stop, reset-stop, override-wind, use-new-time, satellites,
-// status, transmit, antennas, those of the schedule, track with a target, and antenna with a name. No other word is a
-// command. The answer is ok and the lines of the answer, or one line with error and the reason.
+// status, transmit, antennas, those of the schedule, track with a target, antenna with a name, and simulate with a
+// fault. No other word is a command. The answer is ok and the lines of the answer, or one line with error and the
+// reason.
 TEST(LocalCommandTest, EachHasItsWord)
 {
     for (const char* const word :
@@ -32,8 +33,11 @@ TEST(LocalCommandTest, EachHasItsWord)
     const LocalRequest antenna{.command = LocalCommand::UseAntenna, .target = "70 cm"};
     EXPECT_EQ(parseRequest("antenna 70 cm\r"), antenna);
     EXPECT_EQ(requestLine(antenna), "antenna 70 cm\n");
-    for (const char* const other : {"", "Stop", "stop now", "reset_stop", "P 10 20", "take\nstop", "track", "track ",
-                                    "tracks moon", "satellites all", "antenna", "antennas 70 cm"}) {
+    const LocalRequest gust{.command = LocalCommand::Simulate, .target = "wind az:60Nm+3"};
+    EXPECT_EQ(parseRequest("simulate wind az:60Nm+3"), gust);
+    EXPECT_EQ(requestLine(gust), "simulate wind az:60Nm+3\n");
+    for (const char* const other : {"", "simulate", "Stop", "stop now", "reset_stop", "P 10 20", "take\nstop", "track",
+                                    "track ", "tracks moon", "satellites all", "antenna", "antennas 70 cm"}) {
         EXPECT_FALSE(parseRequest(other)) << other;
     }
 }

@@ -61,6 +61,25 @@ TEST(MountFactory, TheSimulatedSensorIsOnTheTwoMoteusOnly)
     EXPECT_FALSE(mounts.sensors(profile, Simulation::Reference)(profile, broker));
 }
 
+// REQ-STATION-965: Only a simulated mount shows faults on request. A real mount refuses and gives the way to a
+// simulated one. A simulated rotator without a moteus drive refuses, too.
+TEST(MountFactory, OnlySimulatedDrivesShowFaults)
+{
+    const fakes::ManualClock clock;
+    profile::Profile profile;
+    profile.bus = "fdcanusb:/dev/does-not-exist";
+    const MountFactory mounts(profile, clock);
+    EXPECT_TRUE(mounts.faults(profile, Simulation::Reference)("stall el"));
+    const auto real = mounts.faults(profile, Simulation::Off)("stall el");
+    ASSERT_FALSE(real);
+    EXPECT_EQ(textOf(real.error()),
+              "This station moves a real mount, which shows no faults on request. Start it with --simulate.");
+    EXPECT_FALSE(mounts.faults(profile, kSimple)("stall el"));
+    profile.elevation.driver = profile::AxisDriver::Simple;
+    EXPECT_TRUE(mounts.faults(profile, Simulation::Reference)("stall az"));
+    EXPECT_FALSE(mounts.faults(profile, Simulation::Reference)("stall el"));
+}
+
 // A simulated mount with these drivers, and its line.
 class Made
 {

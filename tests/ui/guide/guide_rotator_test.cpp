@@ -258,6 +258,22 @@ TEST_F(GuideRotatorTest, WhatAnswersAndWhatToCheckIsShown)
     EXPECT_FALSE(words().contains(QStringLiteral("has power"))) << "it has answered";
 }
 
+// Story: for a port without permission the guide asked for the power and the speed of the box.
+// REQ-UI-986
+TEST_F(GuideRotatorTest, APortThatDoesNotOpenAsksForNothingOfTheBox)
+{
+    choose(kGs232);
+    click("Connect");
+    answerAs(QStringLiteral("GS-232"));
+    status.state = StationState::Disconnected;
+    status.alarms = {{.name = QStringLiteral("rotator.line-down"),
+                      .what = QStringLiteral("The line to the rotator is down. Join the group dialout")}};
+    give(samples::update(status));
+    EXPECT_TRUE(words().contains(QStringLiteral("Join the group dialout."))) << words().toStdString();
+    EXPECT_FALSE(words().contains(QStringLiteral("speed"))) << words().toStdString();
+    EXPECT_FALSE(words().contains(QStringLiteral("power"))) << words().toStdString();
+}
+
 // REQ-UI-986
 TEST_F(GuideRotatorTest, WhatIsEnteredStays)
 {

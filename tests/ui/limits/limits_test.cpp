@@ -422,5 +422,29 @@ TEST_F(LimitsTest, AHorizonFileThatCannotBeReadChangesNothingAndSaysWhichLine)
     EXPECT_FALSE(named<CommandButton>("Apply")->isEnabled());
 }
 
+// Story: on an empty table Remove could be pressed, and then asked to select a row.
+// REQ-UI-1760: A button that removes a row of the horizon or of the keep-outs is disabled while there is no row. Its
+// tooltip then gives the reason.
+TEST_F(LimitsTest, NothingIsRemovedFromAnEmptyTable)
+{
+    auto* const point = named<QPushButton>("Remove the current point of the horizon (Del)");
+    auto* const keepOut = named<QPushButton>("Remove the current keep-out (Del)");
+    EXPECT_TRUE(point->isEnabled());
+    EXPECT_TRUE(keepOut->isEnabled());
+    StationStatus status = samples::bounded();
+    auto profile = std::make_shared<profile::Profile>(*status.profile);
+    profile->limits.horizon.clear();
+    profile->limits.keepOuts.clear();
+    status.profile = profile;
+    give(samples::update(status));
+    EXPECT_FALSE(point->isEnabled());
+    EXPECT_EQ(point->toolTip(), QStringLiteral("The horizon has no point."));
+    EXPECT_FALSE(keepOut->isEnabled());
+    EXPECT_EQ(keepOut->toolTip(), QStringLiteral("There is no keep-out."));
+    give(samples::update(samples::bounded()));
+    EXPECT_TRUE(keepOut->isEnabled());
+    EXPECT_EQ(keepOut->toolTip(), QStringLiteral("Remove the current keep-out (Del)"));
+}
+
 }  // namespace
 }  // namespace boresight::ui

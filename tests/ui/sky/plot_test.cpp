@@ -164,6 +164,27 @@ TEST_F(PlotTest, TheTargetsLabelHidesNeitherTheMountNorItsCommand)
     }
 }
 
+// Story: the label of a target beside a keep-out was drawn on the name of the keep-out, and nobody could read either.
+TEST_F(PlotTest, TheTargetsLabelSparesTheNameOfAKeepOut)
+{
+    StationStatus status = samples::idle();
+    auto profile = std::make_shared<profile::Profile>(*status.profile);
+    profile->limits.keepOuts = {
+        {.name = "mast", .azimuthFrom = 300_deg, .azimuthTo = 330_deg, .elevationMin = 20_deg, .elevationMax = 50_deg}};
+    status.profile = profile;
+    plot.showStatus(status);
+    QCoreApplication::processEvents();
+    // Where the name is drawn.
+    const QPoint name = plot.markers().projection().toPixel({315_deg, 35_deg}).toPoint();
+    for (int degrees = 280; degrees < 350; degrees += 2) {
+        for (int up = 10; up < 60; up += 2) {
+            status.target = SkyPointing{Angle::fromDegrees(degrees), Angle::fromDegrees(up)};
+            plot.showStatus(status);
+            EXPECT_FALSE(plot.markers().targetLabelBox().contains(name)) << degrees << ' ' << up;
+        }
+    }
+}
+
 TEST_F(PlotTest, ThePastPathGrowsWithTheMotionAndNotWithOldData)
 {
     for (int second = 0; second < 60; ++second) {

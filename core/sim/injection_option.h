@@ -9,8 +9,9 @@
 
 // Injected faults as options of the command line: --NAME [AXIS:]VALUE[@START][+DURATION], for example --wind
 // az:30Nm@5+3. AXIS is az or el; without AXIS the fault is on both. START and DURATION are times ("5", "5s", "500ms")
-// on the clock of the simulated pair. Without them the fault is present from the beginning and for ever. Pure.
-namespace boresight::ctl {
+// on the clock of the simulated pair. Without them the fault is present from the beginning and for ever. A running
+// station takes the same text without the dashes: "wind az:30Nm@5+3". Pure.
+namespace boresight::sim {
 
 enum class NeedOfValue
 {
@@ -22,7 +23,7 @@ enum class NeedOfValue
 struct InjectionOption
 {
     std::string_view name;  // without the dashes
-    sim::FaultKind kind;
+    FaultKind kind;
     NeedOfValue need = NeedOfValue::None;
     std::string_view value;  // the name of the value in the help: "TORQUE"
     std::string_view unit;   // may follow the number; "s" also allows "ms"
@@ -38,15 +39,18 @@ struct InjectionOption
 [[nodiscard]] const InjectionOption* findInjectionOption(std::string_view name);
 
 // The error names the option and what it expects.
-[[nodiscard]] Result<sim::Injection> parseInjection(const InjectionOption& option, std::string_view text);
+[[nodiscard]] Result<Injection> parseInjection(const InjectionOption& option, std::string_view text);
+
+// Of the name and the text after it: "wind az:30Nm@5+3". START is from 0. The error names what is wrong.
+[[nodiscard]] Result<Injection> parseInjection(std::string_view text);
 
 // True: the fault is one of the USB adapter. A CAN interface has no adapter.
-[[nodiscard]] bool isOfAdapter(sim::FaultKind kind);
+[[nodiscard]] bool isOfAdapter(FaultKind kind);
 
 // For example "elevation: wind of 30 Nm".
-[[nodiscard]] std::string describe(const sim::Injection& injection);
+[[nodiscard]] std::string describe(const Injection& injection);
 
 // One line per option, for the help.
 [[nodiscard]] std::string injectionHelp();
 
-}  // namespace boresight::ctl
+}  // namespace boresight::sim

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/boresightctl/injection_option.h"
+#include "core/sim/injection_option.h"
 
 #include "core/base/numbers.h"
 #include "core/base/text.h"
@@ -10,11 +10,8 @@
 #include <array>
 #include <cmath>
 
-namespace boresight::ctl {
+namespace boresight::sim {
 namespace {
-
-using sim::FaultKind;
-using sim::Injection;
 
 constexpr auto kNeeded = NeedOfValue::Needed;
 constexpr auto kOptional = NeedOfValue::Optional;
@@ -77,7 +74,7 @@ constexpr std::array<InjectionOption, 32> kOptions{{
      .need = kNeeded,
      .value = "TIME",
      .unit = "s",
-     .max = sim::kLongestStale.count(),
+     .max = kLongestStale.count(),
      .text = "repeats its reply of # ago"},
     {.name = "edit",
      .kind = FaultKind::EditedReply,
@@ -361,6 +358,19 @@ Result<Injection> parseInjection(const InjectionOption& option, std::string_view
     return injection;
 }
 
+Result<Injection> parseInjection(std::string_view text)
+{
+    const std::string_view name = text.substr(0, text.find(' '));
+    const InjectionOption* const option = findInjectionOption(name);
+    if (option == nullptr) {
+        return failure(ErrorCode::InvalidInput,
+                       QStringLiteral("The simulated mount has no fault \"%1\". \"boresightctl help simulate\" lists "
+                                      "the faults.")
+                           .arg(toQString(name)));
+    }
+    return parseInjection(*option, text.substr(std::min(name.size() + 1, text.size())));
+}
+
 std::string describe(const Injection& injection)
 {
     const InjectionOption& option = optionOf(injection.kind);
@@ -390,4 +400,4 @@ std::string injectionHelp()
     return help;
 }
 
-}  // namespace boresight::ctl
+}  // namespace boresight::sim

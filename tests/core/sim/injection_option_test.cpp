@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/boresightctl/injection_option.h"
+#include "core/sim/injection_option.h"
 
 #include "tests/fakes/text_of.h"
 
@@ -7,13 +7,12 @@
 
 #include <cmath>
 
-namespace boresight::ctl {
+namespace boresight::sim {
 namespace {
 
-using sim::FaultKind;
 using testing::HasSubstr;
 
-Result<sim::Injection> parse(std::string_view name, std::string_view text)
+Result<Injection> parse(std::string_view name, std::string_view text)
 {
     const InjectionOption* const option = findInjectionOption(name);
     return option != nullptr ? parseInjection(*option, text)
@@ -81,10 +80,25 @@ TEST(InjectionOption, ErrorsNameTheOptionAndWhatItExpects)
     EXPECT_EQ(findInjectionOption("gremlins"), nullptr);
 }
 
+TEST(InjectionOption, NameAndTextAreOneLineForARunningStation)
+{
+    const auto gust = parseInjection("wind az:60Nm@5+3");
+    ASSERT_TRUE(gust) << textOf(gust.error());
+    EXPECT_EQ(gust->kind, FaultKind::Wind);
+    EXPECT_EQ(gust->axis, Axis::Azimuth);
+    EXPECT_EQ(gust->value, 60.0);
+    EXPECT_EQ(gust->at, Seconds(5.0));
+    EXPECT_EQ(gust->duration, Seconds(3.0));
+    EXPECT_EQ(parseInjection("stall")->kind, FaultKind::Stall);
+    EXPECT_THAT(textOf(parseInjection("gremlins az").error()), HasSubstr("no fault \"gremlins\""));
+    EXPECT_THAT(textOf(parseInjection("wind").error()), HasSubstr("the value is missing"));
+    EXPECT_FALSE(parseInjection(""));
+}
+
 TEST(InjectionOption, EveryFaultOfTheSimulatorHasOne)
 {
     for (int kind = 0; kind <= static_cast<int>(FaultKind::SensorFrozen); ++kind) {
-        const sim::Injection injection{.kind = static_cast<FaultKind>(kind), .value = 1.0};
+        const Injection injection{.kind = static_cast<FaultKind>(kind), .value = 1.0};
         EXPECT_THAT(describe(injection), testing::Not(HasSubstr("#"))) << kind;
     }
     EXPECT_THAT(injectionHelp(), HasSubstr("--power-loss [AXIS][:DEGREES][@START][+DURATION]"));
@@ -101,4 +115,4 @@ TEST(InjectionOption, IsDescribedInWordsWithUnits)
 }
 
 }  // namespace
-}  // namespace boresight::ctl
+}  // namespace boresight::sim
