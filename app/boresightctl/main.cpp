@@ -24,7 +24,8 @@ constexpr std::array kSubcommands{&kSimulateCommand,   &kScanCommand,      &kDec
                                   &kStopCommand,       &kResetStopCommand, &kOverrideWindCommand,
                                   &kUseNewTimeCommand, &kParkCommand,      &kTrackCommand,
                                   &kTakeCommand,       &kReleaseCommand,   &kSatellitesCommand,
-                                  &kAntennaCommand,    &kScheduleCommand,  &kStatusCommand};
+                                  &kAntennaCommand,    &kScheduleCommand,  &kStatusCommand,
+                                  &kConsoleCommand};
 constexpr std::size_t kNameWidth = 20;
 
 const Subcommand* findSubcommand(const std::string& name)

@@ -55,6 +55,8 @@ QString doneText(local::LocalCommand command)
         case local::LocalCommand::ScheduleRehearsal:
         case local::LocalCommand::Status:
         case local::LocalCommand::Transmit:
+        case local::LocalCommand::TypeLine:
+        case local::LocalCommand::ConsoleLines:
             break;
     }
     return QStringLiteral("STOP is latched. The mount slows down and holds. Nothing moves it until reset-stop.");

@@ -47,6 +47,8 @@ Request requestOf(const local::LocalRequest& asked)
             return request::Rehearse{};
         case local::LocalCommand::UseAntenna:
             return request::UseAntenna{asked.target.toStdString()};
+        case local::LocalCommand::TypeLine:
+            return request::TypeLine{asked.target.toStdString()};
         case local::LocalCommand::Stop:
         case local::LocalCommand::Track:
         case local::LocalCommand::Satellites:
@@ -56,6 +58,7 @@ Request requestOf(const local::LocalRequest& asked)
         case local::LocalCommand::ScheduleRehearsal:
         case local::LocalCommand::Status:
         case local::LocalCommand::Transmit:
+        case local::LocalCommand::ConsoleLines:
             break;
     }
     return request::Stop{};
@@ -148,6 +151,15 @@ QByteArray transmitJson(const TransmitStatus& transmit)
     return QJsonDocument(all).toJson(QJsonDocument::Compact);
 }
 
+// Only a mount with a control box has them.
+local::LocalAnswer consoleJson(const std::optional<QStringList>& lines)
+{
+    if (!lines) {
+        return failure(ErrorCode::NotAvailable, Text::tr("This mount has no control box that takes typed lines."));
+    }
+    return QJsonDocument(QJsonArray::fromStringList(*lines)).toJson(QJsonDocument::Compact) + '\n';
+}
+
 }  // namespace
 
 StationShell::StationShell(Station station, EventLog& log, const Clock& clock, QObject* parent)
@@ -202,6 +214,9 @@ local::LocalAnswer StationShell::answerNow(const local::LocalRequest& asked)
     }
     if (asked.command == local::LocalCommand::Status) {
         return statusJson(m_station.status()) + '\n';
+    }
+    if (asked.command == local::LocalCommand::ConsoleLines) {
+        return consoleJson(m_station.status().console);
     }
     if (asked.command == local::LocalCommand::Transmit) {
         return transmitJson(m_station.transmit()) + '\n';

@@ -33,6 +33,8 @@ constexpr std::array kWords{std::pair{LocalCommand::Take, "take"},
                             std::pair{LocalCommand::ScheduleRehearsal, "schedule-rehearsal"},
                             std::pair{LocalCommand::Status, "status"},
                             std::pair{LocalCommand::Transmit, "transmit"},
+                            std::pair{LocalCommand::TypeLine, "console"},
+                            std::pair{LocalCommand::ConsoleLines, "console-lines"},
                             std::pair{LocalCommand::Track, "track"}};
 constexpr int kDecimals = 6;  // of a degree, as in the profile
 const QByteArray kAgreed = "ok\n";
@@ -40,7 +42,7 @@ const QByteArray kRefused = "error: ";
 
 bool takesTarget(LocalCommand command)
 {
-    return command == LocalCommand::Track || command == LocalCommand::UseAntenna;
+    return command == LocalCommand::Track || command == LocalCommand::UseAntenna || command == LocalCommand::TypeLine;
 }
 
 std::optional<KnownAntenna> antennaOf(const QByteArray& line)
@@ -117,8 +119,8 @@ Result<LocalRequest> parseRequest(const QByteArray& line)
         return failure(
             ErrorCode::InvalidInput,
             Text::tr("This is not a command. The commands are take, release, stop, reset-stop, override-wind, "
-                     "use-new-time, satellites, status, transmit, track TARGET, antennas, antenna NAME and the "
-                     "commands of the schedule."));
+                     "use-new-time, satellites, status, transmit, track TARGET, antennas, antenna NAME, console LINE, "
+                     "console-lines and the commands of the schedule."));
     }
     return LocalRequest{.command = found->first, .target = hasTarget ? text.mid(word.size()).trimmed() : QByteArray()};
 }

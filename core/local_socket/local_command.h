@@ -35,13 +35,16 @@ enum class LocalCommand
     ScheduleRehearse,   // begins the rehearsal
     ScheduleRehearsal,  // its progress or its result, as JSON
     Status,             // what the station is doing, as JSON
-    Transmit            // whether the transmitter may transmit, as JSON
+    Transmit,           // whether the transmitter may transmit, as JSON
+    TypeLine,           // to the control box of the mount, as it is
+    ConsoleLines        // the typed lines and the answers of the control box, as JSON
 };
 
 struct LocalRequest
 {
     LocalCommand command = LocalCommand::Stop;
-    QByteArray target = {};  // the target of Track or the name of UseAntenna, as typed: UTF-8 without LF
+    QByteArray target =
+        {};  // the target of Track, the name of UseAntenna or the line of TypeLine, as typed: UTF-8 without LF
 
     bool operator==(const LocalRequest&) const = default;
 };
