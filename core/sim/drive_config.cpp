@@ -118,6 +118,12 @@ void visitFields(DriveConfig& config, const ConfigVisitor& visit)
     visit("motor_position.output.offset", &config.motorPosition.outputOffset);
     visit("motor_position.output.sign", &config.motorPosition.outputSign);
     visit("motor_position.output.reference_source", &config.motorPosition.referenceSource);
+    for (std::size_t port = 0; port < config.pins.modes.size(); ++port) {
+        for (std::size_t pin = 0; pin < config.pins.modes[port].size(); ++pin) {
+            visit("aux" + std::to_string(port + 1) + ".pins." + std::to_string(pin) + ".mode",
+                  &config.pins.modes[port][pin]);
+        }
+    }
 }
 
 Result<std::string> configText(DriveConfig& config, std::string_view key)
