@@ -104,6 +104,23 @@ QJsonArray endSwitchArray(const std::vector<EndSwitchStatus>& switches)
     return all;
 }
 
+QJsonValue numberOf(const std::optional<double>& value)
+{
+    return value ? QJsonValue(*value) : QJsonValue();
+}
+
+QJsonObject thirdAxisObject(const ThirdAxisStatus& axis)
+{
+    const auto degrees = [](const auto& value) { return value ? std::optional(value->degrees()) : std::nullopt; };
+    return {{QStringLiteral("name"), axis.name},
+            {QStringLiteral("state"), protocolWord(axis.state)},
+            {QStringLiteral("angle"), numberOf(degrees(axis.place))},
+            {QStringLiteral("rate"), numberOf(degrees(axis.rate))},
+            {QStringLiteral("mode"), axis.mode},
+            {QStringLiteral("fault"), axis.fault},
+            {QStringLiteral("boardTemperature"), numberOf(axis.boardTemperature)}};
+}
+
 // The state as the header of the window shows it. `motion` is what the mount does now.
 QByteArray statusJson(const StationStatus& status)
 {
@@ -129,6 +146,9 @@ QByteArray statusJson(const StationStatus& status)
     }
     if (!status.endSwitches.empty()) {
         all[QStringLiteral("endSwitches")] = endSwitchArray(status.endSwitches);
+    }
+    if (status.thirdAxis) {
+        all[QStringLiteral("thirdAxis")] = thirdAxisObject(*status.thirdAxis);
     }
     if (status.clock.ahead) {
         all[QStringLiteral("clockSetBy")] = status.clock.ahead->count();

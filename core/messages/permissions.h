@@ -43,6 +43,8 @@ enum class Action
     JogDown,
     JogLeft,
     JogRight,
+    JogThirdAxisUp,  // towards larger angles
+    JogThirdAxisDown,
     StepUp,
     StepDown,
     StepLeft,

@@ -119,5 +119,7 @@ Result<> setConfigText(DriveConfig& config, std::string_view key, std::string_vi
 // bounds, hold (mode 10) after a time-out, fault 49 at 10° of following error, default limits, and gains for the
 // inertia and friction of ReferenceAxis.
 [[nodiscard]] DriveConfig commissionedDrive(Axis axis);
+// The same for any axis.
+[[nodiscard]] DriveConfig commissionedDrive(int id, const ReferenceAxis& mount);
 
 }  // namespace boresight::sim
