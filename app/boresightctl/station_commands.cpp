@@ -56,6 +56,8 @@ QString doneText(local::LocalCommand command)
         case local::LocalCommand::Status:
         case local::LocalCommand::Transmit:
         case local::LocalCommand::Simulate:
+        case local::LocalCommand::TypeLine:
+        case local::LocalCommand::ConsoleLines:
             break;
     }
     return QStringLiteral("STOP is latched. The mount slows down and holds. Nothing moves it until reset-stop.");
@@ -281,8 +283,8 @@ const Subcommand kStatusCommand{.name = "status",
 
 Prints the station, its state, and where the mount points. A station of this user on this computer also reports by its
 local socket: the state that its window shows (TRACK, HOLD, …), the motion, the next rise or set of the tracked target,
-whether the schedule is armed, the wind, the brake, the end switches, whether the transmit output is on, whether the station
-still uses the old time after its clock was set, and the alarms. A station on another computer reports only by rotctld.
+whether the schedule is armed, the wind, the brake, the end switches, the third axis, whether the transmit output is on,
+whether the station still uses the old time after its clock was set, and the alarms. A station on another computer reports only by rotctld.
 Its state is MOVING, or SLOW OR NOT MOVING: rotctld reports no motion below 0.02°/s, for example while the mount tracks the
 Moon.
 )" + kExitStatus + R"(

@@ -117,6 +117,16 @@ Result<StationOptions> parseTrackOptions(Arguments arguments)
     });
 }
 
+Result<StationOptions> parseConsoleOptions(Arguments arguments)
+{
+    return readOptions(arguments).and_then([](StationOptions options) -> Result<StationOptions> {
+        if (options.places.empty()) {
+            return failure(ErrorCode::InvalidInput, QStringLiteral("write the line for the control box"));
+        }
+        return options;
+    });
+}
+
 Result<StationOptions> parseAntennaOptions(Arguments arguments)
 {
     return readOptions(arguments);

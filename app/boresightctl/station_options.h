@@ -28,6 +28,9 @@ struct StationOptions
 // The arguments of `antenna`: its places are the words of the name, or empty.
 [[nodiscard]] Result<StationOptions> parseAntennaOptions(Arguments arguments);
 
+// The arguments of `console`: its places are the words of the line.
+[[nodiscard]] Result<StationOptions> parseConsoleOptions(Arguments arguments);
+
 struct SatellitesOptions
 {
     profile::ListenAddress station{};

@@ -57,6 +57,28 @@ QString endSwitchText(const QJsonArray& switches)
     return text;
 }
 
+// Empty: the mount has no third axis, or the station runs on another computer.
+QString thirdAxisText(const QJsonObject& axis)
+{
+    if (axis.isEmpty()) {
+        return {};
+    }
+    const auto number = [&axis](const QString& key, int decimals, const QString& unit) {
+        const QJsonValue value = axis[key];
+        return value.isDouble() ? QString::number(value.toDouble(), 'f', decimals) + unit : QString();
+    };
+    const QString angle = number(QStringLiteral("angle"), 2, QStringLiteral("°"));
+    QStringList parts{angle.isEmpty() ? QStringLiteral("angle unknown") : angle,
+                      axis[QStringLiteral("state")].toString()};
+    for (const QString& key : {QStringLiteral("mode"), QStringLiteral("fault")}) {
+        parts << axis[key].toString();
+    }
+    parts << number(QStringLiteral("boardTemperature"), 0, QStringLiteral(" °C"));
+    parts.removeAll(QString());
+    return QStringLiteral("third:    %1 %2\n")
+        .arg(axis[QStringLiteral("name")].toString(), parts.join(QStringLiteral(", ")));
+}
+
 // Empty: the station uses the clock of its computer, or runs on another computer.
 QString clockText(const QJsonValue& setBy)
 {
@@ -119,6 +141,7 @@ QString reportText(const QJsonObject& report)
            clockText(report[QStringLiteral("clockSetBy")]) + windText(report[QStringLiteral("wind")].toObject()) +
            brakeText(report[QStringLiteral("brake")].toObject()) +
            endSwitchText(report[QStringLiteral("endSwitches")].toArray()) +
+           thirdAxisText(report[QStringLiteral("thirdAxis")].toObject()) +
            transmitText(report[QStringLiteral("transmit")].toObject()) +
            alarmLines(report[QStringLiteral("alarms")].toArray());
 }

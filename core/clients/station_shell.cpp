@@ -47,6 +47,8 @@ Request requestOf(const local::LocalRequest& asked)
             return request::Rehearse{};
         case local::LocalCommand::UseAntenna:
             return request::UseAntenna{asked.target.toStdString()};
+        case local::LocalCommand::TypeLine:
+            return request::TypeLine{asked.target.toStdString()};
         case local::LocalCommand::Stop:
         case local::LocalCommand::Track:
         case local::LocalCommand::Satellites:
@@ -57,6 +59,7 @@ Request requestOf(const local::LocalRequest& asked)
         case local::LocalCommand::Status:
         case local::LocalCommand::Transmit:
         case local::LocalCommand::Simulate:
+        case local::LocalCommand::ConsoleLines:
             break;
     }
     return request::Stop{};
@@ -102,6 +105,23 @@ QJsonArray endSwitchArray(const std::vector<EndSwitchStatus>& switches)
     return all;
 }
 
+QJsonValue numberOf(const std::optional<double>& value)
+{
+    return value ? QJsonValue(*value) : QJsonValue();
+}
+
+QJsonObject thirdAxisObject(const ThirdAxisStatus& axis)
+{
+    const auto degrees = [](const auto& value) { return value ? std::optional(value->degrees()) : std::nullopt; };
+    return {{QStringLiteral("name"), axis.name},
+            {QStringLiteral("state"), protocolWord(axis.state)},
+            {QStringLiteral("angle"), numberOf(degrees(axis.place))},
+            {QStringLiteral("rate"), numberOf(degrees(axis.rate))},
+            {QStringLiteral("mode"), axis.mode},
+            {QStringLiteral("fault"), axis.fault},
+            {QStringLiteral("boardTemperature"), numberOf(axis.boardTemperature)}};
+}
+
 // The state as the header of the window shows it. `motion` is what the mount does now.
 QByteArray statusJson(const StationStatus& status)
 {
@@ -128,6 +148,9 @@ QByteArray statusJson(const StationStatus& status)
     if (!status.endSwitches.empty()) {
         all[QStringLiteral("endSwitches")] = endSwitchArray(status.endSwitches);
     }
+    if (status.thirdAxis) {
+        all[QStringLiteral("thirdAxis")] = thirdAxisObject(*status.thirdAxis);
+    }
     if (status.clock.ahead) {
         all[QStringLiteral("clockSetBy")] = status.clock.ahead->count();
     }
@@ -147,6 +170,15 @@ QByteArray transmitJson(const TransmitStatus& transmit)
                {QStringLiteral("error"), transmit.error ? QJsonValue(transmit.error->degrees()) : QJsonValue()}};
     }
     return QJsonDocument(all).toJson(QJsonDocument::Compact);
+}
+
+// Only a mount with a control box has them.
+local::LocalAnswer consoleJson(const std::optional<QStringList>& lines)
+{
+    if (!lines) {
+        return failure(ErrorCode::NotAvailable, Text::tr("This mount has no control box that takes typed lines."));
+    }
+    return QJsonDocument(QJsonArray::fromStringList(*lines)).toJson(QJsonDocument::Compact) + '\n';
 }
 
 }  // namespace
@@ -203,6 +235,9 @@ local::LocalAnswer StationShell::answerNow(const local::LocalRequest& asked)
     }
     if (asked.command == local::LocalCommand::Status) {
         return statusJson(m_station.status()) + '\n';
+    }
+    if (asked.command == local::LocalCommand::ConsoleLines) {
+        return consoleJson(m_station.status().console);
     }
     if (asked.command == local::LocalCommand::Transmit) {
         return transmitJson(m_station.transmit()) + '\n';

@@ -4,6 +4,7 @@
 #include "core/control/gates.h"
 #include "core/control/typed_line_gate.h"
 #include "core/control/xy_gate.h"
+#include "core/mount/third_axis.h"
 
 namespace boresight {
 namespace {
@@ -125,7 +126,9 @@ void PermissionReport::judgeGains(Permissions& may) const
 void PermissionReport::judgeControl(Permissions& may) const
 {
     const Gates gates(m_of);
-    judge(may, Action::Rearm, m_of.arming.mayRearm(kTheOperator));
+    const ThirdAxis* const third = m_of.mount.thirdAxis();
+    const bool isThirdOnly = third != nullptr && third->isFaulted() && !m_of.arming.fault();
+    judge(may, Action::Rearm, isThirdOnly ? Result<>{} : m_of.arming.mayRearm(kTheOperator));
     judge(may, Action::ResetStop, gates.mayResetStop());
     judge(may, Action::ClearTrim, gates.mayClearTrim());
     judge(may, Action::GiveAuthority, gates.mayGiveControl());

@@ -68,6 +68,7 @@ StationControl::StationControl(const profile::InForce& profile, const Clock& clo
                       .clock = clock,
                       .alarms = alarms,
                       .log = log}),
+      m_thirdAxis({.profile = profile, .mount = mount, .arming = m_arming, .log = log}),
       m_targetAlarm(m_alarms),
       m_adviceAlarms(m_alarms),
       m_now(clock.now()),
@@ -119,6 +120,8 @@ Result<> StationControl::request(const Request& request, const Source& source)
             return m_operatorDesk.ask(wanted, source);
         } else if constexpr (requires { m_mountDesk.ask(wanted, source); }) {
             return m_mountDesk.ask(wanted, source);
+        } else if constexpr (requires { m_thirdAxis.ask(wanted, source); }) {
+            return m_thirdAxis.ask(wanted, source);
         } else if constexpr (kIsCarriedOutAbove<Wanted>) {
             return operatorOnly(source);
         } else {
@@ -138,6 +141,7 @@ StationStatus StationControl::status() const
     status.wind = m_wind.status();
     status.brake = m_brake.status();
     status.endSwitches = m_endSwitches.status();
+    m_thirdAxis.describe(status);
     m_sources.describe(status);
     return status;
 }
@@ -197,6 +201,9 @@ Result<> StationControl::handle(const request::ResetStop&, const Source& source)
 Result<> StationControl::handle(const request::Rearm&, const Source& source)
 {
     if (source.kind != SourceKind::Client) {
+        if (m_thirdAxis.recover(source) && !faultLatched()) {
+            return {};
+        }
         return m_arming.mayRearm(source).and_then([&] {
             takeOver(source);
             return m_arming.rearm(source);
@@ -301,6 +308,7 @@ void StationControl::tick()
     watchSun();
     // After all parts that begin, hold or end the motion. The set-points of this tick carry out the result.
     moveOn(step);
+    m_thirdAxis.step(step, now);
     // After the set-points. Only now it is known what holds them, how much cable is left, and whether the target is
     // reached.
     watchRegion();
@@ -316,9 +324,11 @@ void StationControl::tick()
     // After all parts that raise or clear an alarm.
     m_alarms.tick();
     // Last: the drives are left when the set-points of this tick stand still.
-    if (m_end.leaves(m_motion.atRest() && !m_mount.changesHands() && m_brake.isSet(), m_now)) {
+    const bool stands = m_motion.atRest() && !m_mount.changesHands() && m_thirdAxis.atRest();
+    if (m_end.leaves(stands && m_brake.isSet(), m_now)) {
         // Without torque and without a brake the antenna would fall.
         m_mount.leave(m_brake.isSet() ? m_profile->control.onExit : profile::OnExit::Hold);
+        m_thirdAxis.leave(m_profile->control.onExit);
     }
 }
 

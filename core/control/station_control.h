@@ -24,6 +24,7 @@
 #include "core/control/source_log.h"
 #include "core/control/status_report.h"
 #include "core/control/target_alarm.h"
+#include "core/control/third_axis_jog.h"
 #include "core/control/whereabouts.h"
 #include "core/guards/brake_guard.h"
 #include "core/guards/cable_guard.h"
@@ -240,6 +241,7 @@ private:
     ClientDesk m_clientDesk;
     MountDesk m_mountDesk;
     OperatorDesk m_operatorDesk;
+    ThirdAxisJog m_thirdAxis;
     TargetAlarm m_targetAlarm;
     AdviceAlarms m_adviceAlarms;
     OrderlyEnd m_end;

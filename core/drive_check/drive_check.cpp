@@ -3,7 +3,7 @@
 
 #include "core/base/text.h"
 #include "core/moteus/describe.h"
-#include "core/profile/watched_board.h"
+#include "core/profile/further_boards.h"
 
 #include <QStringList>
 
@@ -232,7 +232,7 @@ void DriveCheck::collectUnknownBoards()
     m_unknownBoards.clear();
     for (const FoundController& board : m_scan.controllers()) {
         if (std::ranges::find(m_sides, board.id, &Side::id) == m_sides.end() &&
-            !profile::watches(*m_profile, board.id)) {
+            !profile::isFurtherBoard(*m_profile, board.id)) {
             m_unknownBoards.push_back({.id = board.id, .identity = identityOf(board)});
         }
     }

@@ -4,7 +4,7 @@
 #include "core/base/text.h"
 #include "core/drive_check/protections.h"
 #include "core/moteus/describe.h"
-#include "core/profile/watched_board.h"
+#include "core/profile/further_boards.h"
 
 #include <algorithm>
 #include <set>
@@ -28,7 +28,7 @@ struct IdentityJudge
     {
         return std::ranges::any_of(axes, [&](Axis axis) { return id == idOf(axis); });
     }
-    [[nodiscard]] bool isWatched(int id) const { return profile::watches(profile, id); }
+    [[nodiscard]] bool isFurther(int id) const { return profile::isFurtherBoard(profile, id); }
     [[nodiscard]] std::ptrdiff_t countOf(int id) const { return std::ranges::count(found, id, &FoundController::id); }
 
     void judgeShared();
@@ -73,7 +73,7 @@ void IdentityJudge::judgeUnknownBoards()
 {
     std::set<int> ids;
     for (const FoundController& board : found) {
-        if (!isOurs(board.id) && !isWatched(board.id) && ids.insert(board.id).second) {
+        if (!isOurs(board.id) && !isFurther(board.id) && ids.insert(board.id).second) {
             findings.push_back(
                 {.kind = FindingKind::UnknownBoard,
                  .about = QString::number(board.id),

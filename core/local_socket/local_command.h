@@ -36,13 +36,16 @@ enum class LocalCommand
     ScheduleRehearsal,  // its progress or its result, as JSON
     Status,             // what the station is doing, as JSON
     Transmit,           // whether the transmitter may transmit, as JSON
-    Simulate            // shows a fault on a simulated mount
+    Simulate,           // shows a fault on a simulated mount
+    TypeLine,           // to the control box of the mount, as it is
+    ConsoleLines        // the typed lines and the answers of the control box, as JSON
 };
 
 struct LocalRequest
 {
     LocalCommand command = LocalCommand::Stop;
-    // The target of Track, the name of UseAntenna or the fault of Simulate, as typed: UTF-8 without LF.
+    // The target of Track, the name of UseAntenna, the fault of Simulate or the line of TypeLine, as typed: UTF-8
+    // without LF.
     QByteArray target = {};
 
     bool operator==(const LocalRequest&) const = default;

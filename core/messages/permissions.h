@@ -44,6 +44,8 @@ enum class Action
     JogDown,
     JogLeft,
     JogRight,
+    JogThirdAxisUp,  // towards larger angles
+    JogThirdAxisDown,
     StepUp,
     StepDown,
     StepLeft,

@@ -45,6 +45,10 @@ struct Jog  // dead-man: must be repeated within kJogKeepAlive, else the axes st
 {
     AxisRates rates;
 };
+struct JogThirdAxis  // dead-man, as Jog; a zero rate ends it
+{
+    AngularRate rate;
+};
 struct Move  // runs until Hold, a limit, or the end of the client that asked
 {
     AxisRates rates;
@@ -319,8 +323,8 @@ using AnyRequest =
                  request::TakeBus, request::ChooseTurn, request::ProveCrashStop, request::EndProof, request::ReadGains,
                  request::TypeLine, request::SetGain, request::PutGainsBack, request::StoreGains, request::Trial,
                  request::FollowAzel, request::FollowPosition, request::FollowRotator, request::Rehearse,
-                 request::TrackFile, request::UseAntenna, request::OverrideWind, request::UseNewTime, TuningRequest,
-                 CalibrationRequest, ScheduleRequest>;
+                 request::TrackFile, request::UseAntenna, request::OverrideWind, request::UseNewTime,
+                 request::JogThirdAxis, TuningRequest, CalibrationRequest, ScheduleRequest>;
 
 // Copying so many alternatives is compiled once in request.cpp, and not in every source that includes this header.
 struct Request : AnyRequest

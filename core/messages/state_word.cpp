@@ -54,6 +54,23 @@ QString protocolWord(const end_switches::EndSwitch& one)
            (one.isUpper ? QStringLiteral("upper") : QStringLiteral("lower"));
 }
 
+QString protocolWord(ThirdAxisStatus::State state)
+{
+    switch (state) {
+        case ThirdAxisStatus::State::Off:
+            return QStringLiteral("off");
+        case ThirdAxisStatus::State::Holding:
+            return QStringLiteral("holding");
+        case ThirdAxisStatus::State::Moving:
+            return QStringLiteral("moving");
+        case ThirdAxisStatus::State::Fault:
+            return QStringLiteral("fault");
+        case ThirdAxisStatus::State::NoData:
+            break;
+    }
+    return QStringLiteral("no data");
+}
+
 QString protocolWord(end_switches::SwitchState state)
 {
     switch (state) {

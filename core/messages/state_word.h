@@ -14,6 +14,8 @@ namespace boresight {
 
 // "azimuth lower", "elevation upper", …
 [[nodiscard]] QString protocolWord(const end_switches::EndSwitch& one);
+// The state of the third axis: "no data", "off", "holding", "moving", "fault".
+[[nodiscard]] QString protocolWord(ThirdAxisStatus::State state);
 // "free", "pressed" or "unread".
 [[nodiscard]] QString protocolWord(end_switches::SwitchState state);
 

@@ -19,6 +19,7 @@
 #include "core/messages/rehearsal_status.h"
 #include "core/messages/schedule_status.h"
 #include "core/messages/sensor_status.h"
+#include "core/messages/third_axis_status.h"
 #include "core/messages/transmit_status.h"
 #include "core/messages/tuning_status.h"
 #include "core/messages/wind_status.h"
@@ -294,10 +295,11 @@ struct StationStatus
     AzelStatus azel;
     PositionStatus position;
     WindStatus wind;
-    std::vector<BodyPlace> bodies;       // empty: the site is unknown
-    Permissions permissions;             // of the operator
-    Capabilities capabilities;           // of the mount
-    std::optional<DrivesStatus> drives;  // empty: the drives cannot be read or set
+    std::vector<BodyPlace> bodies;             // empty: the site is unknown
+    Permissions permissions;                   // of the operator
+    Capabilities capabilities;                 // of the mount
+    std::optional<DrivesStatus> drives;        // empty: the drives cannot be read or set
+    std::optional<ThirdAxisStatus> thirdAxis;  // empty: the mount has none
     MountLine line;
     // The lines that were typed to the control box, each after "> ", with the answers, oldest first. Empty: the mount
     // takes no typed lines.

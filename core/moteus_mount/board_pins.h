@@ -4,6 +4,7 @@
 #include "core/base/can_frame.h"
 #include "core/base/clock.h"
 #include "core/contacts/input_name.h"
+#include "core/moteus_mount/pin_modes.h"
 #include "core/profile/in_force.h"
 
 #include <array>
@@ -12,7 +13,8 @@
 #include <vector>
 
 // The pins of the boards that the profile names as inputs. Each board with such a pin is asked once per tick, in a
-// frame of its own: the reply to the query of a rotator is full. The frames command nothing. Pure: time is passed in.
+// frame of its own: the reply to the query of a rotator is full. After each connection the console of the board is
+// asked whether the pins are inputs. Nothing is commanded. Pure: time is passed in.
 namespace boresight {
 
 class BoardPins
@@ -25,8 +27,8 @@ public:
     explicit BoardPins(const profile::InForce& profile) : m_profile(profile) {}
 
     void take(const CanFrame& frame);
-    // The queries of this tick.
-    [[nodiscard]] std::vector<CanFrame> frames() const;
+    // The queries of this tick. `areConsolesFree`: nobody else uses the console of a board.
+    [[nodiscard]] std::vector<CanFrame> frames(SteadyTime now, bool areConsolesFree);
     [[nodiscard]] contacts::InputReading read(const contacts::BoardPin& pin, SteadyTime now) const;
 
 private:
@@ -36,8 +38,12 @@ private:
         std::array<std::uint8_t, 2> bits{};  // of aux port 1 and 2; bit 0 is pin 0
     };
 
+    [[nodiscard]] std::vector<contacts::BoardPin> named() const;
+    [[nodiscard]] bool answers(int board, SteadyTime now) const;
+
     const profile::InForce& m_profile;
     std::map<int, Ports> m_ports;  // by the id of the board
+    PinModes m_modes;
 };
 
 }  // namespace boresight

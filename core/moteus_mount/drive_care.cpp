@@ -239,6 +239,13 @@ void DriveCare::tellChanges()
     }
 }
 
+bool DriveCare::areConsolesFree() const
+{
+    const bool isAsked = std::ranges::any_of(
+        m_mount.axes(), [this](Axis axis) { return m_driveCheck.isAsking(axis) || m_gains[index(axis)].isBusy(); });
+    return !m_mount.busLeft() && !m_boards.isRunning() && m_driveCheck.state() == DriveCheckState::Done && !isAsked;
+}
+
 Result<> DriveCare::mayTouch() const
 {
     if (m_boards.isRunning()) {

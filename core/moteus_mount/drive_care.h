@@ -32,6 +32,8 @@ public:
     }
     // After the tick of the control. Returns the frames to send beside those of the mount.
     [[nodiscard]] std::vector<CanFrame> tick(SteadyTime now);
+    // The drive check is done, and nothing here uses the console of a board now.
+    [[nodiscard]] bool areConsolesFree() const;
     // While settings are being written, other work on the drives is refused.
     [[nodiscard]] Result<> admits(const Request& request) const;
     // Carries out a request that the control has admitted. Requests that do not concern the drives are ignored.

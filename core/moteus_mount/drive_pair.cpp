@@ -6,11 +6,9 @@
 #include <algorithm>
 
 namespace boresight {
-namespace {
 
-DriveSettings driveSettings(Axis which, const profile::Profile& profile)
+DriveSettings driveSettings(const profile::AxisSettings& axis, const profile::Profile& profile)
 {
-    const profile::AxisSettings& axis = profile.axis(which);
     const Angle allowance = profile.supervision.encoderJump;
     return {.id = axis.id,
             .watchdog = profile.control.watchdog,
@@ -24,13 +22,11 @@ DriveSettings driveSettings(Axis which, const profile::Profile& profile)
                        .speed = abs(axis.geometry.toMotor(axis.limits.speed))}};
 }
 
-}  // namespace
-
 DrivePair::DrivePair(const profile::InForce& profile, AxisSet axes)
     : m_profile(profile),
       m_axes(axes),
-      m_azimuth(driveSettings(Axis::Azimuth, *profile), QT_TRANSLATE_NOOP("Text", "azimuth drive")),
-      m_elevation(driveSettings(Axis::Elevation, *profile), QT_TRANSLATE_NOOP("Text", "elevation drive"))
+      m_azimuth(driveSettings(profile->azimuth, *profile), QT_TRANSLATE_NOOP("Text", "azimuth drive")),
+      m_elevation(driveSettings(profile->elevation, *profile), QT_TRANSLATE_NOOP("Text", "elevation drive"))
 {}
 
 const pointing::AxisGeometry& DrivePair::geometry(Axis axis) const
@@ -46,7 +42,7 @@ void DrivePair::take(const CanFrame& frame)
 void DrivePair::judge(SteadyTime now)
 {
     for (const Axis axis : m_axes) {
-        drive(axis).setSettings(driveSettings(axis, *m_profile));
+        drive(axis).setSettings(driveSettings(m_profile->axis(axis), *m_profile));
         drive(axis).judge(now);
     }
 }

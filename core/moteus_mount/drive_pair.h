@@ -13,6 +13,9 @@
 // not in `axes` is never queried or commanded, and no frame counts as its reply. Pure, like Drive.
 namespace boresight {
 
+// The settings of the profile in the units of the drive.
+[[nodiscard]] DriveSettings driveSettings(const profile::AxisSettings& axis, const profile::Profile& profile);
+
 class DrivePair
 {
 public:

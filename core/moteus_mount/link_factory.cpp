@@ -46,6 +46,24 @@ std::optional<Axis> simulatedAxis(sim::SimulatedPair& pair, int id)
     return found != kAxes.end() ? std::optional(*found) : std::nullopt;
 }
 
+// The feed with the travel of the profile, in the middle of it. Its position after power-up is known.
+std::optional<sim::MoteusSettings> thirdBoard(const profile::ThirdAxisSettings& third)
+{
+    if (!third.isUsed()) {
+        return std::nullopt;
+    }
+    sim::MoteusSettings feed = sim::commissionedFeed(third.axis.id);
+    const pointing::AxisGeometry& geometry = third.axis.geometry;
+    constexpr Angle kBounds = Angle::fromDegrees(3.0);
+    const double low = geometry.toMotor(geometry.travel.min - kBounds).turns();
+    const double high = geometry.toMotor(geometry.travel.max + kBounds).turns();
+    feed.config.positionMin = std::min(low, high);
+    feed.config.positionMax = std::max(low, high);
+    feed.position = (low + high) / 2.0;
+    moveStopsBeyond(feed);
+    return feed;
+}
+
 // Puts each end switch of the profile just outside the travel of its axis.
 void wireSwitches(sim::SimulatedPair& pair, const profile::Profile& profile)
 {
@@ -101,6 +119,7 @@ Result<std::unique_ptr<CanLink>> makeLinkTo(const std::string& busName, const Cl
 sim::PairSettings protectedPair(const profile::Profile& profile)
 {
     sim::PairSettings pair = sim::commissionedPair();
+    pair.third = thirdBoard(profile.thirdAxis);
     for (sim::MoteusSettings* const drive : {&pair.azimuth, &pair.elevation}) {
         for (const Axis axis : {Axis::Azimuth, Axis::Elevation}) {
             if (profile.axis(axis).driver != profile::AxisDriver::None && drive->config.id == profile.axis(axis).id) {

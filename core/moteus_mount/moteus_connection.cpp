@@ -150,7 +150,7 @@ void MoteusConnection::send()
 {
     std::vector<CanFrame> frames = m_mount.frames();
     std::ranges::copy(m_care.tick(m_clock.now()), std::back_inserter(frames));
-    std::ranges::copy(m_pins.frames(), std::back_inserter(frames));
+    std::ranges::copy(m_pins.frames(m_clock.now(), m_care.areConsolesFree()), std::back_inserter(frames));
     if (const LinkState state = m_link->status().state; state == LinkState::Up || state == LinkState::Down) {
         // Also while the bus is down, because an adapter needs a new frame to detect that it works again. A frame that
         // could not be sent shows as a missing reply and in the status of the link.

@@ -7,6 +7,7 @@
 #include "core/moteus_mount/drive_readings.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace boresight {
 namespace {
@@ -38,6 +39,7 @@ MoteusMount::MoteusMount(const profile::InForce& profile, const Clock& clock, Ev
       m_log(log),
       m_alarms(alarms),
       m_drives(profile, axes),
+      m_third(profile, alarms),
       m_names{toQString(m_drives.drive(Axis::Azimuth).name()), toQString(m_drives.drive(Axis::Elevation).name())},
       m_silences(profile, alarms, m_drives),
       m_watches{DriveWatch(Axis::Azimuth, profile, alarms, m_silences),
@@ -50,6 +52,19 @@ MoteusMount::MoteusMount(const profile::InForce& profile, const Clock& clock, Ev
       m_started(clock.now()),
       m_now(m_started)
 {}
+
+void MoteusMount::take(const CanFrame& frame)
+{
+    m_drives.take(frame);
+    m_third.take(frame);
+}
+
+std::vector<CanFrame> MoteusMount::frames() const
+{
+    std::vector<CanFrame> frames = m_drives.frames();
+    std::ranges::copy(m_third.frames(), std::back_inserter(frames));
+    return frames;
+}
 
 void MoteusMount::framesSent()
 {
@@ -68,6 +83,7 @@ void MoteusMount::framesTaken()
     for (const Axis axis : axes()) {
         m_drives.drive(axis).frameSent();
     }
+    m_third.framesTaken();
 }
 
 void MoteusMount::driveRestarted(Axis axis)
@@ -195,6 +211,7 @@ void MoteusMount::observe(SteadyTime now)
     m_observed = true;
     m_now = now;
     m_drives.judge(now);
+    m_third.observe(now);
 }
 
 MountFindings MoteusMount::supervise(const MountSituation& known)
@@ -387,6 +404,9 @@ QString MoteusMount::switchOff(std::optional<Axis> only)
             m_drives.drive(axis).release();
         }
     }
+    if (!only) {
+        m_third.leave(profile::OnExit::Off);
+    }
     return !only && axes().size() == kAxes.size()
                ? Text::tr("switches the drives off, so nothing holds the mount")
                : Text::tr("switches the %1 off, so nothing holds its axis").arg(label(only.value_or(axes().front())));
@@ -395,6 +415,7 @@ QString MoteusMount::switchOff(std::optional<Axis> only)
 QString MoteusMount::leaveBus()
 {
     m_busLeft = true;
+    m_third.setReleased(true);
     for (const Axis axis : axes()) {
         m_drives.drive(axis).listen();
         m_turns.forget(axis);
@@ -412,6 +433,7 @@ Result<> MoteusMount::takeBus()
 {
     return mayTakeBus().map([this] {
         m_busLeft = false;
+        m_third.setReleased(false);
         m_started = m_clock.now();  // the drives have received no query yet
     });
 }

@@ -10,6 +10,7 @@
 #include "core/moteus_mount/proof_run.h"
 #include "core/moteus_mount/silence_alarms.h"
 #include "core/moteus_mount/stall_guard.h"
+#include "core/moteus_mount/third_drive.h"
 #include "core/moteus_mount/turn_keeper.h"
 #include "core/moteus_mount/turn_watch.h"
 #include "core/mount/mount_driver.h"
@@ -25,8 +26,8 @@
 // One or two moteus on a CAN bus as a MountDriver: frames in, frames out. Watches the drives, keeps their wraps and
 // their position journal, excuses them for stalls of this computer, and runs the crash-stop test. The owner of the bus
 // passes received frames in and sends those of frames(). DriveCare runs the drive check beside it. An axis without a
-// moteus is not queried, commanded, watched or journalled. Station thread only. More than 15 members: the parts of both
-// drives, and what one step of a tick leaves to the next.
+// moteus is not queried, commanded, watched or journalled. Station thread only. More than 15 members and
+// 600 lines: the parts of all drives, and what one step of a tick leaves to the next.
 namespace boresight {
 
 class MoteusMount final : public MountDriver, public MountService
@@ -39,8 +40,8 @@ public:
     [[nodiscard]] AxisSet axes() const { return m_drives.axes(); }
 
     // For the owner of the bus.
-    void take(const CanFrame& frame) { m_drives.take(frame); }
-    [[nodiscard]] std::vector<CanFrame> frames() const { return m_drives.frames(); }  // azimuth, elevation
+    void take(const CanFrame& frame);
+    [[nodiscard]] std::vector<CanFrame> frames() const;  // azimuth, elevation, third axis
     // These frames were passed to the link, or there is no link now. If this computer is held up after frames(), it
     // sends them late.
     void framesSent();
@@ -75,6 +76,8 @@ public:
     [[nodiscard]] const Result<>& interlock() const override { return m_interlock; }
     [[nodiscard]] MountService* service() override { return this; }
     [[nodiscard]] const MountService* service() const override { return this; }
+    [[nodiscard]] ThirdAxis* thirdAxis() override { return m_third.isUsed() ? &m_third : nullptr; }
+    [[nodiscard]] const ThirdAxis* thirdAxis() const override { return m_third.isUsed() ? &m_third : nullptr; }
     void observe(SteadyTime now) override;
     [[nodiscard]] MountFindings supervise(const MountSituation& known) override;
     void engage() override { m_drives.engage(); }
@@ -123,6 +126,7 @@ private:
     EventLog& m_log;
     AlarmBoard& m_alarms;
     DrivePair m_drives;
+    ThirdDrive m_third;
     std::array<QString, 2> m_names;
     SilenceAlarms m_silences;
     std::array<DriveWatch, 2> m_watches;

@@ -4,8 +4,8 @@
 #include "core/alarms/alarm_board.h"
 #include "core/messages/drives_status.h"
 #include "core/moteus_mount/drive.h"
+#include "core/profile/further_boards.h"
 #include "core/profile/in_force.h"
-#include "core/profile/watched_board.h"
 
 #include <string>
 #include <vector>

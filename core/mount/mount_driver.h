@@ -21,6 +21,7 @@
 namespace boresight {
 
 class MountService;
+class ThirdAxis;
 
 class MountDriver
 {
@@ -48,6 +49,9 @@ public:
     // Null if the mount has no functions but moving.
     [[nodiscard]] virtual MountService* service() = 0;
     [[nodiscard]] virtual const MountService* service() const = 0;
+    // Null if the mount has no axis beside the two.
+    [[nodiscard]] virtual ThirdAxis* thirdAxis() { return nullptr; }
+    [[nodiscard]] virtual const ThirdAxis* thirdAxis() const { return nullptr; }
 
     // Both once per tick, in this order. The set-points and commands of the control come after them.
     virtual void observe(SteadyTime now) = 0;  // evaluates the answers

@@ -45,6 +45,16 @@ const MountService* PairedMount::service() const
     return onlyOne(of(Axis::Azimuth).service(), of(Axis::Elevation).service());
 }
 
+ThirdAxis* PairedMount::thirdAxis()
+{
+    return onlyOne(of(Axis::Azimuth).thirdAxis(), of(Axis::Elevation).thirdAxis());
+}
+
+const ThirdAxis* PairedMount::thirdAxis() const
+{
+    return onlyOne(of(Axis::Azimuth).thirdAxis(), of(Axis::Elevation).thirdAxis());
+}
+
 void PairedMount::observe(SteadyTime now)
 {
     for (MountDriver* const driver : m_drivers) {

@@ -28,6 +28,8 @@ public:
     // service would act on both axes.
     [[nodiscard]] MountService* service() override;
     [[nodiscard]] const MountService* service() const override;
+    [[nodiscard]] ThirdAxis* thirdAxis() override;
+    [[nodiscard]] const ThirdAxis* thirdAxis() const override;
     void observe(SteadyTime now) override;
     [[nodiscard]] MountFindings supervise(const MountSituation& known) override;
     void engage() override;

@@ -7,7 +7,6 @@
 #include "core/listeners/listener.h"
 #include "core/profile/commissioning.h"
 #include "core/profile/setting_groups.h"
-#include "core/profile/watched_board.h"
 #include "core/rotctl/hamlib_setting.h"
 #include "core/units/degrees_text.h"
 #include "core/wind/wind_source.h"
@@ -62,29 +61,6 @@ void checkIds(std::vector<Problem>& problems, const Profile& profile)
     if (profile.azimuth.driver == profile.elevation.driver && kindOf(profile.azimuth.driver).hasId &&
         profile.azimuth.id == profile.elevation.id) {
         problems.push_back({"elevation.id", Text::tr("is the same as azimuth.id. Each controller needs its own id.")});
-    }
-}
-
-bool turnsAnAxis(int id, const Profile& profile)
-{
-    return std::ranges::any_of(
-        kAxes, [&](Axis axis) { return kindOf(profile.axis(axis).driver).hasId && profile.axis(axis).id == id; });
-}
-
-void checkWatched(std::vector<Problem>& problems, const Profile& profile)
-{
-    std::vector<int> ids;
-    for (const std::string& text : profile.watchedBoards) {
-        const auto board = parseWatchedBoard(text);
-        if (!board) {
-            continue;  // the check of the setting reports it
-        }
-        if (turnsAnAxis(board->id, profile)) {
-            problems.push_back({"bus.watched", Text::tr("The board with the id %1 turns an axis").arg(board->id)});
-        } else if (std::ranges::find(ids, board->id) != ids.end()) {
-            problems.push_back({"bus.watched", Text::tr("names the id %1 twice").arg(board->id)});
-        }
-        ids.push_back(board->id);
     }
 }
 
@@ -265,7 +241,7 @@ std::vector<Problem> crossCheck(const Profile& profile)
     checkAxis(problems, "azimuth", profile.azimuth, profile.park.azimuth);
     checkAxis(problems, "elevation", profile.elevation, profile.park.elevation);
     checkIds(problems, profile);
-    checkWatched(problems, profile);
+    checkFurtherBoards(problems, profile);
     checkHamlibSettings(problems, profile);
     // Two lost frames in a row must not stop the mount. The small slack is for rounding (0.05 s at 60 Hz).
     if (3.0 * profile.control.tickPeriod() > profile.control.watchdog + Seconds(1e-9)) {

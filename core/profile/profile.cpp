@@ -35,6 +35,15 @@ AxisSettings referenceElevation()
             .maxTorque = 50.0};
 }
 
+// The feed of a small dish. Its board counts turns of the axis.
+AxisSettings referenceThirdAxis()
+{
+    return {.id = 0,
+            .geometry = {.gearIn = pointing::GearIn::Host, .travel = {.min = -90_deg, .max = 90_deg}},
+            .limits = limitsOf(5.0, 10.0),
+            .maxTorque = 1.0};
+}
+
 std::vector<pointing::Antenna> Profile::allAntennas() const
 {
     std::vector<pointing::Antenna> all{{.beamWidth = mount.beamWidth}};

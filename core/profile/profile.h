@@ -428,6 +428,18 @@ struct BrokerSettings
 
 [[nodiscard]] AxisSettings referenceAzimuth();
 [[nodiscard]] AxisSettings referenceElevation();
+[[nodiscard]] AxisSettings referenceThirdAxis();
+
+// An axis beside the two, such as the polarisation. It is watched and jogged. It points nothing, so no client and no
+// target moves it.
+struct ThirdAxisSettings
+{
+    std::string name = "polarisation";
+    AxisSettings axis = referenceThirdAxis();  // its id is 0 if there is none
+
+    [[nodiscard]] bool isUsed() const { return axis.id != 0; }
+    bool operator==(const ThirdAxisSettings&) const = default;
+};
 
 struct Profile
 {
@@ -438,6 +450,7 @@ struct Profile
     std::vector<std::string> watchedBoards;   // boards that turn no axis: "3 polarisation" (WatchedBoard)
     AxisSettings azimuth = referenceAzimuth();
     AxisSettings elevation = referenceElevation();
+    ThirdAxisSettings thirdAxis;
     RotatorSettings rotator;
     ControlSettings control;
     pointing::PointingTerms pointing;         // how the true direction differs from what the axes show

@@ -5,9 +5,9 @@
 #include "core/base/text.h"
 #include "core/listeners/listener.h"
 #include "core/profile/commissioning.h"
+#include "core/profile/further_boards.h"
 #include "core/profile/setting_groups.h"
 #include "core/profile/setting_makers.h"
-#include "core/profile/watched_board.h"
 #include "core/rotctl/hamlib_setting.h"
 
 #include <algorithm>
@@ -402,6 +402,7 @@ std::vector<Setting> makeSettings()
         addGeometry(list, table, axis);
         addLimits(list, table, axis);
     }
+    addThirdAxis(list);
     addPointing(list);
     addRegion(list);
     addRotator(list);

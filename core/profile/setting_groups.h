@@ -10,6 +10,7 @@
 // The groups of settings that have a source file of their own, and the checks they need. setting.cpp joins the groups.
 namespace boresight::profile {
 
+void addThirdAxis(std::vector<Setting>& list);
 void addPointing(std::vector<Setting>& list);
 void addRegion(std::vector<Setting>& list);
 void addSite(std::vector<Setting>& list);
@@ -57,7 +58,7 @@ void checkNumbers(std::vector<Problem>& problems, std::string_view list, const s
 
 // Check settings that depend on each other: broker; geometry of the mount; region, Sun, park position and presets;
 // antennas; source of positions; satellites; watch list; sensor; received power; transmit output; brake; end switches;
-// wind.
+// wind; boards beside those of the axes.
 void checkBroker(std::vector<Problem>& problems, const Profile& profile);
 void checkGeometry(std::vector<Problem>& problems, const Profile& profile);
 void checkRegion(std::vector<Problem>& problems, const Profile& profile);
@@ -71,5 +72,6 @@ void checkTransmit(std::vector<Problem>& problems, const Profile& profile);
 void checkBrake(std::vector<Problem>& problems, const Profile& profile);
 void checkEndSwitches(std::vector<Problem>& problems, const Profile& profile);
 void checkWind(std::vector<Problem>& problems, const Profile& profile);
+void checkFurtherBoards(std::vector<Problem>& problems, const Profile& profile);
 
 }  // namespace boresight::profile

@@ -118,6 +118,12 @@ void visitFields(DriveConfig& config, const ConfigVisitor& visit)
     visit("motor_position.output.offset", &config.motorPosition.outputOffset);
     visit("motor_position.output.sign", &config.motorPosition.outputSign);
     visit("motor_position.output.reference_source", &config.motorPosition.referenceSource);
+    for (std::size_t port = 0; port < config.pins.modes.size(); ++port) {
+        for (std::size_t pin = 0; pin < config.pins.modes[port].size(); ++pin) {
+            visit("aux" + std::to_string(port + 1) + ".pins." + std::to_string(pin) + ".mode",
+                  &config.pins.modes[port][pin]);
+        }
+    }
 }
 
 Result<std::string> configText(DriveConfig& config, std::string_view key)
@@ -145,12 +151,18 @@ Result<> setConfigText(DriveConfig& config, std::string_view key, std::string_vi
 
 DriveConfig commissionedDrive(Axis axis)
 {
-    const ReferenceAxis& mount = referenceAxis(axis);
+    DriveConfig config = commissionedDrive(axis == Axis::Azimuth ? 1 : 2, referenceAxis(axis));
+    config.servo.defaultAccelLimit = axis == Axis::Azimuth ? 0.35 : 0.28;
+    return config;
+}
+
+DriveConfig commissionedDrive(int id, const ReferenceAxis& mount)
+{
     const Angle margin = 3.0_deg;
     const double low = mount.toTurns(mount.travel.min - margin);
     const double high = mount.toTurns(mount.travel.max + margin);
     DriveConfig config;
-    config.id = axis == Axis::Azimuth ? 1 : 2;
+    config.id = id;
     config.positionMin = std::min(low, high);
     config.positionMax = std::max(low, high);
     config.motorPosition.rotorToOutputRatio = 1.0 / mount.gearRatio;
@@ -167,7 +179,7 @@ DriveConfig commissionedDrive(Axis axis)
     // With these default limits the drive brakes after its host died: 14.4°/s, full stop in 80 ms. With a watchdog of
     // 0.1 s the axis stands still 0.2 s after the last command.
     config.servo.defaultVelocityLimit = 0.04;
-    config.servo.defaultAccelLimit = axis == Axis::Azimuth ? 0.35 : 0.28;
+    config.servo.defaultAccelLimit = 0.35;
     return config;
 }
 

@@ -74,6 +74,23 @@ struct MotorPositionConfig
     int referenceSource = -1;  // 1: an absolute encoder on the output, so the position is known after power-up
 };
 
+// The functions of the pins of both aux ports, by their numbers in the device. The pins of the simulated boards are
+// digital inputs.
+struct PinConfig
+{
+    static constexpr int kDigitalInput = 14;
+
+    std::array<std::array<int, 5>, 2> modes = [] {
+        std::array<std::array<int, 5>, 2> inputs{};
+        for (auto& port : inputs) {
+            port.fill(kDigitalInput);
+        }
+        return inputs;
+    }();
+};
+
+struct ReferenceAxis;
+
 struct DriveConfig
 {
     int id = 1;
@@ -84,6 +101,7 @@ struct DriveConfig
     double positionMax = 0.01;
     MotorConfig motor;
     MotorPositionConfig motorPosition;
+    PinConfig pins;
 };
 
 // A pointer into a DriveConfig. A byte is one element of an array.
@@ -101,5 +119,7 @@ Result<> setConfigText(DriveConfig& config, std::string_view key, std::string_vi
 // bounds, hold (mode 10) after a time-out, fault 49 at 10° of following error, default limits, and gains for the
 // inertia and friction of ReferenceAxis.
 [[nodiscard]] DriveConfig commissionedDrive(Axis axis);
+// The same for any axis.
+[[nodiscard]] DriveConfig commissionedDrive(int id, const ReferenceAxis& mount);
 
 }  // namespace boresight::sim

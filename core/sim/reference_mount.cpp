@@ -59,4 +59,12 @@ const ReferenceAxis& referenceAxis(Axis axis)
     return axis == Axis::Azimuth ? azimuth : elevation;
 }
 
+const ReferenceAxis& referenceFeed()
+{
+    static const ReferenceAxis feed =
+        makeAxis(1.0, 0.0_deg, {.min = -90.0_deg, .max = 90.0_deg},
+                 {.inertia = 0.5, .coulombFriction = 0.1, .staticFriction = 0.15, .viscousFriction = 0.1});
+    return feed;
+}
+
 }  // namespace boresight::sim

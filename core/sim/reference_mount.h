@@ -24,5 +24,7 @@ struct ReferenceAxis
 };
 
 [[nodiscard]] const ReferenceAxis& referenceAxis(Axis axis);
+// The feed of the dish, which turns its polarisation from -90° to 90°. Its own small motor turns it.
+[[nodiscard]] const ReferenceAxis& referenceFeed();
 
 }  // namespace boresight::sim

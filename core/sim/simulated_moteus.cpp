@@ -124,6 +124,18 @@ void SimulatedMoteus::completeFrame(FrameEnd end)
     }
 }
 
+// A pin that is no digital input reads 0.
+std::array<unsigned, 2> SimulatedMoteus::readPins() const
+{
+    std::array<unsigned, 2> read = m_pins;
+    for (std::size_t port = 0; port < read.size(); ++port) {
+        for (std::size_t pin = 0; pin < m_config.pins.modes[port].size(); ++pin) {
+            read[port] &= m_config.pins.modes[port][pin] == PinConfig::kDigitalInput ? ~0U : ~(1U << pin);
+        }
+    }
+    return read;
+}
+
 DriveState SimulatedMoteus::state() const
 {
     return {.config = m_config,
@@ -133,7 +145,7 @@ DriveState SimulatedMoteus::state() const
             .board = m_board,
             .plant = m_plant,
             .uptime = m_uptime,
-            .pins = m_pins,
+            .pins = readPins(),
             .registerMapVersion = m_registerMapVersion};
 }
 

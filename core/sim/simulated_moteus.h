@@ -102,6 +102,7 @@ private:
     void powerUp();
     void sampleEncoder();
     [[nodiscard]] double motorCurrent() const;  // A, towards positive turns of the rotor
+    [[nodiscard]] std::array<unsigned, 2> readPins() const;
     [[nodiscard]] DriveState state() const;
 
     static constexpr unsigned kFivePins = 0x1f;

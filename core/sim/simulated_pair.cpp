@@ -21,6 +21,13 @@ std::array<std::uint8_t, 16> uuidOf(Axis axis)
     return uuid;
 }
 
+std::array<std::uint8_t, 16> uuidOfThird()
+{
+    std::array<std::uint8_t, 16> uuid = uuidOf(Axis::Azimuth);
+    uuid.back() = 0x33;
+    return uuid;
+}
+
 MoteusSettings driveSettings(Axis axis, const DriveConfig& config, Angle start)
 {
     const ReferenceAxis& mount = referenceAxis(axis);
@@ -49,6 +56,18 @@ PairSettings commissionedPair(const AxisPosition& start)
     return pair;
 }
 
+MoteusSettings commissionedFeed(int id)
+{
+    const ReferenceAxis& feed = referenceFeed();
+    MoteusSettings settings{.config = commissionedDrive(id, feed),
+                            .plant = feed.plant,
+                            .gearRatio = feed.gearRatio,
+                            .referenced = true,
+                            .noise = {.enabled = true, .seed = 13U}};
+    settings.config.uuid = uuidOfThird();
+    return settings;
+}
+
 PairSettings factoryPair(const AxisPosition& start)
 {
     return {.azimuth = driveSettings(Axis::Azimuth, {}, start.azimuth),
@@ -65,6 +84,7 @@ SimulatedPair::SimulatedPair(const PairSettings& settings)
                {.axis = Axis::Elevation,
                 .drive = std::make_unique<SimulatedMoteus>(settings.elevation),
                 .spoiler = {Axis::Elevation, settings.seed + 1}}}},
+      m_third(settings.third ? std::make_unique<SimulatedMoteus>(*settings.third) : nullptr),
       m_random(settings.seed)
 {}
 
@@ -88,7 +108,11 @@ void SimulatedPair::step(double dt)
     for (const Side& side : m_sides) {
         power += side.drive->supplyPower();
     }
+    power += m_third ? m_third->supplyPower() : 0.0;
     m_supply.step(dt, power);
+    if (m_third) {
+        m_third->step(dt, {.busVoltage = m_supply.voltage()});
+    }
     for (Side& side : m_sides) {
         const double sign = referenceAxis(side.axis).sign;
         side.drive->step(dt, {.busVoltage = m_supply.voltage(),
@@ -191,6 +215,9 @@ std::vector<PairReply> SimulatedPair::exchange(const CanFrame& frame, Seconds no
                                .due = m_now + Seconds(delay),
                                .damaged = happens(FaultKind::CorruptLine, side->axis)});
         }
+    }
+    if (const auto said = m_third ? m_third->exchange(frame, (m_stepped - m_now).count()) : std::nullopt) {
+        replies.push_back({.frame = *said, .due = m_now});
     }
     std::ranges::stable_sort(replies, arbitratesBefore);
     return replies;

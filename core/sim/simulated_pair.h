@@ -10,6 +10,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <random>
 #include <vector>
 
@@ -22,6 +23,8 @@ struct PairSettings
 {
     MoteusSettings azimuth;
     MoteusSettings elevation;
+    // A third board on the bus and on the supply, with an id of its own. It has no injected faults.
+    std::optional<MoteusSettings> third = std::nullopt;
     SupplySettings supply{};
     std::uint32_t seed = 1;  // for lost and edited frames
     // How often (0…1) two different answers with one id destroy each other. Otherwise one board begins later and waits,
@@ -33,6 +36,9 @@ struct PairSettings
 [[nodiscard]] PairSettings commissionedPair(const AxisPosition& start = {.azimuth = 0.0_deg, .elevation = 10.0_deg});
 // The same mechanics with new boards: both have id 1, ratio 1, bounds ±0.01 turns, and are not referenced.
 [[nodiscard]] PairSettings factoryPair(const AxisPosition& start = {.azimuth = 0.0_deg, .elevation = 10.0_deg});
+
+// The drive of the feed (reference_mount.h), referenced and protected, with its axis in the middle of its travel.
+[[nodiscard]] MoteusSettings commissionedFeed(int id);
 
 // The true state of an axis, which the reports of the drive may contradict.
 struct AxisTruth
@@ -87,6 +93,7 @@ public:
     [[nodiscard]] std::vector<PairReply> exchange(const CanFrame& frame, Seconds now);
 
     void wire(const WiredSwitch& one);
+    [[nodiscard]] SimulatedMoteus& third() { return *m_third; }  // only if the settings have one
     // A drive that is not fitted neither receives nor sends. At first both are fitted.
     void setFitted(Axis axis, bool fitted) { m_sides[side(axis)].fitted = fitted; }
 
@@ -130,6 +137,7 @@ private:
     double m_supplyVoltage;
     double m_collisions;
     std::array<Side, 2> m_sides;
+    std::unique_ptr<SimulatedMoteus> m_third;  // null: there is none
     std::vector<WiredSwitch> m_switches;
     FaultSchedule m_faults;
     ReplyCounts m_replyCounts;

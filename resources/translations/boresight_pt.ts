@@ -309,6 +309,37 @@
     </message>
 </context>
 <context>
+    <name>EndSwitchWords</name>
+    <message>
+        <source>AZ upper end</source>
+        <translation>AZ fim superior</translation>
+    </message>
+    <message>
+        <source>AZ lower end</source>
+        <translation>AZ fim inferior</translation>
+    </message>
+    <message>
+        <source>EL upper end</source>
+        <translation>EL fim superior</translation>
+    </message>
+    <message>
+        <source>EL lower end</source>
+        <translation>EL fim inferior</translation>
+    </message>
+    <message>
+        <source>%1: pressed (%2)</source>
+        <translation>%1: premido (%2)</translation>
+    </message>
+    <message>
+        <source>%1: free (%2)</source>
+        <translation>%1: livre (%2)</translation>
+    </message>
+    <message>
+        <source>%1: not read (%2)</source>
+        <translation>%1: não lido (%2)</translation>
+    </message>
+</context>
+<context>
     <name>Format</name>
     <message>
         <source>az %1  el %2</source>
@@ -649,34 +680,6 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
     <message>
         <source>The output %1 is on while the brake is open. Nothing moves before the brake is open.</source>
         <translation>A saída %1 está ligada enquanto o travão está aberto. Nada se move antes de o travão estar aberto.</translation>
-    </message>
-    <message>
-        <source>AZ upper end</source>
-        <translation>AZ fim superior</translation>
-    </message>
-    <message>
-        <source>AZ lower end</source>
-        <translation>AZ fim inferior</translation>
-    </message>
-    <message>
-        <source>EL upper end</source>
-        <translation>EL fim superior</translation>
-    </message>
-    <message>
-        <source>EL lower end</source>
-        <translation>EL fim inferior</translation>
-    </message>
-    <message>
-        <source>%1: pressed (%2)</source>
-        <translation>%1: premido (%2)</translation>
-    </message>
-    <message>
-        <source>%1: free (%2)</source>
-        <translation>%1: livre (%2)</translation>
-    </message>
-    <message>
-        <source>%1: not read (%2)</source>
-        <translation>%1: não lido (%2)</translation>
     </message>
     <message>
         <source>%1 at end</source>
@@ -1115,6 +1118,10 @@ até %1</translation>
     <message>
         <source>End switches</source>
         <translation>Fins de curso</translation>
+    </message>
+    <message>
+        <source>Third axis</source>
+        <translation>Terceiro eixo</translation>
     </message>
 </context>
 <context>
@@ -10901,10 +10908,6 @@ até %1</translation>
         <translation>Só para &quot;x-y&quot;: azimute verdadeiro do eixo X. 0 é norte-sul, 90 é este-oeste. Um Y positivo inclina o feixe para este azimute, um X positivo para o azimute 90° no sentido dos ponteiros do relógio a partir deste.</translation>
     </message>
     <message>
-        <source>This is not a command. The commands are take, release, stop, reset-stop, override-wind, use-new-time, satellites, status, transmit, track TARGET, antennas, antenna NAME, simulate FAULT and the commands of the schedule.</source>
-        <translation>Isto não é um comando. Os comandos são take, release, stop, reset-stop, override-wind, use-new-time, satellites, status, transmit, track ALVO, antennas, antenna NOME, simulate FALHA e os comandos da agenda.</translation>
-    </message>
-    <message>
         <source>This station moves a real mount, which shows no faults on request. Start it with --simulate.</source>
         <translation>Esta estação move uma montagem real, que não mostra falhas a pedido. Inicie-a com --simulate.</translation>
     </message>
@@ -10919,6 +10922,178 @@ até %1</translation>
     <message>
         <source>The elevation of this mount has no simulated moteus drive.</source>
         <translation>A elevação desta montagem não tem nenhum acionamento moteus simulado.</translation>
+    </message>
+    <message>
+        <source>The drive of the third axis (%1) reports fault %2</source>
+        <translation>O acionamento do terceiro eixo (%1) indica a falha %2</translation>
+    </message>
+    <message>
+        <source>Boresight does not move this axis, and the mount goes on</source>
+        <translation>O Boresight não move este eixo, e a montagem continua</translation>
+    </message>
+    <message>
+        <source>Remove the cause, then press Re-arm.</source>
+        <translation>Elimine a causa e prima Rearmar.</translation>
+    </message>
+    <message>
+        <source>The drive of the third axis (%1) does not reply</source>
+        <translation>O acionamento do terceiro eixo (%1) não responde</translation>
+    </message>
+    <message>
+        <source>Check the power and the plugs of the board with the id %2. If there is no such axis, set third_axis.id to 0.</source>
+        <translation>Verifique a alimentação e as fichas da placa com o id %2. Se esse eixo não existir, ponha third_axis.id a 0.</translation>
+    </message>
+    <message>
+        <source>This mount has no control box that takes typed lines.</source>
+        <translation>Esta montagem não tem nenhuma caixa de controlo que aceite linhas escritas.</translation>
+    </message>
+    <message>
+        <source>This mount has no third axis. To use one, enter its board in the profile (third_axis.id).</source>
+        <translation>Esta montagem não tem terceiro eixo. Para usar um, indique a sua placa no perfil (third_axis.id).</translation>
+    </message>
+    <message>
+        <source>The rate is above the limit of the third axis (%1°/s).</source>
+        <translation>A velocidade está acima do limite do terceiro eixo (%1°/s).</translation>
+    </message>
+    <message>
+        <source>The third axis is at the end of its travel (%1).</source>
+        <translation>O terceiro eixo está no fim do seu curso (%1).</translation>
+    </message>
+    <message>
+        <source>The jog of the third axis was ended. Release the button and press it again.</source>
+        <translation>O movimento manual do terceiro eixo foi terminado. Solte o botão e prima-o de novo.</translation>
+    </message>
+    <message>
+        <source>jogs the third axis (%1)</source>
+        <translation>move manualmente o terceiro eixo (%1)</translation>
+    </message>
+    <message>
+        <source>the jog ends: %1</source>
+        <translation>o movimento manual termina: %1</translation>
+    </message>
+    <message>
+        <source>is not held any more: %1</source>
+        <translation>já não é mantido: %1</translation>
+    </message>
+    <message>
+        <source>its keep-alive did not come</source>
+        <translation>o seu sinal de vida não chegou</translation>
+    </message>
+    <message>
+        <source>re-arms the third axis, and nothing moves</source>
+        <translation>rearma o terceiro eixo, e nada se move</translation>
+    </message>
+    <message>
+        <source>This is not a command. The commands are take, release, stop, reset-stop, override-wind, use-new-time, satellites, status, transmit, track TARGET, antennas, antenna NAME, simulate FAULT, console LINE, console-lines and the commands of the schedule.</source>
+        <translation>Isto não é um comando. Os comandos são take, release, stop, reset-stop, override-wind, use-new-time, satellites, status, transmit, track TARGET, antennas, antenna NAME, simulate FAULT, console LINE, console-lines e os comandos da agenda.</translation>
+    </message>
+    <message>
+        <source>The pin is no input: %1 of board %2 is %3. Set it to %4 with moteus tview and store it</source>
+        <translation>O pino não é uma entrada: %1 da placa %2 é %3. Ponha-o a %4 com o moteus tview e guarde-o</translation>
+    </message>
+    <message>
+        <source>its drive stopped replying</source>
+        <translation>o seu acionamento deixou de responder</translation>
+    </message>
+    <message>
+        <source>its drive has a fault</source>
+        <translation>o seu acionamento tem uma falha</translation>
+    </message>
+    <message>
+        <source>the watchdog of its drive expired</source>
+        <translation>o watchdog do seu acionamento expirou</translation>
+    </message>
+    <message>
+        <source>its drive was switched off by its power or by another program</source>
+        <translation>o seu acionamento foi desligado por falta de alimentação ou por outro programa</translation>
+    </message>
+    <message>
+        <source>its drive does not obey</source>
+        <translation>o seu acionamento não obedece</translation>
+    </message>
+    <message>
+        <source>its drive reports no position</source>
+        <translation>o seu acionamento não indica a posição</translation>
+    </message>
+    <message>
+        <source>its position jumped</source>
+        <translation>a sua posição saltou</translation>
+    </message>
+    <message>
+        <source>it does not follow, so something blocks it</source>
+        <translation>não segue, portanto algo o bloqueia</translation>
+    </message>
+    <message>
+        <source>Boresight is reading the board of the third axis. Wait a moment.</source>
+        <translation>O Boresight está a ler a placa do terceiro eixo. Espere um momento.</translation>
+    </message>
+    <message>
+        <source>The board of the third axis has the register map %1. Boresight knows the register map %2. Update the firmware of the board.</source>
+        <translation>A placa do terceiro eixo tem o mapa de registos %1. O Boresight conhece o mapa de registos %2. Atualize o firmware da placa.</translation>
+    </message>
+    <message>
+        <source>The drive of the third axis does not reply. Check its power and its plugs.</source>
+        <translation>O acionamento do terceiro eixo não responde. Verifique a sua alimentação e as suas fichas.</translation>
+    </message>
+    <message>
+        <source>The drive of the third axis has a fault: %1. Remove the cause and press Re-arm.</source>
+        <translation>O acionamento do terceiro eixo tem uma falha: %1. Elimine a causa e prima Rearmar.</translation>
+    </message>
+    <message>
+        <source>The third axis reports no position. Check its encoder.</source>
+        <translation>O terceiro eixo não indica a posição. Verifique o seu codificador.</translation>
+    </message>
+    <message>
+        <source>The board of the third axis does not know its position after power-up. Set the position with moteus tview (d exact). If the axis has an encoder of its own, set third_axis.power_up_position to &quot;trusted&quot;.</source>
+        <translation>A placa do terceiro eixo não conhece a sua posição depois de ligada. Defina a posição com o moteus tview (d exact). Se o eixo tiver um codificador próprio, ponha third_axis.power_up_position a &quot;trusted&quot;.</translation>
+    </message>
+    <message>
+        <source>needs an axis with the driver &quot;moteus&quot;, whose bus it shares</source>
+        <translation>precisa de um eixo com o controlador &quot;moteus&quot;, cujo barramento partilha</translation>
+    </message>
+    <message>
+        <source>The board with the id %1 turns azimuth or elevation</source>
+        <translation>A placa com o id %1 move o azimute ou a elevação</translation>
+    </message>
+    <message>
+        <source>The board with the id %1 is in bus.watched, too</source>
+        <translation>A placa com o id %1 também está em bus.watched</translation>
+    </message>
+    <message>
+        <source>must be larger than third_axis.travel_min_deg (%1)</source>
+        <translation>tem de ser maior do que third_axis.travel_min_deg (%1)</translation>
+    </message>
+    <message>
+        <source>The travel must lie within half a turn of the controller to each side of its zero. After power-up the controller knows this turn only.</source>
+        <translation>O curso tem de ficar dentro de meia volta do controlador para cada lado do seu zero. Depois de ligado, o controlador só conhece esta volta.</translation>
+    </message>
+    <message>
+        <source>CAN id of the moteus controller of a further axis, such as the polarisation. Boresight shows this axis and jogs it. No client and no target moves it. 0: there is none.</source>
+        <translation>Id CAN do controlador moteus de um outro eixo, como o da polarização. O Boresight mostra este eixo e move-o manualmente. Nenhum cliente e nenhum alvo o move. 0: não existe.</translation>
+    </message>
+    <message>
+        <source>The name of this axis in the window.</source>
+        <translation>O nome deste eixo na janela.</translation>
+    </message>
+    <message>
+        <source>Turns that the controller counts for one turn of the axis. 1: the controller has the gear ratio itself, and counts turns of the axis.</source>
+        <translation>Voltas que o controlador conta por cada volta do eixo. 1: o próprio controlador tem a relação de engrenagem e conta voltas do eixo.</translation>
+    </message>
+    <message>
+        <source>&quot;trusted&quot; if the position after power-up is always right: an encoder on the axis. Otherwise the axis is jogged only while the controller reports a referenced output.</source>
+        <translation>&quot;trusted&quot; se a posição depois de ligar está sempre certa: um codificador no eixo. Senão, o eixo só é movido enquanto o controlador indicar uma saída referenciada.</translation>
+    </message>
+    <message>
+        <source>Upper end of the permitted travel, as an axis angle.</source>
+        <translation>Fim superior do curso permitido, como ângulo do eixo.</translation>
+    </message>
+    <message>
+        <source>Jog rate</source>
+        <translation>Velocidade manual</translation>
+    </message>
+    <message>
+        <source>The speed of a jog of this axis.</source>
+        <translation>A velocidade de um movimento manual deste eixo.</translation>
     </message>
 </context>
 <context>
@@ -16793,6 +16968,14 @@ Boresight writes them, reads them back and stores them in the drives. Nothing mo
 
 O Boresight escreve-as, lê-as de volta e guarda-as nos acionamentos. Nada se move.</translation>
     </message>
+    <message>
+        <source>End switches</source>
+        <translation>Fins de curso</translation>
+    </message>
+    <message>
+        <source>End switches: %1</source>
+        <translation>Fins de curso: %1</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::ReadingsModel</name>
@@ -18811,6 +18994,65 @@ Para onde outro rotor aponta, segundo o seu rotctld: rotctld:10.0.0.7:4533</tran
     <message>
         <source>The station has not reported its terms yet.</source>
         <translation>a estação ainda não disse os termos</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::ThirdAxisRow</name>
+    <message>
+        <source>NO DATA</source>
+        <translation>SEM DADOS</translation>
+    </message>
+    <message>
+        <source>OFF</source>
+        <translation>DESLIGADO</translation>
+    </message>
+    <message>
+        <source>HOLDING</source>
+        <translation>MANTIDO</translation>
+    </message>
+    <message>
+        <source>MOVING</source>
+        <translation>MOVE-SE</translation>
+    </message>
+    <message>
+        <source>FAULT</source>
+        <translation>FALHA</translation>
+    </message>
+    <message>
+        <source>Third axis</source>
+        <translation>Terceiro eixo</translation>
+    </message>
+    <message>
+        <source>Angle of the third axis</source>
+        <translation>Ângulo do terceiro eixo</translation>
+    </message>
+    <message>
+        <source>State of the third axis</source>
+        <translation>Estado do terceiro eixo</translation>
+    </message>
+    <message>
+        <source>− hold</source>
+        <translation>− segurar</translation>
+    </message>
+    <message>
+        <source>+ hold</source>
+        <translation>+ segurar</translation>
+    </message>
+    <message>
+        <source>Third axis: %1</source>
+        <translation>Terceiro eixo: %1</translation>
+    </message>
+    <message>
+        <source>Turn the axis at %1 while held. No target moves this axis.</source>
+        <translation>Mover o eixo a %1 enquanto premido. Nenhum alvo move este eixo.</translation>
+    </message>
+    <message>
+        <source>board %1 °C</source>
+        <translation>placa %1 °C</translation>
+    </message>
+    <message>
+        <source>travel %1…%2</source>
+        <translation>curso %1…%2</translation>
     </message>
 </context>
 <context>

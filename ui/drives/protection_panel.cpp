@@ -7,10 +7,13 @@
 #include "ui/kit/read_table.h"
 #include "ui/kit/value_label.h"
 #include "ui/link/drive_check_words.h"
+#include "ui/link/end_switch_words.h"
 
 #include <QHeaderView>
 #include <QTableView>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace boresight::ui {
 
@@ -31,6 +34,7 @@ ProtectionPanel::ProtectionPanel(RequestDesk& desk, QWidget* parent)
       m_table(makeTable()),
       m_driveCheck(new ValueLabel(tr("Drive check"), fonts::label(), {}, this)),
       m_reason(new ValueLabel(tr("Why the selected setting matters"), fonts::label(), {}, this)),
+      m_switches(new ValueLabel(tr("End switches"), fonts::label(), {}, this)),
       m_notice(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
       m_read(new CommandButton(tr("Read again"), tr("Find the boards on the bus and read all settings again"), desk,
                                *m_notice, this)),
@@ -75,15 +79,18 @@ void ProtectionPanel::build()
         }
         return row;
     };
-    for (ValueLabel* const line : {m_driveCheck, m_reason, m_notice}) {
+    for (ValueLabel* const line : {m_driveCheck, m_reason, m_switches, m_notice}) {
         line->setStretching(true);
     }
     m_driveCheck->setLines(2);
     m_reason->setLines(4);
+    m_switches->setWrapping(true);
+    m_switches->setCollapsing(true);
     m_notice->setCollapsing(true);
     column->addWidget(m_driveCheck);
     column->addWidget(m_table, 1);
     column->addWidget(m_reason);
+    column->addWidget(m_switches);
     column->addLayout(rowOf({m_read, m_gear, m_fix}));
     column->addLayout(rowOf({m_switchAxisOff[0], m_switchAxisOff[1], m_switchOff}));
     column->addWidget(m_notice);
@@ -95,6 +102,7 @@ void ProtectionPanel::hideSwitches()
         button->hide();
     }
     m_reason->setLines(3);
+    m_switches->hide();
 }
 
 QTableView* ProtectionPanel::makeTable()
@@ -126,7 +134,20 @@ void ProtectionPanel::showStatus(const StationStatus& status)
     for (const Axis axis : kAxes) {
         m_switchAxisOff[axisIndex(axis)]->setBlocked(status.permissions.reason(switchOffAction(axis)));
     }
+    showSwitches();
     showWhetherPossible(status);
+}
+
+void ProtectionPanel::showSwitches()
+{
+    QStringList lines;
+    for (const EndSwitchStatus& one : m_status.endSwitches) {
+        lines << endSwitchLine(one);
+    }
+    const bool isFree = std::ranges::all_of(
+        m_status.endSwitches, [](const EndSwitchStatus& one) { return one.state == end_switches::SwitchState::Free; });
+    m_switches->setValue(lines.isEmpty() ? QString() : tr("End switches: %1").arg(lines.join(QStringLiteral(" · "))),
+                         isFree ? Tone::Normal : Tone::Warning, isFree ? Symbol::None : Symbol::Warning);
 }
 
 // The line shows either an obstacle to motion or the progress of the reading. The obstacle has priority.

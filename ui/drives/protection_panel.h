@@ -9,6 +9,7 @@ class QTableView;
 
 // The safety settings of the drives: wanted and found values, with the reason for the selected line. Buttons to read
 // them again, to write the differences, and to switch the drives off, which writing requires.
+// Below them the state of the end switches, if the profile has some.
 namespace boresight::ui {
 
 class ProtectionModel;
@@ -29,6 +30,7 @@ private:
     QTableView* makeTable();
     void showDriveCheck(const DrivesStatus& drives);
     void showReason();
+    void showSwitches();
     void fix();
     void setGear();
     void switchOff();
@@ -39,6 +41,7 @@ private:
     QTableView* m_table;
     ValueLabel* m_driveCheck;
     ValueLabel* m_reason;
+    ValueLabel* m_switches;  // the end switches of the profile
     ValueLabel* m_notice;
     CommandButton* m_read;
     CommandButton* m_fix;

@@ -2,6 +2,7 @@
 #include "ui/jog/jog_panel.h"
 
 #include "ui/jog/jog_choices.h"
+#include "ui/jog/third_axis_row.h"
 #include "ui/kit/axes.h"
 #include "ui/kit/caption.h"
 #include "ui/kit/command_button.h"
@@ -18,7 +19,8 @@ JogPanel::JogPanel(const Clock& clock, const ProfileDraft& draft, RequestDesk& d
       m_pad(new JogPad(clock, desk, *m_notice, this)),
       m_choices(new JogChoices(draft, *m_pad, this)),
       m_trim(new ValueLabel(tr("Trim"), fonts::label(), {}, this)),
-      m_clearTrim(new CommandButton(tr("Clear trim"), {}, desk, *m_notice, this))
+      m_clearTrim(new CommandButton(tr("Clear trim"), {}, desk, *m_notice, this)),
+      m_thirdAxis(new ThirdAxisRow(desk, *m_notice, this))
 {
     build();
     connect(m_clearTrim, &QPushButton::clicked, this, [this] { m_clearTrim->ask(request::ClearTrim{}); });
@@ -34,7 +36,8 @@ void JogPanel::build()
     grid->addWidget(makeGroupCaption(tr("Move by hand"), this), 0, 0, 1, 2);
     grid->addWidget(m_pad, 1, 0);
     grid->addWidget(makeChoices(), 1, 1, Qt::AlignTop);
-    grid->addWidget(m_notice, 2, 0, 1, 2);
+    grid->addWidget(m_thirdAxis, 2, 0, 1, 2);
+    grid->addWidget(m_notice, 3, 0, 1, 2);
     grid->setRowStretch(1, 1);
     grid->setColumnStretch(0, 1);
     grid->setColumnStretch(1, 1);
@@ -61,6 +64,7 @@ void JogPanel::showStatus(const StationStatus& status)
     m_status = status;
     m_choices->showStatus(status);
     m_pad->showStatus(status);
+    m_thirdAxis->showStatus(status);
     showTrim();
 }
 

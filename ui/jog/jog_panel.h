@@ -8,14 +8,15 @@
 
 #include <QWidget>
 
-// Manual motion by the operator: the jog pad with its rate and steps, a gamepad, the trim of a tracked target. A
-// refusal is shown below the pad. Gui thread.
+// Manual motion by the operator: the jog pad with its rate and steps, a gamepad, the trim of a tracked target, the axis
+// beside the two. A refusal is shown below the pad. Gui thread.
 namespace boresight::ui {
 
 class CommandButton;
 class JogChoices;
 class ProfileDraft;
 class RequestDesk;
+class ThirdAxisRow;
 class ValueLabel;
 
 class JogPanel : public QWidget
@@ -47,6 +48,7 @@ private:
     JogChoices* m_choices;
     ValueLabel* m_trim;
     CommandButton* m_clearTrim;
+    ThirdAxisRow* m_thirdAxis;
     GamepadPilot m_pilot;
     StationStatus m_status;
 };

@@ -31,6 +31,7 @@ constexpr Title kTitles[] = {{"mount", QT_TRANSLATE_NOOP("SettingWords", "Mount"
                              {"bus", QT_TRANSLATE_NOOP("SettingWords", "Bus")},
                              {"azimuth", QT_TRANSLATE_NOOP("SettingWords", "Azimuth axis")},
                              {"elevation", QT_TRANSLATE_NOOP("SettingWords", "Elevation axis")},
+                             {"third_axis", QT_TRANSLATE_NOOP("SettingWords", "Third axis")},
                              {"rotator", QT_TRANSLATE_NOOP("SettingWords", "Switched motors")},
                              {"control", QT_TRANSLATE_NOOP("SettingWords", "Control")},
                              {"pointing", QT_TRANSLATE_NOOP("SettingWords", "Pointing model")},

@@ -79,7 +79,8 @@ QStringList doing(const StationStatus& status)
     if (status.slew) {
         parts << HeaderBar::tr("there in %1 s").arg(std::ceil(status.slew->remaining.count()), 0, 'f', 0);
     }
-    if (!status.commander.name.isEmpty()) {
+    // The text of a motion that the wind began says so.
+    if (!status.commander.name.isEmpty() && status.commander.name != QLatin1String("wind")) {
         parts << HeaderBar::tr("by %1").arg(sourceText(status.commander.name));
     }
     parts.first()[0] = parts.first()[0].toUpper();

@@ -5,6 +5,7 @@
 #include "ui/kit/format.h"
 #include "ui/kit/value_label.h"
 #include "ui/kit/widest.h"
+#include "ui/link/end_switch_words.h"
 #include "ui/window/motor_words.h"
 
 #include <QStringList>
@@ -161,29 +162,6 @@ QString brakeHelp(const BrakeStatus& brake)
         LinkLabels::tr("The output %1 is on while the brake is open. Nothing moves before the brake is open.")
             .arg(brake.output);
     return brake.problem.isEmpty() ? text : brake.problem + QLatin1Char('\n') + text;
-}
-
-QString endName(const end_switches::EndSwitch& which)
-{
-    const bool isUpper = which.isUpper;
-    if (which.axis == Axis::Azimuth) {
-        return isUpper ? LinkLabels::tr("AZ upper end") : LinkLabels::tr("AZ lower end");
-    }
-    return isUpper ? LinkLabels::tr("EL upper end") : LinkLabels::tr("EL lower end");
-}
-
-QString endSwitchLine(const EndSwitchStatus& one)
-{
-    switch (one.state) {
-        case end_switches::SwitchState::Pressed:
-            return LinkLabels::tr("%1: pressed (%2)").arg(endName(one.which), one.input);
-        case end_switches::SwitchState::Free:
-            return LinkLabels::tr("%1: free (%2)").arg(endName(one.which), one.input);
-        case end_switches::SwitchState::Unread:
-            break;
-    }
-    return LinkLabels::tr("%1: not read (%2)").arg(endName(one.which), one.input) +
-           (one.problem.isEmpty() ? QString() : QStringLiteral(". ") + one.problem);
 }
 
 // What is shown of an axis under the pointer, and each of its end switches.

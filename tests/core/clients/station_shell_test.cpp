@@ -19,6 +19,7 @@ namespace boresight {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 // The name of the socket contains the port of the rotctld server.
 QString socketOf(const StationStatus& status, const QTemporaryDir& runtime)
@@ -128,6 +129,8 @@ struct ShellRig : StationRig
     ClockStatus watched;
     std::optional<TrackedTarget> tracked;
     std::vector<Alarm> alarms;
+    std::optional<QStringList> console;
+    std::optional<ThirdAxisStatus> third;
     std::shared_ptr<const std::vector<orbit::ElementSet>> known =
         std::make_shared<const std::vector<orbit::ElementSet>>(std::vector<orbit::ElementSet>{
             {.name = "ISS (ZARYA)", .number = 25544, .epoch = orbit::julianDate(UtcTime(std::chrono::days(20000)))}});
@@ -151,6 +154,8 @@ struct ShellRig : StationRig
                                 status.clock = watched;
                                 status.tracked = tracked ? tracked : status.tracked;
                                 status.alarms = alarms;
+                                status.console = console;
+                                status.thirdAxis = third;
                                 return status;
                             },
                         .transmit = [this] { return transmit; }},
@@ -468,6 +473,34 @@ TEST(StationShell, ReportsTheTransmitOutput)
     rig.transmit.whyOff.clear();
     rig.transmit.error = 0.25_deg;
     EXPECT_THAT(rig.answerTo("transmit\n"), HasSubstr("{\"error\":0.25,\"on\":true,"));
+}
+
+// REQ-STATION-945: The shell types a line to the control box of the mount by the rules of the page Console, and reports
+// the typed lines with their answers. A mount without such a box refuses both.
+TEST(StationShell, TypesToTheControlBox)
+{
+    ShellRig rig;
+    EXPECT_EQ(rig.answerTo("console H\n"), "error: this rotator does not have this function\n");
+    EXPECT_EQ(rig.answerTo("console-lines\n"), "error: This mount has no control box that takes typed lines.\n");
+    EXPECT_THAT(rig.answerTo("console\n"), HasSubstr("error: This is not a command."));
+    rig.console = QStringList{QStringLiteral("> H"), QStringLiteral("H \"help\"")};
+    EXPECT_EQ(rig.answerTo("console-lines\n"), "ok\n[\"> H\",\"H \\\"help\\\"\"]\n");
+}
+
+// REQ-THIRD-32: The shell reports the angle, the state, the mode, the fault and the temperature of the third axis.
+TEST(StationShell, ReportsTheThirdAxis)
+{
+    ShellRig rig;
+    EXPECT_THAT(rig.answerTo("status\n"), Not(HasSubstr("thirdAxis")));
+    rig.third = ThirdAxisStatus{.name = QStringLiteral("polarisation"),
+                                .state = ThirdAxisStatus::State::Holding,
+                                .place = 12.5_deg,
+                                .mode = QStringLiteral("position (10)"),
+                                .boardTemperature = 31.0};
+    EXPECT_THAT(
+        rig.answerTo("status\n"),
+        HasSubstr("\"thirdAxis\":{\"angle\":12.5,\"boardTemperature\":31,\"fault\":\"\",\"mode\":\"position (10)\","
+                  "\"name\":\"polarisation\",\"rate\":null,\"state\":\"holding\"}"));
 }
 
 }  // namespace

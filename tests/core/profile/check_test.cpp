@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -381,4 +382,33 @@ TEST(CrossCheck, TwoTicksMustFitIntoTheReplyAge)
     EXPECT_TRUE(crossCheck(profile).empty()) << "0.1 s are 2 ticks of 20 Hz";
     profile.supervision.replyAge = Seconds(0.099);
     EXPECT_EQ(keysOf(crossCheck(profile)), std::vector<std::string>{"supervision.reply_age_s"});
+}
+
+// REQ-THIRD-40: A third axis needs a moteus on the same bus, an id of its own, limits that leave a travel, and a travel
+// within the one turn that its board knows after power-up. Without an id nothing of it is checked.
+TEST(CrossCheck, FindsAnImpossibleThirdAxis)
+{
+    Profile profile;
+    profile.thirdAxis.axis.geometry.travel = {.min = 90_deg, .max = 90_deg};
+    EXPECT_TRUE(crossCheck(profile).empty());
+    profile.thirdAxis.axis.id = 2;
+    profile.thirdAxis.axis.geometry.sign = 0;
+    profile.thirdAxis.axis.limits.jerk = AngularJerk::fromDegrees(1.0);
+    EXPECT_EQ(keysOf(crossCheck(profile)),
+              (std::vector<std::string>{"third_axis.id", "third_axis.sign", "third_axis.max_jerk_deg_s3",
+                                        "third_axis.travel_max_deg"}));
+    profile.thirdAxis = {};
+    profile.thirdAxis.axis.id = 3;
+    EXPECT_TRUE(crossCheck(profile).empty());
+    profile.watchedBoards = {"3 polarisation"};
+    EXPECT_EQ(keysOf(crossCheck(profile)), (std::vector<std::string>{"third_axis.id"}));
+    profile.watchedBoards.clear();
+    profile.thirdAxis.axis.geometry.travel = {.min = 0_deg, .max = 270_deg};
+    EXPECT_EQ(keysOf(crossCheck(profile)), (std::vector<std::string>{"third_axis.travel_max_deg"}));
+    profile.thirdAxis.axis.geometry.offset = -135_deg;
+    EXPECT_TRUE(crossCheck(profile).empty());
+    profile.azimuth.driver = AxisDriver::Simple;
+    profile.elevation.driver = AxisDriver::Simple;
+    const auto keys = keysOf(crossCheck(profile));
+    EXPECT_NE(std::ranges::find(keys, "third_axis.id"), keys.end());
 }

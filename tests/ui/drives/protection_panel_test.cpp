@@ -253,5 +253,29 @@ TEST_F(DrivesTest, ARefusedQuestionStaysWithTheReason)
     EXPECT_TRUE(shown);
 }
 
+// REQ-ENDSWITCH-66: The page Protection shows each end switch of the profile: its end, its state, its input, and why it
+// cannot be read. A switch that is not free is marked. Without end switches the page shows nothing of them.
+TEST_F(DrivesTest, TheStateOfTheEndSwitchesIsShown)
+{
+    using end_switches::SwitchState;
+    auto& panel = open<ProtectionPanel>();
+    const auto& line = *findNamed<ValueLabel>(panel, "End switches");
+    StationStatus status = samples::idle();
+    give(samples::update(status));
+    EXPECT_EQ(line.text(), QString());
+    status.endSwitches = {
+        {.which = {Axis::Azimuth, true}, .input = QStringLiteral("moteus:1:aux1.0"), .state = SwitchState::Free}};
+    give(samples::update(status));
+    EXPECT_EQ(line.text(), QStringLiteral("End switches: AZ upper end: free (moteus:1:aux1.0)"));
+    EXPECT_EQ(line.tone(), Tone::Normal);
+    status.endSwitches.push_back({.which = {Axis::Elevation, false},
+                                  .input = QStringLiteral("moteus:2:aux1.0"),
+                                  .state = SwitchState::Unread,
+                                  .problem = QStringLiteral("The pin is no input")});
+    give(samples::update(status));
+    EXPECT_TRUE(line.text().endsWith(QStringLiteral("EL lower end: not read (moteus:2:aux1.0). The pin is no input")));
+    EXPECT_EQ(line.tone(), Tone::Warning);
+}
+
 }  // namespace
 }  // namespace boresight::ui

@@ -208,6 +208,22 @@ TEST(HeaderBar, ShowsTheEndSwitchesOfAnAxis)
                 testing::HasSubstr("EL lower end: pressed (mqtt:roof/low)"));
 }
 
+// Story: the header showed "Park at … because of the wind, by wind".
+// REQ-WIND-53: The header names the wind once as the reason of a motion.
+TEST(HeaderBar, NamesTheWindOnce)
+{
+    RequestDesk desk;
+    ValueLabel notice({}, {}, {});
+    auto* const authority = new AuthorityButton(desk, notice);
+    HeaderBar header(*authority);
+    StationStatus status;
+    status.state = StationState::Slew;
+    status.targetText = QStringLiteral("park at 0.0° 90.0° because of the wind");
+    status.commander = {.kind = SourceKind::Operator, .name = QStringLiteral("wind")};
+    header.showStatus(status);
+    EXPECT_EQ(shown(header, "Target and its source"), QStringLiteral("Park at 0.0° 90.0° because of the wind"));
+}
+
 // REQ-GS232-61
 TEST(HeaderBar, ShowsTheMotorStartsUnderThePointer)
 {

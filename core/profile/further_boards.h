@@ -7,7 +7,8 @@
 #include <string>
 #include <string_view>
 
-// A board on the bus that turns no axis of the mount and is only read: "3 polarisation". Pure.
+// The boards on the bus that turn neither azimuth nor elevation: those that are only read ("3 polarisation"), and the
+// board of the third axis. Pure.
 namespace boresight::profile {
 
 struct WatchedBoard
@@ -20,7 +21,9 @@ struct WatchedBoard
 
 // Fails with InvalidInput if the id is not from 1 to 126 or the name is missing.
 [[nodiscard]] Result<WatchedBoard> parseWatchedBoard(std::string_view text);
-// True if the profile names the board with this id.
+// True if the profile names the board with this id as one to watch.
 [[nodiscard]] bool watches(const Profile& profile, int id);
+// The same, or it is the board of the third axis.
+[[nodiscard]] bool isFurtherBoard(const Profile& profile, int id);
 
 }  // namespace boresight::profile
