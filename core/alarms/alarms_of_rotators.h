@@ -118,6 +118,19 @@ inline constexpr std::array kRotatorAlarms{
         .help = AlarmHelp::OpenProfile,
         .examples = {"azimuth drive", "7°", "4"},
         .identifying = 1},
+    AlarmEntry{
+        .id = "rotator.offsets",
+        .source = "rotator",
+        .severity = Severity::Warning,
+        .what = QT_TRANSLATE_NOOP("Text",
+                                  "The sensor of the rotator came back with other offsets. They are: %1. Saved are: %2"),
+        .action = QT_TRANSLATE_NOOP(
+            "Text", "Boresight uses the angles of the box unchanged, because it cannot write offsets to the box"),
+        .remedy = QT_TRANSLATE_NOOP(
+            "Text", "Point at a known direction. If the antenna misses it, find north again on the page North, or type "
+                    "CALIBRATE on the page Console and turn the antenna until all digits are 3. Then press Save offsets."),
+        .examples = {"accelerometer 1 2 3, magnetometer 40 5 6, gyroscope 7 8 9, radii 1000 700",
+                     "accelerometer 1 2 3, magnetometer 4 5 6, gyroscope 7 8 9, radii 1000 700"}},
 };
 
 }  // namespace boresight

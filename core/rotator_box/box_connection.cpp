@@ -124,6 +124,7 @@ void BoxConnection::describe(StationStatus& status) const
                    .name = m_line->name(),
                    .problem = m_line->problem(),
                    .condition = m_mount->condition(),
+                   .sensorOffsets = m_mount->sensorOffsets(),
                    .sent = talk.counts().sent,
                    .received = talk.counts().received,
                    .dropped = talk.counts().unknown};

@@ -48,6 +48,8 @@ public:
 
     // What the box reports of itself, in words. Empty: nothing.
     [[nodiscard]] virtual QString condition() const { return {}; }
+    // The offsets of its sensor, as the profile saves them. Empty: not known.
+    [[nodiscard]] virtual std::string sensorOffsets() const { return {}; }
 
     [[nodiscard]] Capabilities capabilities() const override { return m_capabilities; }
     [[nodiscard]] const QString& name(Axis axis) const override { return m_names[index(axis)]; }

@@ -10788,6 +10788,30 @@ até %1</translation>
         <source>Boresight knows no satellites. Add their elements.</source>
         <translation>O Boresight não conhece satélites. Acrescente os seus elementos.</translation>
     </message>
+    <message>
+        <source>The sensor of the rotator came back with other offsets. They are: %1. Saved are: %2</source>
+        <translation>O sensor do rotor voltou com outros desvios. São: %1. Guardados estão: %2</translation>
+    </message>
+    <message>
+        <source>Boresight uses the angles of the box unchanged, because it cannot write offsets to the box</source>
+        <translation>O Boresight usa os ângulos da caixa sem os alterar, porque não pode escrever desvios na caixa</translation>
+    </message>
+    <message>
+        <source>Point at a known direction. If the antenna misses it, find north again on the page North, or type CALIBRATE on the page Console and turn the antenna until all digits are 3. Then press Save offsets.</source>
+        <translation>Aponte para uma direção conhecida. Se a antena falhar, encontre o norte de novo na página Norte, ou digite CALIBRATE na página Consola e rode a antena até todos os dígitos serem 3. Depois prima Guardar desvios.</translation>
+    </message>
+    <message>
+        <source>Saved sensor offsets</source>
+        <translation>Desvios guardados do sensor</translation>
+    </message>
+    <message>
+        <source>The offsets that the sensor of an ESP32 relay controller reported when they were saved (Mount &gt; Console, Save offsets). Boresight compares them at each connection. It cannot write them to the box. Empty: not compared.</source>
+        <translation>Os desvios que o sensor de um controlador de relés ESP32 indicou quando foram guardados (Montagem &gt; Consola, Guardar desvios). O Boresight compara-os em cada ligação. Não os pode escrever na caixa. Vazio: não se comparam.</translation>
+    </message>
+    <message>
+        <source>offsets are expected like &quot;%1&quot;</source>
+        <translation>esperam-se desvios como &quot;%1&quot;</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>
@@ -17555,6 +17579,45 @@ A menos de 3 dB: %4 s
     <message>
         <source>not reported</source>
         <translation>não o diz</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::SensorOffsetsRow</name>
+    <message>
+        <source>Sensor offsets of the control box</source>
+        <translation>Desvios do sensor da caixa de controlo</translation>
+    </message>
+    <message>
+        <source>Save offsets</source>
+        <translation>Guardar desvios</translation>
+    </message>
+    <message>
+        <source>Save the offsets with the profile. Boresight compares them at each connection. Nothing is written to the box.</source>
+        <translation>Guardar os desvios com o perfil. O Boresight compara-os em cada ligação. Nada é escrito na caixa.</translation>
+    </message>
+    <message>
+        <source>Sensor offsets: not reported. The box reports them while all digits are 3.</source>
+        <translation>Desvios do sensor: não indicados. A caixa indica-os enquanto todos os dígitos são 3.</translation>
+    </message>
+    <message>
+        <source>Sensor offsets, saved: %1</source>
+        <translation>Desvios do sensor, guardados: %1</translation>
+    </message>
+    <message>
+        <source>Sensor offsets, not saved: %1</source>
+        <translation>Desvios do sensor, não guardados: %1</translation>
+    </message>
+    <message>
+        <source>Sensor offsets: %1. Saved: %2</source>
+        <translation>Desvios do sensor: %1. Guardados: %2</translation>
+    </message>
+    <message>
+        <source>The box has not reported its offsets.</source>
+        <translation>A caixa não indicou os seus desvios.</translation>
+    </message>
+    <message>
+        <source>These offsets are saved.</source>
+        <translation>Estes desvios estão guardados.</translation>
     </message>
 </context>
 <context>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/drives/box_console_panel.h"
 
+#include "ui/drives/sensor_offsets_row.h"
 #include "ui/kit/command_button.h"
 #include "ui/kit/value_label.h"
 
@@ -12,11 +13,12 @@
 
 namespace boresight::ui {
 
-BoxConsolePanel::BoxConsolePanel(RequestDesk& desk, QWidget* parent)
+BoxConsolePanel::BoxConsolePanel(ProfileDraft& draft, RequestDesk& desk, QWidget* parent)
     : QWidget(parent),
       m_answers(new QPlainTextEdit(this)),
       m_line(new QLineEdit(this)),
       m_notice(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
+      m_offsets(new SensorOffsetsRow(draft, desk, *m_notice, this)),
       m_send(new CommandButton(tr("Send line"),
                                tr("Send the line to the control box as it is (Enter). The mount must stand still."),
                                desk, *m_notice, this))
@@ -45,6 +47,7 @@ void BoxConsolePanel::build()
     auto* const column = new QVBoxLayout(this);
     column->setContentsMargins(6, 6, 6, 6);
     column->setSpacing(6);
+    column->addWidget(m_offsets);
     column->addWidget(m_answers, 1);
     column->addLayout(row);
     column->addWidget(m_notice);
@@ -60,6 +63,7 @@ void BoxConsolePanel::send()
 void BoxConsolePanel::showStatus(const StationStatus& status)
 {
     m_send->setBlocked(status.permissions.reason(Action::TypeLine));
+    m_offsets->showStatus(status);
     const QStringList lines = status.console.value_or(QStringList());
     if (lines != m_shown) {
         m_shown = lines;

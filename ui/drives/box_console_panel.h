@@ -9,11 +9,13 @@ class QLineEdit;
 class QPlainTextEdit;
 
 // A line that the operator types to the control box, and the answers of the box. The typed line stays until the station
-// has accepted it. Gui thread.
+// has accepted it. Above it the offsets of the sensor of the box, if the box reports them. Gui thread.
 namespace boresight::ui {
 
 class CommandButton;
+class ProfileDraft;
 class RequestDesk;
+class SensorOffsetsRow;
 class ValueLabel;
 
 class BoxConsolePanel : public QWidget
@@ -21,7 +23,7 @@ class BoxConsolePanel : public QWidget
     Q_OBJECT
 
 public:
-    explicit BoxConsolePanel(RequestDesk& desk, QWidget* parent = nullptr);
+    BoxConsolePanel(ProfileDraft& draft, RequestDesk& desk, QWidget* parent = nullptr);
 
     void showStatus(const StationStatus& status);
 
@@ -32,6 +34,7 @@ private:
     QPlainTextEdit* m_answers;
     QLineEdit* m_line;
     ValueLabel* m_notice;
+    SensorOffsetsRow* m_offsets;
     CommandButton* m_send;
     QStringList m_shown;
 };

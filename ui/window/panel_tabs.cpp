@@ -51,7 +51,7 @@ PanelTabs::PanelTabs(const Clock& clock, RequestDesk& desk, HostDesk& host, Prof
       m_readings(new ReadingsTable(this)),
       m_protection(new ProtectionPanel(desk, this)),
       m_tuning(new TuningPanel(desk, this)),
-      m_console(new BoxConsolePanel(desk, this)),
+      m_console(new BoxConsolePanel(draft, desk, this)),
       m_profile(new ProfilePage(draft, desk, settings.configDir, this)),
       m_north(new CalibrationPanel(clock, desk, draft, this)),
       m_turn(new TurnPage(desk, this)),
