@@ -74,6 +74,29 @@ contacts::InputName inputOf(const Profile& profile, const EndSwitch& one)
     return contacts::parseInput(profile.endSwitches.input(one)).value_or(contacts::InputName{});
 }
 
+bool hasBoards(const Profile& profile)
+{
+    return profile.azimuth.driver == AxisDriver::Moteus || profile.elevation.driver == AxisDriver::Moteus;
+}
+
+// The same pin cannot be an output and an input.
+void checkBrakePin(std::vector<Problem>& problems, const Profile& profile)
+{
+    const auto output = contacts::parseOutput(profile.brake.output);
+    if (!output || output->kind != contacts::OutputKind::Pin) {
+        return;
+    }
+    const bool isInput = std::ranges::any_of(end_switches::kEndSwitches, [&](const EndSwitch& one) {
+        const contacts::InputName input = inputOf(profile, one);
+        return input.kind == contacts::InputKind::Pin && input.pin == output->pin;
+    });
+    if (!hasBoards(profile)) {
+        problems.push_back({"brake.output", Text::tr("is a pin of a moteus, but no axis has a moteus")});
+    } else if (isInput) {
+        problems.push_back({"brake.output", Text::tr("is also the input of an end switch")});
+    }
+}
+
 // Two switches at one input would close both of their ends together, and the axis could not move away.
 void checkEndSwitch(std::vector<Problem>& problems, const Profile& profile, const EndSwitch& one)
 {
@@ -91,9 +114,7 @@ void checkEndSwitch(std::vector<Problem>& problems, const Profile& profile, cons
     if (input.kind == contacts::InputKind::Mqtt) {
         checkTopic(problems, profile.mqtt, keyOf(one), input.place.toStdString(), false);
     }
-    const bool hasBoards =
-        profile.azimuth.driver == AxisDriver::Moteus || profile.elevation.driver == AxisDriver::Moteus;
-    if (input.kind == contacts::InputKind::Pin && !hasBoards) {
+    if (input.kind == contacts::InputKind::Pin && !hasBoards(profile)) {
         problems.push_back({keyOf(one), Text::tr("is a pin of a moteus, but no axis has a moteus")});
     }
     const std::string port = input.place.toStdString();
@@ -154,7 +175,14 @@ void addTransmit(std::vector<Setting>& list)
              "its arguments, dtr:PORT or rts:PORT. Use it as the interlock of the transmitter. Empty: none.")},
         [](const Profile& p) { return p.transmit.output; },
         [](Profile& p, const std::string& wanted) {
-            return contacts::parseOutput(wanted).map([&](const contacts::OutputName&) { p.transmit.output = wanted; });
+            return contacts::parseOutput(wanted).and_then([&](const contacts::OutputName& name) -> Result<> {
+                if (name.kind == contacts::OutputKind::Pin) {
+                    return failure(ErrorCode::InvalidInput,
+                                   Text::tr("a pin of a moteus can only be a brake output (brake.output)"));
+                }
+                p.transmit.output = wanted;
+                return {};
+            });
         }));
     list.push_back(number(
         "transmit.beam_fraction", "", {0.01, 1.0}, Applies::Now,
@@ -180,7 +208,8 @@ void addBrake(std::vector<Setting>& list)
          QT_TRANSLATE_NOOP(
              "Text",
              "An output that is on while the brakes of the axes are released: file:PATH, mqtt:TOPIC, command:PROGRAM "
-             "with its arguments, dtr:PORT or rts:PORT. Nothing moves before it is on. Empty: no brake.")},
+             "with its arguments, dtr:PORT, rts:PORT or moteus:ID:aux1.PIN. Nothing moves before it is on. A pin stays on "
+             "when Boresight dies, so wire the brakes to close without power. Empty: no brake.")},
         [](const Profile& p) { return p.brake.output; },
         [](Profile& p, const std::string& wanted) {
             return contacts::parseOutput(wanted).map([&](const contacts::OutputName&) { p.brake.output = wanted; });
@@ -261,6 +290,7 @@ void checkTransmit(std::vector<Problem>& problems, const Profile& profile)
 void checkBrake(std::vector<Problem>& problems, const Profile& profile)
 {
     checkOutputTopic(problems, profile, "brake.output", profile.brake.output);
+    checkBrakePin(problems, profile);
     if (!profile.brake.output.empty() && profile.brake.output == profile.transmit.output) {
         problems.push_back({"brake.output", Text::tr("is also the transmit output (transmit.output)")});
     } else if (const std::string port = linePort(profile.brake.output);

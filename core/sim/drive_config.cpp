@@ -44,6 +44,15 @@ void visitServo(ServoConfig& servo, const ConfigVisitor& visit)
     visit("servo.velocity_zero_capture_threshold", &servo.velocityZeroCaptureThreshold);
 }
 
+void visitPins(DriveConfig& config, const ConfigVisitor& visit)
+{
+    for (const int port : {1, 2}) {
+        for (int pin = 0; pin < static_cast<int>(config.pins.port1.size()); ++pin) {
+            visit("aux" + std::to_string(port) + ".pins." + std::to_string(pin) + ".mode", &config.pinMode(port, pin));
+        }
+    }
+}
+
 std::optional<ConfigField> findField(DriveConfig& config, std::string_view key)
 {
     std::optional<ConfigField> found;
@@ -118,6 +127,7 @@ void visitFields(DriveConfig& config, const ConfigVisitor& visit)
     visit("motor_position.output.offset", &config.motorPosition.outputOffset);
     visit("motor_position.output.sign", &config.motorPosition.outputSign);
     visit("motor_position.output.reference_source", &config.motorPosition.referenceSource);
+    visitPins(config, visit);
 }
 
 Result<std::string> configText(DriveConfig& config, std::string_view key)

@@ -74,6 +74,13 @@ struct MotorPositionConfig
     int referenceSource = -1;  // 1: an absolute encoder on the output, so the position is known after power-up
 };
 
+// What the aux pins are used for: 14 is an input, 15 an output.
+struct PinModes
+{
+    std::array<int, 5> port1{14, 14, 14, 14, 14};
+    std::array<int, 5> port2{14, 14, 14, 14, 14};
+};
+
 struct DriveConfig
 {
     int id = 1;
@@ -84,6 +91,12 @@ struct DriveConfig
     double positionMax = 0.01;
     MotorConfig motor;
     MotorPositionConfig motorPosition;
+    PinModes pins;
+
+    [[nodiscard]] int& pinMode(int port, int pin)
+    {
+        return (port == 1 ? pins.port1 : pins.port2).at(static_cast<std::size_t>(pin));
+    }
 };
 
 // A pointer into a DriveConfig. A byte is one element of an array.

@@ -8269,10 +8269,6 @@ até %1</translation>
         <translation>espera-se uma linha de no máximo 1000 bytes</translation>
     </message>
     <message>
-        <source>file:PATH, mqtt:TOPIC, command:PROGRAM, dtr:PORT or rts:PORT is expected</source>
-        <translation>espera-se file:CAMINHO, mqtt:TÓPICO, command:PROGRAMA, dtr:PORTA ou rts:PORTA</translation>
-    </message>
-    <message>
         <source>%1 is used by %2</source>
         <translation>%1 está a ser usado por %2</translation>
     </message>
@@ -10305,10 +10301,6 @@ até %1</translation>
         <translation>A saída do travão (brake.output) só pode ser mudada com o travão aplicado. Mantenha a montagem na posição e espere até que esteja parada e o travão aplicado.</translation>
     </message>
     <message>
-        <source>An output that is on while the brakes of the axes are released: file:PATH, mqtt:TOPIC, command:PROGRAM with its arguments, dtr:PORT or rts:PORT. Nothing moves before it is on. Empty: no brake.</source>
-        <translation>Uma saída que está ligada enquanto os travões dos eixos estão soltos: file:CAMINHO, mqtt:TÓPICO, command:PROGRAMA com os seus argumentos, dtr:PORTA ou rts:PORTA. Nada se move antes de ela estar ligada. Vazio: sem travão.</translation>
-    </message>
-    <message>
         <source>Time to open or to close</source>
         <translation>Tempo para abrir ou fechar</translation>
     </message>
@@ -10811,6 +10803,42 @@ até %1</translation>
     <message>
         <source>offsets are expected like &quot;%1&quot;</source>
         <translation>esperam-se desvios como &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>file:PATH, mqtt:TOPIC, command:PROGRAM, dtr:PORT, rts:PORT or moteus:ID:aux1.PIN is expected</source>
+        <translation>espera-se file:CAMINHO, mqtt:TÓPICO, command:PROGRAMA, dtr:PORTA, rts:PORTA ou moteus:ID:aux1.PINO</translation>
+    </message>
+    <message>
+        <source>%1 (output)</source>
+        <translation>%1 (saída)</translation>
+    </message>
+    <message>
+        <source>This pin releases the brakes (brake.output), so it must be an output. Set it with moteus tview: conf set %1 %2; conf write.</source>
+        <translation>Este pino solta os travões (brake.output), por isso tem de ser uma saída. Defina-o com o moteus tview: conf set %1 %2; conf write.</translation>
+    </message>
+    <message>
+        <source>the pin was switched off. Was board %1 without power?</source>
+        <translation>o pino foi desligado. A placa %1 esteve sem alimentação?</translation>
+    </message>
+    <message>
+        <source>the pin was switched on. Does another program use board %1?</source>
+        <translation>o pino foi ligado. Outro programa usa a placa %1?</translation>
+    </message>
+    <message>
+        <source>the line to board %1 is closed</source>
+        <translation>a linha para a placa %1 está fechada</translation>
+    </message>
+    <message>
+        <source>is also the input of an end switch</source>
+        <translation>é também a entrada de um fim de curso</translation>
+    </message>
+    <message>
+        <source>a pin of a moteus can only be a brake output (brake.output)</source>
+        <translation>um pino de um moteus só pode ser uma saída de travão (brake.output)</translation>
+    </message>
+    <message>
+        <source>An output that is on while the brakes of the axes are released: file:PATH, mqtt:TOPIC, command:PROGRAM with its arguments, dtr:PORT, rts:PORT or moteus:ID:aux1.PIN. Nothing moves before it is on. A pin stays on when Boresight dies, so wire the brakes to close without power. Empty: no brake.</source>
+        <translation>Uma saída que está ligada enquanto os travões dos eixos estão soltos: file:CAMINHO, mqtt:TÓPICO, command:PROGRAMA com os seus argumentos, dtr:PORTA, rts:PORTA ou moteus:ID:aux1.PINO. Nada se move antes de ela estar ligada. Um pino fica ligado quando o Boresight falha, por isso ligue os travões de modo a fecharem sem alimentação. Vazio: sem travão.</translation>
     </message>
 </context>
 <context>
