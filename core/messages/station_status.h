@@ -198,6 +198,7 @@ enum class AlarmHelp
     OpenNorth,
     OpenProfile,
     ConfirmWrap,
+    OpenHomeRun,
 };
 
 struct Alarm

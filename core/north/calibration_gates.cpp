@@ -29,10 +29,11 @@ void judgeMotions(const StationStatus& status, Permissions& may)
     if (status.state != StationState::Calibrate || !moves) {
         return;
     }
-    for (const Action action : {Action::Move, Action::Point, Action::Park, Action::Home, Action::Unwind, Action::JogUp,
-                                Action::JogDown, Action::JogLeft, Action::JogRight, Action::StepUp, Action::StepDown,
-                                Action::StepLeft, Action::StepRight, Action::SetAzimuth, Action::SetElevation,
-                                Action::ReleaseBus, Action::ProveCrashStop, Action::Reconnect, Action::TypeLine}) {
+    for (const Action action :
+         {Action::Move,       Action::Point,          Action::Park,      Action::Home,       Action::Unwind,
+          Action::JogUp,      Action::JogDown,        Action::JogLeft,   Action::JogRight,   Action::StepUp,
+          Action::StepDown,   Action::StepLeft,       Action::StepRight, Action::SetAzimuth, Action::SetElevation,
+          Action::ReleaseBus, Action::ProveCrashStop, Action::Reconnect, Action::TypeLine,   Action::MakeHomeRun}) {
         may.refuse(action, otherRun(*status.calibration));
     }
 }

@@ -2,6 +2,7 @@
 // What this computer reads and switches beside the mount: received power, transmit output, brake, end switches.
 #include "core/profile/output_settings.h"
 
+#include "core/base/numbers.h"
 #include "core/base/text.h"
 #include "core/contacts/input_name.h"
 #include "core/contacts/output_name.h"
@@ -208,7 +209,8 @@ void addBrake(std::vector<Setting>& list)
          QT_TRANSLATE_NOOP(
              "Text",
              "An output that is on while the brakes of the axes are released: file:PATH, mqtt:TOPIC, command:PROGRAM "
-             "with its arguments, dtr:PORT, rts:PORT or moteus:ID:aux1.PIN. Nothing moves before it is on. A pin stays on "
+             "with its arguments, dtr:PORT, rts:PORT or moteus:ID:aux1.PIN. Nothing moves before it is on. A pin stays "
+             "on "
              "when Boresight dies, so wire the brakes to close without power. Empty: no brake.")},
         [](const Profile& p) { return p.brake.output; },
         [](Profile& p, const std::string& wanted) {
@@ -246,10 +248,38 @@ void addEndSwitches(std::vector<Setting>& list)
                     [&](const contacts::InputName&) { p.endSwitches.inputs.at(end_switches::indexOf(one)) = wanted; });
             }));
     };
+    const auto place = [&list](const EndSwitch& one, const char* title) {
+        list.push_back(textual(
+            keyOf(one) + "_at_deg", Applies::Now,
+            {title, QT_TRANSLATE_NOOP("Text",
+                                      "The angle of the axis at which it meets this switch. An axis that meets it "
+                                      "elsewhere has lost steps. Empty: not compared.")},
+            [one](const Profile& p) { return p.endSwitches.places.at(end_switches::indexOf(one)); },
+            [one](Profile& p, const std::string& wanted) -> Result<> {
+                const auto degrees = parseFinite(wanted);
+                if (!wanted.empty() && (!degrees || *degrees < -720.0 || *degrees > 900.0)) {
+                    return failure(ErrorCode::InvalidInput,
+                                   Text::tr("an angle of the axis in degrees is expected, like -3.5, or nothing"));
+                }
+                p.endSwitches.places.at(end_switches::indexOf(one)) = wanted;
+                return {};
+            }));
+    };
     input({Axis::Azimuth, false}, QT_TRANSLATE_NOOP("Text", "Azimuth, lower end"));
     input({Axis::Azimuth, true}, QT_TRANSLATE_NOOP("Text", "Azimuth, upper end"));
     input({Axis::Elevation, false}, QT_TRANSLATE_NOOP("Text", "Elevation, lower end"));
     input({Axis::Elevation, true}, QT_TRANSLATE_NOOP("Text", "Elevation, upper end"));
+    place({Axis::Azimuth, false}, QT_TRANSLATE_NOOP("Text", "Azimuth, lower end at"));
+    place({Axis::Azimuth, true}, QT_TRANSLATE_NOOP("Text", "Azimuth, upper end at"));
+    place({Axis::Elevation, false}, QT_TRANSLATE_NOOP("Text", "Elevation, lower end at"));
+    place({Axis::Elevation, true}, QT_TRANSLATE_NOOP("Text", "Elevation, upper end at"));
+    list.push_back(number(
+        "end_switches.lost_steps_deg", "°", {0.5, 45.0}, Applies::Now,
+        {QT_TRANSLATE_NOOP("Text", "Lost steps beyond"),
+         QT_TRANSLATE_NOOP("Text",
+                           "An axis that meets a switch farther than this from the angle of the switch has lost steps. "
+                           "A rotator that reports its position seldom needs a larger value.")},
+        [](auto& p) -> auto& { return p.endSwitches.lostSteps; }));
     list.push_back(choice(
         "end_switches.pressed_when", {"off", "on"}, Applies::Now,
         {QT_TRANSLATE_NOOP("Text", "Pressed when"),
