@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/next_profile.h"
 
+#include "app/fitted_box.h"
 #include "core/base/text.h"
 #include "core/profile/commissioning.h"
 #include "core/profile/profile_diff.h"
 #include "core/profile/profile_file.h"
 #include "core/profile/profile_store.h"
 #include "core/profile/setting.h"
+
+#include <QDir>
 
 #include <algorithm>
 #include <optional>
@@ -35,7 +38,7 @@ std::optional<profile::Profile> loaded(const QString& path)
 
 NextProfile::NextProfile(const Options& options, KeptProfile& kept)
     : m_configDir(options.configDir),
-      m_simulated(options.stateDir + QStringLiteral("/simulated")),
+      m_simulated(QDir::cleanPath(options.stateDir + QStringLiteral("/simulated/") + folderOfBox(options.simulation))),
       m_asked(options.simulation),
       m_overridden(options.overridden),
       m_ownPath(options.profilePath),
@@ -121,9 +124,9 @@ Result<> NextProfile::switchTo(const profile::Profile& wanted)
 // The simulation also works without its file. Then each change reports that it is not saved.
 void NextProfile::simulate(const profile::Profile& own, const profile::Profile& fresh)
 {
-    const auto opened = m_simulated.open(own, fresh);
+    const auto opened = m_simulated.open(own, fittedToBox(m_asked, fresh));
     report(opened.map([](const profile::Profile&) {}));
-    m_kept.begin(opened.value_or(fresh), m_simulated.fileOf(own));
+    m_kept.begin(opened.value_or(fittedToBox(m_asked, fresh)), m_simulated.fileOf(own));
 }
 
 // If the file cannot be written, the real mount is connected anyway. If the file cannot be read, or the edits do

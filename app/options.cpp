@@ -45,7 +45,22 @@ QString simulatedDrivers()
             all << QStringLiteral("%1 (%2)").arg(toQString(kind.name), toQString(kind.simulated));
         }
     }
+    for (const profile::OtherDevice& other : profile::kOtherDevices) {
+        all << QStringLiteral("%1 (%2)").arg(toQString(other.name), toQString(other.simulated));
+    }
     return all.join(QStringLiteral(", "));
+}
+
+std::optional<Simulation> simulationNamed(std::string_view name)
+{
+    const auto* const other = std::ranges::find(profile::kOtherDevices, name, &profile::OtherDevice::name);
+    if (other != profile::kOtherDevices.end()) {
+        return Simulation{.on = true, .driver = other->driver, .device = other->device};
+    }
+    const auto* const kind = std::ranges::find(profile::kDriverKinds, name, &profile::DriverKind::name);
+    return kind != profile::kDriverKinds.end() && kind->driver != profile::AxisDriver::None
+               ? std::optional(Simulation{.on = true, .driver = kind->driver})
+               : std::nullopt;
 }
 
 void addOptions(QCommandLineParser& parser)
@@ -92,14 +107,14 @@ Result<QStringList> takeSimulatedDriver(Options& options, const QStringList& arg
             continue;
         }
         const std::string name = argument.sliced(prefix.size()).toStdString();
-        const auto* const kind = std::ranges::find(profile::kDriverKinds, name, &profile::DriverKind::name);
-        if (kind == profile::kDriverKinds.end() || kind->driver == profile::AxisDriver::None) {
+        const auto simulation = simulationNamed(name);
+        if (!simulation) {
             return failure(ErrorCode::InvalidInput,
                            QStringLiteral("--simulate=%1 is unknown. Use --simulate for the drivers of the profile, or "
                                           "one of these after \"=\": %2")
                                .arg(toQString(name), simulatedDrivers()));
         }
-        options.simulation = {.on = true, .driver = kind->driver};
+        options.simulation = *simulation;
         left << QStringLiteral("--simulate");
     }
     return left;

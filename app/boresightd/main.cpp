@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // boresightd: the station without a window. The main thread is the station thread.
+#include "app/fitted_box.h"
 #include "app/log_output.h"
 #include "app/options.h"
 #include "app/service_notify.h"
@@ -67,6 +68,13 @@ void reload(Station& station, const app::Options& started, QThreadPool& reader)
     });
 }
 
+// A simulated control box needs a travel of its own.
+app::Options fitted(app::Options options)
+{
+    options.profile = app::fittedToBox(options.simulation, options.profile);
+    return options;
+}
+
 int run(QCoreApplication& application, const app::Options& options)
 {
     const SystemClock clock;
@@ -108,5 +116,5 @@ int main(int argc, char** argv)
     QCoreApplication::setApplicationName(QStringLiteral("boresightd"));
     QCoreApplication::setApplicationVersion(QString::fromUtf8(kVersion.data(), kVersion.size()));
     const auto options = readOptions();
-    return options ? run(application, *options) : complain(options.error().text);
+    return options ? run(application, fitted(*options)) : complain(options.error().text);
 }

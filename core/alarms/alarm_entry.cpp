@@ -148,6 +148,8 @@ QString buttonText(AlarmHelp help)
             return Text::tr("Open Profile");
         case AlarmHelp::ConfirmWrap:
             return Text::tr("Enter position");
+        case AlarmHelp::OpenHomeRun:
+            return Text::tr("Home run");
     }
     return {};
 }

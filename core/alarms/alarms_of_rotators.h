@@ -118,6 +118,38 @@ inline constexpr std::array kRotatorAlarms{
         .help = AlarmHelp::OpenProfile,
         .examples = {"azimuth drive", "7°", "4"},
         .identifying = 1},
+    AlarmEntry{
+        .id = "rotator.home-run",
+        .source = "rotator",
+        .severity = Severity::Warning,
+        .what = QT_TRANSLATE_NOOP("Text", "The rotator makes its home run"),
+        .action = QT_TRANSLATE_NOOP(
+            "Text", "The box drives the axes to its own switches. The limits of Boresight do not hold meanwhile"),
+        .remedy = QT_TRANSLATE_NOOP("Text", "Watch the antenna and its cable. STOP ends the run.")},
+    AlarmEntry{
+        .id = "rotator.no-home-run",
+        .source = "rotator",
+        .severity = Severity::Warning,
+        .what = QT_TRANSLATE_NOOP("Text", "The home run failed: %1"),
+        .action = QT_TRANSLATE_NOOP("Text", "Boresight ended it. The count of the axes is as it was"),
+        .remedy = QT_TRANSLATE_NOOP(
+            "Text", "Make the home run at the box, if the box has one. Then compare the angles with the antenna."),
+        .examples = {"the rotator does not have this function"}},
+    AlarmEntry{
+        .id = "rotator.offsets",
+        .source = "rotator",
+        .severity = Severity::Warning,
+        .what = QT_TRANSLATE_NOOP(
+            "Text", "The sensor of the rotator came back with other offsets. They are: %1. Saved are: %2"),
+        .action = QT_TRANSLATE_NOOP(
+            "Text", "Boresight uses the angles of the box unchanged, because it cannot write offsets to the box"),
+        .remedy = QT_TRANSLATE_NOOP(
+            "Text",
+            "Point at a known direction. If the antenna misses it, find north again on the page North, or type "
+            "CALIBRATE on the page Console and turn the antenna until all digits are 3. Then press Save offsets."),
+        .help = AlarmHelp::OpenNorth,
+        .examples = {"accelerometer 1 2 3, magnetometer 40 5 6, gyroscope 7 8 9, radii 1000 700",
+                     "accelerometer 1 2 3, magnetometer 4 5 6, gyroscope 7 8 9, radii 1000 700"}},
 };
 
 }  // namespace boresight

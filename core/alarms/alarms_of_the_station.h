@@ -219,6 +219,20 @@ inline constexpr std::array kStationAlarms{
         .help = AlarmHelp::Rearm,
         .examples = {"the upper end of the azimuth"}},
     AlarmEntry{
+        .id = "switch.lost-steps",
+        .source = "end switch",
+        .severity = Severity::Alarm,
+        .what = QT_TRANSLATE_NOOP("Text", "The mount met the end switch at %1 at %2, but this switch is at %3"),
+        .action = QT_TRANSLATE_NOOP(
+            "Text", "Boresight stopped the mount. The axis has lost steps, so its shown angle is wrong"),
+        .remedy = QT_TRANSLATE_NOOP(
+            "Text",
+            "Press Re-arm, and make a home run. A rotator without such a command needs its position set at its box. If "
+            "this repeats, look for a blocked axis, and lower the speed."),
+        .help = AlarmHelp::OpenHomeRun,
+        .examples = {"the lower end of the azimuth", "14.0°", "-2.0°"},
+        .identifying = 1},
+    AlarmEntry{
         .id = "switch.pressed",
         .source = "end switch",
         .severity = Severity::Warning,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/contacts/board_pin.h"
 
 #include <QString>
 
@@ -21,16 +22,6 @@ enum class InputKind
     Dsr,
     Dcd,
     Ri
-};
-
-// A pin of a motor controller, with the numbers that its configuration has: aux1.pins.0 is port 1, number 0.
-struct BoardPin
-{
-    int board = 0;
-    int port = 1;
-    int number = 0;
-
-    bool operator==(const BoardPin&) const = default;
 };
 
 struct InputName

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/contacts/board_pin.h"
 
 #include <QString>
 #include <QStringList>
@@ -19,7 +20,8 @@ enum class OutputKind
     Mqtt,
     Command,  // a program with its arguments
     Dtr,      // the DTR line of a serial port
-    Rts       // the RTS line of a serial port
+    Rts,      // the RTS line of a serial port
+    Pin       // a pin of a motor controller
 };
 
 struct OutputName
@@ -27,6 +29,7 @@ struct OutputName
     OutputKind kind = OutputKind::None;
     QString place = {};          // path, topic, program or port
     QStringList arguments = {};  // of the program
+    BoardPin pin = {};
 
     bool operator==(const OutputName&) const = default;
 };
@@ -41,7 +44,8 @@ struct OutputAnswer
 };
 
 // "file:/run/transmit", "mqtt:shack/transmit", "command:/usr/local/bin/ptt --line 2", "dtr:/dev/ttyUSB0",
-// "rts:/dev/ttyUSB0". Double quotes keep an argument with spaces together. An empty text means no output.
+// "rts:/dev/ttyUSB0", "moteus:1:aux1.0". Double quotes keep an argument with spaces together. An empty text means no
+// output.
 [[nodiscard]] Result<OutputName> parseOutput(const std::string& text);
 
 }  // namespace boresight::contacts

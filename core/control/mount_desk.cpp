@@ -2,6 +2,7 @@
 #include "core/control/mount_desk.h"
 
 #include "core/base/text.h"
+#include "core/control/home_run_gate.h"
 #include "core/control/typed_line_gate.h"
 
 namespace boresight {
@@ -65,6 +66,16 @@ Result<> MountDesk::ask(const request::TypeLine& wanted, const Source& by)
         m_helm.takeOver(by);
         m_helm.hold(Activity::None);
         m_log.add(Severity::Warning, by.name, Text::tr("types to the control box: %1").arg(toQString(wanted.line)));
+    });
+}
+
+// The next target of a client would stop the run. So the operator takes the control.
+Result<> MountDesk::ask(const request::MakeHomeRun&, const Source& by)
+{
+    return operatorOnly(by).and_then([&] { return mayMakeHomeRun(m_helm.view(), by); }).map([&] {
+        m_helm.takeOver(by);
+        m_helm.hold(Activity::None);
+        m_log.add(Severity::Warning, by.name, Text::tr("starts a home run of the rotator"));
     });
 }
 

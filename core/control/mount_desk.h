@@ -26,6 +26,7 @@ public:
     Result<> ask(const request::ReleaseBus& wanted, const Source& by);
     Result<> ask(const request::TakeBus& wanted, const Source& by);
     Result<> ask(const request::TypeLine& wanted, const Source& by);
+    Result<> ask(const request::MakeHomeRun& wanted, const Source& by);
     Result<> ask(const request::ChooseTurn& wanted, const Source& by);
     Result<> ask(const request::ProveCrashStop& wanted, const Source& by);
     Result<> ask(const request::EndProof& wanted, const Source& by);

@@ -2,6 +2,7 @@
 #include "core/control/permission_report.h"
 
 #include "core/control/gates.h"
+#include "core/control/home_run_gate.h"
 #include "core/control/typed_line_gate.h"
 #include "core/control/xy_gate.h"
 #include "core/mount/third_axis.h"
@@ -105,6 +106,7 @@ void PermissionReport::judgeDrives(Permissions& may) const
     judge(may, Action::EndProof, gates.mayEndProof());
     judge(may, Action::TakeBus, gates.mayTakeBus());
     judge(may, Action::TypeLine, mayTypeLine(m_of));
+    judge(may, Action::MakeHomeRun, mayMakeHomeRun(m_of, kTheOperator));
 }
 
 // The connection of the mount adds what it knows of the gains.

@@ -37,7 +37,7 @@ StationControl::StationControl(const profile::InForce& profile, const Clock& clo
       m_cable(m_alarms, clock),
       m_wind(profile, clock, alarms),
       m_brake({.profile = profile, .mount = mount, .motion = m_motion, .standstill = m_standstill, .alarms = alarms}),
-      m_endSwitches({.profile = profile, .motion = m_motion, .alarms = alarms}),
+      m_endSwitches({.profile = profile, .mount = mount, .motion = m_motion, .alarms = alarms}),
       m_sourceLog(log, clock),
       m_heldLog(m_sourceLog),
       m_helm({.motion = m_motion,
@@ -340,6 +340,9 @@ void StationControl::superviseMount()
                                                    .faultLatched = faultLatched(),
                                                    .stopLatched = m_arming.stopLatched(),
                                                    .closing = m_arming.closing()});
+    if (found.homed) {
+        m_endSwitches.homed();
+    }
     if (found.interrupted) {
         holdHere(Activity::None);
     }

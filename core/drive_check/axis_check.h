@@ -48,6 +48,8 @@ public:
     [[nodiscard]] const QString& trouble() const { return m_trouble; }        // why there is no complete reading
     [[nodiscard]] const QString& fixTrouble() const { return m_fixTrouble; }  // why the settings are not stored
     [[nodiscard]] const QList<ProtectionLine>& lines() const { return m_protections.lines(); }
+    // Every setting that the profile needs was read. A change of the profile may need another one.
+    [[nodiscard]] bool isAllRead() const { return m_protections.isAllRead(); }
     [[nodiscard]] std::optional<double> value(std::string_view key) const { return m_protections.value(key); }
     [[nodiscard]] const OriginReading& origin() const { return m_origin; }
     [[nodiscard]] const Heartbeat& heartbeat() const { return m_heartbeat; }

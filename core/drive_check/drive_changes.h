@@ -6,8 +6,10 @@
 
 #include <QString>
 
+#include <map>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 // The changes in the drive of one axis from one complete reading to the next. The bus may have been lost in between.
@@ -35,7 +37,7 @@ private:
     struct CompleteReading
     {
         moteus::Uuid board{};
-        std::vector<Reading> readings;
+        std::map<std::string, Reading> readings;  // by key
     };
 
     std::optional<CompleteReading> m_last;

@@ -55,8 +55,14 @@ void DriveCheck::profileChanged(const profile::Profile& before, const profile::P
     for (Side& side : m_sides) {
         side.drive.profileChanged(before, after);
     }
-    if (m_state == DriveCheckState::Done) {
+    if (m_state != DriveCheckState::Done) {
+        return;
+    }
+    if (std::ranges::all_of(m_sides, [](const Side& side) { return side.drive.isAllRead(); })) {
         collectFindings();
+    } else {
+        m_state = DriveCheckState::NotDone;
+        m_retryAt = SteadyTime::min();
     }
 }
 
@@ -213,7 +219,8 @@ bool DriveCheck::anyBusy() const
 
 void DriveCheck::endReading(SteadyTime now)
 {
-    const bool complete = std::ranges::all_of(m_sides, [](const Side& side) { return side.drive.isComplete(); });
+    const bool complete = std::ranges::all_of(
+        m_sides, [](const Side& side) { return side.drive.isComplete() && side.drive.isAllRead(); });
     const bool stored =
         std::ranges::all_of(m_sides, [](const Side& side) { return side.drive.fixTrouble().isEmpty(); });
     m_fixed = m_state == DriveCheckState::Fixing && complete && stored;

@@ -3,6 +3,8 @@
 
 #include "core/base/numbers.h"
 #include "core/base/text.h"
+#include "core/contacts/output_name.h"
+#include "core/moteus/pin_query.h"
 #include "core/tracking/emergency_braking.h"
 
 #include <algorithm>
@@ -318,6 +320,26 @@ void addSecondLines(List& list, const DriveScale& scale)
                          .isAngle = true});
 }
 
+// The pin of the brakes shows what Boresight writes only in this mode. Another mode may have another use of the pin, so
+// a person has to change it.
+void addBrakePin(List& list, const profile::Profile& profile, int board)
+{
+    const auto output = contacts::parseOutput(profile.brake.output);
+    if (!output || output->kind != contacts::OutputKind::Pin || output->pin.board != board) {
+        return;
+    }
+    const std::string key =
+        "aux" + std::to_string(output->pin.port) + ".pins." + std::to_string(output->pin.number) + ".mode";
+    list.push_back({.key = key,
+                    .wanted = Text::tr("%1 (output)").arg(moteus::kDigitalOutput),
+                    .isRight = [](double found) { return found == moteus::kDigitalOutput; },
+                    .otherwise = Verdict::Dangerous,
+                    .reason = Text::tr("This pin releases the brakes (brake.output), so it must be an output. Set it "
+                                       "with moteus tview: conf set %1 %2; conf write.")
+                                  .arg(toQString(key))
+                                  .arg(moteus::kDigitalOutput)});
+}
+
 }  // namespace
 
 std::optional<double> Reading::value() const
@@ -341,6 +363,7 @@ std::vector<Protection> protectionsOf(const profile::Profile& profile, Axis whic
     addLimits(list, axis, scale);
     addGear(list, axis);
     addSecondLines(list, scale);
+    addBrakePin(list, profile, axis.id);
     return list;
 }
 

@@ -13,7 +13,14 @@ ReadProtections::ReadProtections(std::vector<Protection> wanted) : m_wanted(std:
 
 void ReadProtections::want(std::vector<Protection> wanted)
 {
+    std::vector<Reading> readings;
+    for (const Protection& one : wanted) {
+        const auto found = std::ranges::find(m_wanted, one.key, &Protection::key);
+        const auto place = static_cast<std::size_t>(found - m_wanted.begin());
+        readings.push_back(found != m_wanted.end() ? m_readings[place] : Reading{});
+    }
     m_wanted = std::move(wanted);
+    m_readings = std::move(readings);
     judge();
 }
 
@@ -35,6 +42,11 @@ void ReadProtections::judge()
     for (std::size_t i = 0; i < m_wanted.size(); ++i) {
         m_lines.push_back(judged(m_wanted[i], m_readings[i]));
     }
+}
+
+bool ReadProtections::isAllRead() const
+{
+    return std::ranges::none_of(m_readings, [](const Reading& one) { return one.state == Reading::State::Unread; });
 }
 
 bool ReadProtections::isAnyFixable() const

@@ -17,7 +17,7 @@ class ReadProtections
 public:
     explicit ReadProtections(std::vector<Protection> wanted);
 
-    // The keys are the same for every profile. Only the wanted values change.
+    // A reading stays with its key. A new key is unread.
     void want(std::vector<Protection> wanted);
     // One reading for each key, in the same order.
     void take(std::vector<Reading> readings);
@@ -26,6 +26,7 @@ public:
     [[nodiscard]] const std::vector<Protection>& wanted() const { return m_wanted; }
     [[nodiscard]] const std::vector<Reading>& readings() const { return m_readings; }
     [[nodiscard]] const QList<ProtectionLine>& lines() const { return m_lines; }
+    [[nodiscard]] bool isAllRead() const;
     [[nodiscard]] bool isAnyFixable() const;
     [[nodiscard]] std::optional<double> value(std::string_view key) const;
 

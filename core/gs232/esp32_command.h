@@ -12,6 +12,7 @@ namespace boresight::gs232::esp32 {
 inline constexpr std::string_view kAskVersion = "VE\r";
 inline constexpr std::string_view kAskPlace = "P\r";
 inline constexpr std::string_view kSwitchReports = "DEBUG\r";  // on, or off if they are on
+inline constexpr std::string_view kAskOffsets = "CALSTATS\r";
 // Switches both relays off. The box keeps its targets, and switches the relays on again within half a second.
 inline constexpr std::string_view kRelaysOff = "SA\rSE\r";
 

@@ -37,13 +37,15 @@ void Esp32Talk::takeLine(std::string_view line, SteadyTime now)
         m_strange = {};
     } else if (const auto* const digits = std::get_if<esp32::Digits>(&reply)) {
         m_digits = {.value = *digits, .when = now};
+        m_offsets.take(*digits);
     } else if (std::holds_alternative<esp32::Started>(reply)) {
         m_readings = 0;
+        m_offsets.askAgain();
     } else if (std::holds_alternative<esp32::Debugs>(reply)) {
         answered();
     } else if (std::holds_alternative<esp32::Code>(reply) && m_proof == Proof::Box) {
         answered();
-    } else {
+    } else if (m_proof != Proof::Box || !m_offsets.take(line, now)) {
         ++m_counts.unknown;
         takeStrange(line);
     }
@@ -127,6 +129,7 @@ std::string Esp32Talk::type(std::string_view line, SteadyTime::duration pause, S
     m_known.reset();
     m_places.reset();
     m_times.free = now + pause;
+    m_offsets.askAgain();
     return say(std::string(line) + '\r', now, 0);
 }
 
@@ -203,6 +206,10 @@ std::string Esp32Talk::send(SteadyTime now)
     const bool hurries = m_untilPin > 0 || m_readings < kReadings;
     if (!hurries && wantsReports(now)) {
         return say(std::string(esp32::kSwitchReports), now);
+    }
+    if (!hurries && m_offsets.wants(digits(now), now)) {
+        m_offsets.asked(now);
+        return say(std::string(esp32::kAskOffsets), now);
     }
     return ask(esp32::kAskPlace, hurries ? std::chrono::milliseconds(0) : kBetweenAsks, now);
 }

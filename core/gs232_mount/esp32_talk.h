@@ -3,6 +3,7 @@
 
 #include "core/base/clock.h"
 #include "core/gs232/esp32_reply.h"
+#include "core/gs232_mount/offset_question.h"
 #include "core/rotator_box/rotator_talk.h"
 #include "core/serial/line_splitter.h"
 #include "core/units/sky.h"
@@ -54,6 +55,8 @@ public:
     [[nodiscard]] const std::string& strange() const override { return m_strange.text; }
     // How well its sensor is calibrated. Empty: not reported, or not any more.
     [[nodiscard]] std::optional<esp32::Digits> digits(SteadyTime now) const;
+    // Of its sensor. Empty: not reported since the line was opened.
+    [[nodiscard]] const std::optional<esp32::Offsets>& offsets() const { return m_offsets.known(); }
 
 private:
     void takeLine(std::string_view line, SteadyTime now);
@@ -101,6 +104,7 @@ private:
         esp32::Digits value;
         std::optional<SteadyTime> when;
     } m_digits;
+    OffsetQuestion m_offsets;
     Counts m_counts;
 };
 

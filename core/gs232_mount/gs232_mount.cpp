@@ -73,7 +73,8 @@ Gs232Mount::Gs232Mount(const profile::InForce& profile, AlarmBoard& alarms, cons
           return fits(*profile, capabilities(), Axis::Elevation);
       })),
       m_box(capabilities().has(Axis::Elevation) ? Question::Both : Question::Azimuth, profile->baud),
-      m_esp32(middleOf(profile->azimuth.geometry.travel))
+      m_esp32(middleOf(profile->azimuth.geometry.travel)),
+      m_offsets(profile, alarms)
 {}
 
 void Gs232Mount::observe(SteadyTime now)
@@ -82,6 +83,9 @@ void Gs232Mount::observe(SteadyTime now)
     if (!m_isEsp32 && m_box.speaksWords()) {
         m_isEsp32 = true;
         m_interlock = fitsEsp32(*profile(), capabilities());
+    }
+    if (m_isEsp32) {
+        m_offsets.compare(m_esp32.offsets());
     }
     BoxMount::observe(now);
 }
@@ -106,6 +110,11 @@ QString Gs232Mount::condition() const
 {
     const auto digits = m_esp32.digits(m_now);
     return digits ? Text::tr("Calibration of its sensor, 3 is best: %1").arg(digitsText(*digits)) : QString();
+}
+
+std::string Gs232Mount::sensorOffsets() const
+{
+    return m_esp32.offsets() ? esp32::offsetsText(*m_esp32.offsets()) : std::string();
 }
 
 bool Gs232Mount::goTo(const RotatorTalk::Places& target)

@@ -3,6 +3,7 @@
 
 #include "core/gs232_mount/box_talk.h"
 #include "core/gs232_mount/esp32_talk.h"
+#include "core/gs232_mount/offset_watch.h"
 #include "core/rotator_box/box_mount.h"
 
 // A GS-232 box as a mount: whole degrees, one speed. The ESP32 relay controller calls itself such a box and speaks
@@ -26,6 +27,7 @@ public:
     [[nodiscard]] QString kind() const override;
     [[nodiscard]] QString kindInWords() const override;
     [[nodiscard]] QString condition() const override;
+    [[nodiscard]] std::string sensorOffsets() const override;
     [[nodiscard]] const Result<>& interlock() const override { return m_interlock; }
     void observe(SteadyTime now) override;
 
@@ -38,6 +40,7 @@ private:
     Result<> m_interlock;
     BoxTalk m_box;
     Esp32Talk m_esp32;
+    OffsetWatch m_offsets;
     bool m_isEsp32 = false;
     SteadyTime m_now{};
 };

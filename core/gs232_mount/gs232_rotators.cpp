@@ -3,6 +3,7 @@
 
 #include "core/base/bus_name.h"
 #include "core/base/text.h"
+#include "core/gs232_mount/esp32_box.h"
 #include "core/gs232_mount/gs232_box.h"
 #include "core/gs232_mount/gs232_mount.h"
 #include "core/rotator_box/box_connection.h"
@@ -12,6 +13,9 @@
 
 namespace boresight::gs232 {
 namespace {
+
+// Away from the ends of its travel, because its heading is counted nearest to the middle.
+constexpr AxisPosition kStartOfEsp32{.azimuth = 180_deg, .elevation = 20_deg};
 
 // The line for a profile that has passed its checks.
 std::unique_ptr<BoxLine> lineOf(const profile::Profile& profile)
@@ -27,8 +31,12 @@ std::unique_ptr<BoxLine> lineOf(const profile::Profile& profile)
 
 MountKind gs232Rotators()
 {
-    return [box = std::make_shared<Gs232Box>()](const profile::Profile& profile, const MountStart& start) {
-        std::unique_ptr<BoxLine> line = start.simulation.on ? std::make_unique<SimulatedBoxLine>(box) : lineOf(profile);
+    return [box = std::make_shared<Gs232Box>(), esp32 = std::make_shared<Esp32Box>(kStartOfEsp32)](
+               const profile::Profile& profile, const MountStart& start) {
+        const bool isEsp32 = start.simulation.device == profile::SimulatedDevice::Esp32;
+        const std::shared_ptr<SimulatedBox> simulated = isEsp32 ? std::shared_ptr<SimulatedBox>(esp32) : box;
+        std::unique_ptr<BoxLine> line =
+            start.simulation.on ? std::make_unique<SimulatedBoxLine>(simulated) : lineOf(profile);
         return rotatorBehind<Gs232Mount>(std::move(line), start);
     };
 }

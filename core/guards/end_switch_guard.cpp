@@ -3,6 +3,7 @@
 
 #include "core/alarms/catalogue.h"
 #include "core/base/text.h"
+#include "core/units/degrees_text.h"
 
 #include <algorithm>
 
@@ -62,16 +63,44 @@ std::optional<EndSwitchGuard::Hit> EndSwitchGuard::step(bool isFault, bool isRea
         if (!isUsed(one)) {
             continue;
         }
-        m_watches.at(indexOf(one)).step(isPressed(one), now);
+        end_switches::SwitchWatch& watch = m_watches.at(indexOf(one));
+        const bool wasPressed = watch.state() == SwitchState::Pressed;
+        watch.step(isPressed(one), now);
+        const bool isMet = !wasPressed && watch.state() == SwitchState::Pressed && !m_of.motion.atRest();
         std::optional<SwitchState>& hitIn = m_hitIn.at(indexOf(one));
         hitIn = isFault ? hitIn : std::nullopt;
         if (isClosed(one) && !hitIn && m_of.motion.goesInto(one.axis, one.isUpper)) {
             hitIn = m_watches.at(indexOf(one)).state();
             found = found.value_or(Hit{.axis = one.axis, .why = whyClosed(one)});
         }
+        if (isMet) {
+            judgePlace(one);
+            if (m_losses.at(indexOf(one))) {
+                found = Hit{.axis = one.axis, .why = whyLost(one)};
+            }
+        }
         tell(one, isReachable, now);
     }
     return found;
+}
+
+// A switch that a person presses by hand while nothing moves shows nothing about the axis.
+void EndSwitchGuard::judgePlace(const EndSwitch& one)
+{
+    const profile::EndSwitchSettings& settings = m_of.profile->endSwitches;
+    const std::optional<Angle> known = settings.place(one);
+    const std::optional<Angle> shown = m_of.mount.report(one.axis).place;
+    if (known && shown) {
+        const bool isLost = abs(*shown - *known) > settings.lostSteps;
+        m_losses.at(indexOf(one)) = isLost ? std::optional(Loss{.shown = *shown, .known = *known}) : std::nullopt;
+    }
+}
+
+QString EndSwitchGuard::whyLost(const EndSwitch& one) const
+{
+    const Loss& loss = *m_losses.at(indexOf(one));
+    return Text::tr("The end switch at %1 was met at %2, but it is at %3")
+        .arg(endName(one), degreesText(loss.shown, 1), degreesText(loss.known, 1));
 }
 
 void EndSwitchGuard::tell(const EndSwitch& one, bool isReachable, SteadyTime now)
@@ -86,7 +115,13 @@ void EndSwitchGuard::tell(const EndSwitch& one, bool isReachable, SteadyTime now
     } else {
         m_of.alarms.clear(keyOf(alarmEntry("switch.unread"), one));
     }
-    if (m_hitIn.at(indexOf(one)) == SwitchState::Pressed) {
+    if (const auto& loss = m_losses.at(indexOf(one))) {
+        m_of.alarms.raise(keyOf(alarmEntry("switch.lost-steps"), one),
+                          {endName(one), degreesText(loss->shown, 1), degreesText(loss->known, 1)});
+    } else {
+        m_of.alarms.clear(keyOf(alarmEntry("switch.lost-steps"), one));
+    }
+    if (m_hitIn.at(indexOf(one)) == SwitchState::Pressed && !m_losses.at(indexOf(one))) {
         m_of.alarms.raise(keyOf(alarmEntry("switch.hit"), one), {endName(one)});
     } else if (watch.state() == SwitchState::Pressed) {
         m_of.alarms.raise(keyOf(alarmEntry("switch.pressed"), one), {endName(one)});
@@ -156,6 +191,7 @@ void EndSwitchGuard::clearAlarms()
     for (const EndSwitch& one : kEndSwitches) {
         m_of.alarms.clear(keyOf(alarmEntry("switch.unread"), one));
         m_of.alarms.clear(keyOf(alarmEntry("switch.pressed"), one));
+        m_of.alarms.clear(keyOf(alarmEntry("switch.lost-steps"), one));
     }
 }
 
@@ -167,6 +203,7 @@ void EndSwitchGuard::profileChanged(const profile::Profile& before, const profil
     m_readings = {};
     m_watches = {};
     m_hitIn = {};
+    m_losses = {};
     m_since.reset();
     clearAlarms();
 }

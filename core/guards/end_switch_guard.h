@@ -9,6 +9,7 @@
 #include "core/end_switches/switch_watch.h"
 #include "core/messages/end_switch_status.h"
 #include "core/motion/motion.h"
+#include "core/mount/mount_driver.h"
 #include "core/profile/in_force.h"
 
 #include <QString>
@@ -18,7 +19,8 @@
 #include <vector>
 
 // Decides which ends of the axes their switches have closed, and raises the alarms about the switches. Motion keeps the
-// set-points from moving into a closed end, whatever the source of the motion. The station reads the inputs. Without
+// set-points from moving into a closed end, whatever the source of the motion. A switch that is met at another angle
+// than its own shows that the axis has lost steps. The station reads the inputs. Without
 // end switches in the profile nothing is closed. Station thread only.
 namespace boresight {
 
@@ -30,6 +32,7 @@ public:
     struct Parts
     {
         const profile::InForce& profile;
+        const MountDriver& mount;
         const Motion& motion;
         AlarmBoard& alarms;
     };
@@ -52,6 +55,9 @@ public:
     // asked now. Returns an end that the mount runs into, once until the fault is re-armed.
     [[nodiscard]] std::optional<Hit> step(bool isFault, bool isReachable, SteadyTime now);
 
+    // The mount has made a home run, so its axes are counted from their switches again.
+    void homed() { m_losses = {}; }
+
     // The ends of this axis that are closed. All set-points respect them.
     [[nodiscard]] ClosedEnds closed(Axis axis) const;
     // An axis that runs into a closed end has to stop as soon as it can.
@@ -69,6 +75,8 @@ private:
     [[nodiscard]] bool isUsed(const end_switches::EndSwitch& one) const;
     [[nodiscard]] bool isClosed(const end_switches::EndSwitch& one) const;
     [[nodiscard]] std::optional<bool> isPressed(const end_switches::EndSwitch& one) const;
+    [[nodiscard]] QString whyLost(const end_switches::EndSwitch& one) const;
+    void judgePlace(const end_switches::EndSwitch& one);
     [[nodiscard]] QString whyClosed(const end_switches::EndSwitch& one) const;
     [[nodiscard]] QString problemOf(const end_switches::EndSwitch& one) const;
     void tell(const end_switches::EndSwitch& one, bool isReachable, SteadyTime now);
@@ -79,6 +87,14 @@ private:
     std::array<end_switches::SwitchWatch, end_switches::kEndSwitches.size()> m_watches;
     // The state of a closed switch when the mount ran into its end. Empty after the re-arm.
     std::array<std::optional<end_switches::SwitchState>, end_switches::kEndSwitches.size()> m_hitIn{};
+    // An axis met its switch at another angle than that of the switch. Lasts until a home run, or until the axis meets
+    // it where it is.
+    struct Loss
+    {
+        Angle shown;
+        Angle known;
+    };
+    std::array<std::optional<Loss>, end_switches::kEndSwitches.size()> m_losses{};
     std::optional<SteadyTime> m_since;  // of the first step with these settings
 };
 

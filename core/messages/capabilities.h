@@ -29,6 +29,8 @@ struct Capabilities
 {
     std::array<std::optional<AxisCapabilities>, 2> axes{AxisCapabilities{}, AxisCapabilities{}};  // empty: no such axis
 
+    bool makesHomeRuns = false;  // it drives to its own switches by a command, and counts from there again
+
     [[nodiscard]] bool has(Axis axis) const { return axes[index(axis)].has_value(); }
     // An axis that runs to its target by itself may be far behind its set-point.
     [[nodiscard]] bool lags(Axis axis) const { return has(axis) && axes[index(axis)]->miss > Angle{}; }

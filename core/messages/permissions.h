@@ -91,6 +91,7 @@ enum class Action
     ChooseElevationTurn,
     TakeBus,
     TypeLine,  // to the control box
+    MakeHomeRun,
     EndProof,
     ReadAzimuthGains,  // of this drive
     ReadElevationGains,

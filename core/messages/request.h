@@ -177,6 +177,8 @@ struct TypeLine  // send this line to the control box as it is; the answer is in
 {
     std::string line;
 };
+struct MakeHomeRun  // the rotator drives to its own switches and counts from there again; no limit holds meanwhile
+{};
 struct ChooseTurn  // the operator has looked at the mount: the axis stands at this angle
 {
     Axis axis = Axis::Azimuth;
@@ -321,9 +323,9 @@ using AnyRequest =
                  request::AcknowledgeAlarm, request::ApplyProfile, request::Reconnect, request::ReadDrives,
                  request::FixDrives, request::AssignBoard, request::SetGear, request::SwitchOff, request::ReleaseBus,
                  request::TakeBus, request::ChooseTurn, request::ProveCrashStop, request::EndProof, request::ReadGains,
-                 request::TypeLine, request::SetGain, request::PutGainsBack, request::StoreGains, request::Trial,
-                 request::FollowAzel, request::FollowPosition, request::FollowRotator, request::Rehearse,
-                 request::TrackFile, request::UseAntenna, request::OverrideWind, request::UseNewTime,
+                 request::TypeLine, request::MakeHomeRun, request::SetGain, request::PutGainsBack, request::StoreGains,
+                 request::Trial, request::FollowAzel, request::FollowPosition, request::FollowRotator,
+                 request::Rehearse, request::TrackFile, request::UseAntenna, request::OverrideWind, request::UseNewTime,
                  request::JogThirdAxis, TuningRequest, CalibrationRequest, ScheduleRequest>;
 
 // Copying so many alternatives is compiled once in request.cpp, and not in every source that includes this header.

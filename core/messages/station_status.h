@@ -199,6 +199,7 @@ enum class AlarmHelp
     OpenNorth,
     OpenProfile,
     ConfirmWrap,
+    OpenHomeRun,
 };
 
 struct Alarm

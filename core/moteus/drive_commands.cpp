@@ -45,6 +45,12 @@ private:
 // Any value written to these registers triggers them.
 constexpr Field kTrigger{1.0, Resolution::Int8};
 
+Register outputsOf(int port)
+{
+    return static_cast<Register>(static_cast<std::uint32_t>(Register::AuxGpioCommand) +
+                                 static_cast<std::uint32_t>(port - 1));
+}
+
 WriteList listOf(const PositionCommand& c)
 {
     return WriteList(Mode::Position)
@@ -130,6 +136,9 @@ std::vector<RegisterValue> registerWrites(const Command& command)
                 return WriteList().with(Register::RecapturePositionVelocity, kTrigger);
             },
             [](const ClockTrim& c) { return WriteList().with(Register::ClockTrim, c.trim); },
+            [](const SetOutputs& c) {
+                return WriteList().with(outputsOf(c.port), Field{static_cast<double>(c.bits), Resolution::Int8});
+            },
             [](const auto& c) { return listOf(c); },
         },
         command);

@@ -3,6 +3,7 @@
 
 #include "core/moteus/subframes.h"
 
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <variant>
@@ -133,9 +134,17 @@ struct ClockTrim
     Field trim{0.0, Resolution::Int32};  // -8..8
 };
 
+// All digital outputs of one aux port. Bit 0 is pin 0. They stay until the board is without power, whatever becomes of
+// this program.
+struct SetOutputs
+{
+    int port = 1;
+    std::uint8_t bits = 0;
+};
+
 using Command = std::variant<Stop, Brake, ZeroVelocity, PositionCommand, StayWithin, PwmCommand, VoltageCommand,
                              VoltageFocCommand, VoltageDqCommand, CurrentCommand, SetOutputNearest, SetOutputExact,
-                             RequireReindex, RecapturePositionVelocity, ClockTrim>;
+                             RequireReindex, RecapturePositionVelocity, ClockTrim, SetOutputs>;
 
 // In register order. The mode is written first, because writing it resets every command field of the drive.
 [[nodiscard]] std::vector<RegisterValue> registerWrites(const Command& command);

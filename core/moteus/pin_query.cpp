@@ -4,9 +4,17 @@
 namespace boresight::moteus {
 namespace {
 
-constexpr Register kPort1 = Register::AuxGpioStatus;
-constexpr auto kPort2 = static_cast<Register>(static_cast<std::uint32_t>(kPort1) + 1);
 constexpr double kMostBits = 31.0;  // five pins
+
+constexpr Register ofPort2(Register ofPort1)
+{
+    return static_cast<Register>(static_cast<std::uint32_t>(ofPort1) + 1);
+}
+
+Query queryOf(Register ofPort1)
+{
+    return {{ofPort1, Resolution::Int8}, {ofPort2(ofPort1), Resolution::Int8}};
+}
 
 std::optional<std::uint8_t> bitsOf(const std::optional<double>& value)
 {
@@ -14,19 +22,35 @@ std::optional<std::uint8_t> bitsOf(const std::optional<double>& value)
                                                          : std::nullopt;
 }
 
+std::optional<PinBits> bothPorts(const Reply& reply, Register ofPort1)
+{
+    const auto first = bitsOf(reply.value(ofPort1));
+    const auto second = bitsOf(reply.value(ofPort2(ofPort1)));
+    return first && second ? std::optional(PinBits{*first, *second}) : std::nullopt;
+}
+
 }  // namespace
 
 const Query& pinQuery()
 {
-    static const Query query{{kPort1, Resolution::Int8}, {kPort2, Resolution::Int8}};
+    static const Query query = queryOf(Register::AuxGpioStatus);
     return query;
 }
 
-std::optional<std::array<std::uint8_t, 2>> pinsIn(const Reply& reply)
+std::optional<PinBits> pinsIn(const Reply& reply)
 {
-    const auto first = bitsOf(reply.value(kPort1));
-    const auto second = bitsOf(reply.value(kPort2));
-    return first && second ? std::optional(std::array{*first, *second}) : std::nullopt;
+    return bothPorts(reply, Register::AuxGpioStatus);
+}
+
+const Query& outputQuery()
+{
+    static const Query query = queryOf(Register::AuxGpioCommand);
+    return query;
+}
+
+std::optional<PinBits> outputsIn(const Reply& reply)
+{
+    return bothPorts(reply, Register::AuxGpioCommand);
 }
 
 }  // namespace boresight::moteus

@@ -7,6 +7,7 @@
 #include "core/can/socketcan_link.h"
 #include "core/can/unusable_link.h"
 #include "core/contacts/input_name.h"
+#include "core/contacts/output_name.h"
 #include "core/drive_check/protections.h"
 #include "core/moteus_mount/moteus_connection.h"
 #include "core/sim_bus/simulated_link.h"
@@ -90,6 +91,17 @@ void wireSwitches(sim::SimulatedPair& pair, const profile::Profile& profile)
     }
 }
 
+// The pin that releases the brakes is an output.
+void wireBrake(sim::SimulatedPair& pair, const profile::Profile& profile)
+{
+    const auto output = contacts::parseOutput(profile.brake.output);
+    if (output && output->kind == contacts::OutputKind::Pin) {
+        if (const auto board = simulatedAxis(pair, output->pin.board)) {
+            pair.drive(*board).makeOutput(output->pin.port, output->pin.number);
+        }
+    }
+}
+
 Result<std::unique_ptr<CanLink>> makeLinkTo(const std::string& busName, const Clock& clock,
                                             const std::shared_ptr<SimulatedMount>& simulated)
 {
@@ -141,6 +153,7 @@ LinkMaker::LinkMaker(const profile::Profile& profile, const Clock& clock)
 {
     m_simulated->sensor.truth() = sim::truthToBeFound();
     wireSwitches(m_simulated->pair, profile);
+    wireBrake(m_simulated->pair, profile);
 }
 
 std::unique_ptr<CanLink> LinkMaker::make(const profile::Profile& profile, const MountStart& start) const

@@ -63,6 +63,11 @@ MoteusConnection::MoteusConnection(std::unique_ptr<CanLink> link, const MountSta
         m_mount.take(frame);
         m_care.take(frame);
         m_pins.take(frame);
+        for (const QPointer<BoardOutput>& output : m_outputs) {
+            if (output) {
+                output->take(frame);
+            }
+        }
     });
     connect(m_link.get(), &CanLink::statusChanged, this, &MoteusConnection::showBus);
     watchJournal();
@@ -122,9 +127,19 @@ void MoteusConnection::open()
     showBus(status);
 }
 
+// An output that is still on would stay on.
 void MoteusConnection::close()
 {
     m_closed = true;
+    std::vector<CanFrame> last;
+    for (const QPointer<BoardOutput>& output : m_outputs) {
+        if (const auto frame = output ? output->lastFrame() : std::nullopt) {
+            last.push_back(*frame);
+        }
+    }
+    if (!last.empty() && isLineOpen()) {
+        [[maybe_unused]] const Result<> sent = m_link->send(last);
+    }
     m_link->close();
 }
 
@@ -146,12 +161,42 @@ void MoteusConnection::showBus(const LinkStatus& status)
     m_alarms.raise(trouble(), {status.text});
 }
 
+bool MoteusConnection::isLineOpen() const
+{
+    const LinkState state = m_link->status().state;
+    return state == LinkState::Up || state == LinkState::Down;
+}
+
+std::unique_ptr<outputs::Output> MoteusConnection::pinOutput(const contacts::BoardPin& pin)
+{
+    std::erase_if(m_outputs, [](const QPointer<BoardOutput>& output) { return output.isNull(); });
+    auto output = std::make_unique<BoardOutput>(pin, [this](const CanFrame& frame) {
+        if (isLineOpen() && !m_mount.busLeft()) {
+            [[maybe_unused]] const Result<> sent = m_link->send(std::vector{frame});
+        }
+    });
+    m_outputs.emplace_back(output.get());
+    return output;
+}
+
+void MoteusConnection::addOutputs(std::vector<CanFrame>& frames)
+{
+    for (const QPointer<BoardOutput>& output : m_outputs) {
+        if (output && !isLineOpen()) {
+            output->restWithoutLine();
+        } else if (const auto frame = output ? output->frame(m_clock.now()) : std::nullopt) {
+            frames.push_back(*frame);
+        }
+    }
+}
+
 void MoteusConnection::send()
 {
     std::vector<CanFrame> frames = m_mount.frames();
     std::ranges::copy(m_care.tick(m_clock.now()), std::back_inserter(frames));
     std::ranges::copy(m_pins.frames(m_clock.now(), m_care.areConsolesFree()), std::back_inserter(frames));
-    if (const LinkState state = m_link->status().state; state == LinkState::Up || state == LinkState::Down) {
+    addOutputs(frames);
+    if (isLineOpen()) {
         // Also while the bus is down, because an adapter needs a new frame to detect that it works again. A frame that
         // could not be sent shows as a missing reply and in the status of the link.
         [[maybe_unused]] const Result<> sent = m_link->send(frames);

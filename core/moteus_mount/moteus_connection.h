@@ -3,14 +3,18 @@
 
 #include "core/can/can_link.h"
 #include "core/journal/journal_file.h"
+#include "core/moteus_mount/board_output.h"
 #include "core/moteus_mount/board_pins.h"
 #include "core/moteus_mount/drive_care.h"
 #include "core/moteus_mount/moteus_mount.h"
 #include "core/mount/mount_connection.h"
 #include "core/mount/mount_kind.h"
 
+#include <QPointer>
+
 #include <memory>
 #include <optional>
+#include <vector>
 
 // One or two moteus with their CAN bus, their drive check and their position journal on disk. Station thread only.
 namespace boresight {
@@ -42,12 +46,15 @@ public:
     {
         return m_pins.read(pin, m_clock.now());
     }
+    [[nodiscard]] std::unique_ptr<outputs::Output> pinOutput(const contacts::BoardPin& pin) override;
     void describe(StationStatus& status) const override;
 
 private:
     [[nodiscard]] TurnKeeper::Start remembered(const MountStart& start);
     void showBus(const LinkStatus& status);
     void watchJournal();
+    [[nodiscard]] bool isLineOpen() const;
+    void addOutputs(std::vector<CanFrame>& frames);
 
     const Clock& m_clock;
     EventLog& m_log;
@@ -59,6 +66,7 @@ private:
     MoteusMount m_mount;
     DriveCare m_care;
     BoardPins m_pins;
+    std::vector<QPointer<BoardOutput>> m_outputs;  // the station owns them
     std::unique_ptr<CanLink> m_link;
     bool m_closed = false;  // and not opened again
 };

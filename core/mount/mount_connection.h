@@ -10,6 +10,7 @@
 #include "core/messages/station_status.h"
 #include "core/mount/mount_driver.h"
 #include "core/mount/sensor_course.h"
+#include "core/outputs/output.h"
 #include "core/profile/in_force.h"
 
 #include <QObject>
@@ -54,6 +55,8 @@ public:
     virtual void setCourse(const std::optional<SensorCourse>& course) = 0;
     // What this pin of one of its boards reads. A mount without such pins says so.
     [[nodiscard]] virtual contacts::InputReading pin(const contacts::BoardPin& pin) const;
+    // This pin of one of its boards as an output. Null: the mount has no such pins.
+    [[nodiscard]] virtual std::unique_ptr<outputs::Output> pinOutput(const contacts::BoardPin& /*pin*/) { return {}; }
     // Fills in its part of the status: the line, and the facts about the mount.
     virtual void describe(StationStatus& status) const = 0;
 };

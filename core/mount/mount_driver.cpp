@@ -26,6 +26,11 @@ Result<> MountDriver::mayType() const
     return failure(ErrorCode::NotAvailable, Text::tr("this rotator does not have this function"));
 }
 
+Result<> MountDriver::mayMakeHomeRun() const
+{
+    return failure(ErrorCode::NotAvailable, Text::tr("this rotator has no command for a home run"));
+}
+
 std::optional<AxisPosition> MountDriver::measured() const
 {
     const auto azimuth = measured(Axis::Azimuth);

@@ -46,6 +46,8 @@ public:
     [[nodiscard]] virtual const Result<>& interlock() const = 0;
     // Whether a line that the operator types may be sent to the device now, otherwise the reason.
     [[nodiscard]] virtual Result<> mayType() const;
+    // Whether the device can be asked for a home run now, otherwise the reason.
+    [[nodiscard]] virtual Result<> mayMakeHomeRun() const;
     // Null if the mount has no functions but moving.
     [[nodiscard]] virtual MountService* service() = 0;
     [[nodiscard]] virtual const MountService* service() const = 0;

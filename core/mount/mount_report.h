@@ -82,6 +82,7 @@ struct AxisTrouble
 // The result of the supervision in one tick.
 struct MountFindings
 {
+    bool homed = false;        // a home run has ended: the axes are counted from their switches again
     bool interrupted = false;  // the position of an axis became unknown, so the target means nothing any more
     std::vector<AxisTrouble> troubles;
 };

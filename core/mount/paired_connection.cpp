@@ -71,6 +71,12 @@ contacts::InputReading PairedConnection::pin(const contacts::BoardPin& pin) cons
     return reading.isOn ? reading : m_elevation->pin(pin);
 }
 
+std::unique_ptr<outputs::Output> PairedConnection::pinOutput(const contacts::BoardPin& pin)
+{
+    auto output = m_azimuth->pinOutput(pin);
+    return output ? std::move(output) : m_elevation->pinOutput(pin);
+}
+
 void PairedConnection::describe(StationStatus& status) const
 {
     m_azimuth->describe(status);

@@ -32,6 +32,7 @@ public:
     void setCourse(const std::optional<SensorCourse>& course) override;
     // The first of the two that can read it.
     [[nodiscard]] contacts::InputReading pin(const contacts::BoardPin& pin) const override;
+    [[nodiscard]] std::unique_ptr<outputs::Output> pinOutput(const contacts::BoardPin& pin) override;
     // Shows one of the two lines: the one with a problem.
     void describe(StationStatus& status) const override;
 

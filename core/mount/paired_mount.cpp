@@ -68,6 +68,7 @@ MountFindings PairedMount::supervise(const MountSituation& known)
     for (MountDriver* const driver : m_drivers) {
         MountFindings more = driver->supervise(known);
         found.interrupted = found.interrupted || more.interrupted;
+        found.homed = found.homed || more.homed;
         found.troubles.insert(found.troubles.end(), more.troubles.begin(), more.troubles.end());
     }
     return found;

@@ -16,6 +16,7 @@ struct Simulation
     bool on = false;
     // The driver of every axis of the profile. Empty: each axis has the driver that the profile names.
     std::optional<profile::AxisDriver> driver{};
+    profile::SimulatedDevice device = profile::SimulatedDevice::Usual;
 
     static const Simulation Off;
     static const Simulation Reference;  // the drivers of the profile; by default the reference mount

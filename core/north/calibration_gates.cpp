@@ -33,7 +33,8 @@ void judgeMotions(const StationStatus& status, Permissions& may)
          {Action::Move,         Action::Point,      Action::Park,           Action::Home,      Action::Horizon,
           Action::Unwind,       Action::JogUp,      Action::JogDown,        Action::JogLeft,   Action::JogRight,
           Action::StepUp,       Action::StepDown,   Action::StepLeft,       Action::StepRight, Action::SetAzimuth,
-          Action::SetElevation, Action::ReleaseBus, Action::ProveCrashStop, Action::Reconnect, Action::TypeLine}) {
+          Action::SetElevation, Action::ReleaseBus, Action::ProveCrashStop, Action::Reconnect, Action::TypeLine,
+          Action::MakeHomeRun}) {
         may.refuse(action, otherRun(*status.calibration));
     }
 }

@@ -46,6 +46,7 @@ std::unique_ptr<Output> makeOutput(const contacts::OutputName& name, const QStri
             return lineOutput(name.place, Line::Dtr);
         case OutputKind::Rts:
             return lineOutput(name.place, Line::Rts);
+        case OutputKind::Pin:  // the mount makes it
         case OutputKind::None:
             break;
     }

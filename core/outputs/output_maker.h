@@ -12,9 +12,9 @@
 
 namespace boresight::outputs {
 
-// The output of this name. Null for OutputKind::None. `use` makes the MQTT client id of the profile unique, because a
-// broker disconnects the first of two clients with the same id. `clock` outlives the output, and any thread may read
-// it.
+// The output of this name. Null for OutputKind::None, and for a pin of the mount, which only the mount can make. `use`
+// makes the MQTT client id of the profile unique, because a broker disconnects the first of two clients with the same
+// id. `clock` outlives the output, and any thread may read it.
 [[nodiscard]] std::unique_ptr<Output> makeOutput(const contacts::OutputName& name, const QString& use,
                                                  const profile::BrokerSettings& broker, const Clock& clock);
 

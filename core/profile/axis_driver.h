@@ -71,6 +71,28 @@ inline constexpr std::array kDriverKinds{
     return kDriverKinds[static_cast<std::size_t>(driver)];
 }
 
+// Devices that --simulate=NAME offers in place of the usual one of their driver.
+enum class SimulatedDevice
+{
+    Usual,
+    Esp32
+};
+
+struct OtherDevice
+{
+    SimulatedDevice device;
+    AxisDriver driver;
+    std::string_view name;
+    std::string_view simulated;  // description, in English
+};
+
+inline constexpr std::array kOtherDevices{
+    OtherDevice{.device = SimulatedDevice::Esp32,
+                .driver = AxisDriver::Gs232,
+                .name = "esp32",
+                .simulated = "an ESP32 relay controller, whose stops do not stop it"},
+};
+
 // The text of the setting for people. It explains the drivers whose names are not clear by themselves.
 inline constexpr const char* kDriverMeaning =
     QT_TRANSLATE_NOOP("Text",

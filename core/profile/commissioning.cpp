@@ -215,6 +215,7 @@ bool isOfOneMount(const std::string& key)
                                                    "mount.directions",
                                                    "azimuth.offset_deg",
                                                    "elevation.offset_deg",
+                                                   "rotator.sensor_offsets",
                                                    "sensor.azimuth_sense",
                                                    "sensor.azimuth_offset_deg",
                                                    "sensor.elevation_offset_deg"};

@@ -2,6 +2,7 @@
 // What this computer reads and switches beside the mount: received power, transmit output, brake, end switches.
 #include "core/profile/output_settings.h"
 
+#include "core/base/numbers.h"
 #include "core/base/text.h"
 #include "core/contacts/input_name.h"
 #include "core/contacts/output_name.h"
@@ -74,6 +75,29 @@ contacts::InputName inputOf(const Profile& profile, const EndSwitch& one)
     return contacts::parseInput(profile.endSwitches.input(one)).value_or(contacts::InputName{});
 }
 
+bool hasBoards(const Profile& profile)
+{
+    return profile.azimuth.driver == AxisDriver::Moteus || profile.elevation.driver == AxisDriver::Moteus;
+}
+
+// The same pin cannot be an output and an input.
+void checkBrakePin(std::vector<Problem>& problems, const Profile& profile)
+{
+    const auto output = contacts::parseOutput(profile.brake.output);
+    if (!output || output->kind != contacts::OutputKind::Pin) {
+        return;
+    }
+    const bool isInput = std::ranges::any_of(end_switches::kEndSwitches, [&](const EndSwitch& one) {
+        const contacts::InputName input = inputOf(profile, one);
+        return input.kind == contacts::InputKind::Pin && input.pin == output->pin;
+    });
+    if (!hasBoards(profile)) {
+        problems.push_back({"brake.output", Text::tr("is a pin of a moteus, but no axis has a moteus")});
+    } else if (isInput) {
+        problems.push_back({"brake.output", Text::tr("is also the input of an end switch")});
+    }
+}
+
 // Two switches at one input would close both of their ends together, and the axis could not move away.
 void checkEndSwitch(std::vector<Problem>& problems, const Profile& profile, const EndSwitch& one)
 {
@@ -91,9 +115,7 @@ void checkEndSwitch(std::vector<Problem>& problems, const Profile& profile, cons
     if (input.kind == contacts::InputKind::Mqtt) {
         checkTopic(problems, profile.mqtt, keyOf(one), input.place.toStdString(), false);
     }
-    const bool hasBoards =
-        profile.azimuth.driver == AxisDriver::Moteus || profile.elevation.driver == AxisDriver::Moteus;
-    if (input.kind == contacts::InputKind::Pin && !hasBoards) {
+    if (input.kind == contacts::InputKind::Pin && !hasBoards(profile)) {
         problems.push_back({keyOf(one), Text::tr("is a pin of a moteus, but no axis has a moteus")});
     }
     const std::string port = input.place.toStdString();
@@ -154,7 +176,14 @@ void addTransmit(std::vector<Setting>& list)
              "its arguments, dtr:PORT or rts:PORT. Use it as the interlock of the transmitter. Empty: none.")},
         [](const Profile& p) { return p.transmit.output; },
         [](Profile& p, const std::string& wanted) {
-            return contacts::parseOutput(wanted).map([&](const contacts::OutputName&) { p.transmit.output = wanted; });
+            return contacts::parseOutput(wanted).and_then([&](const contacts::OutputName& name) -> Result<> {
+                if (name.kind == contacts::OutputKind::Pin) {
+                    return failure(ErrorCode::InvalidInput,
+                                   Text::tr("a pin of a moteus can only be a brake output (brake.output)"));
+                }
+                p.transmit.output = wanted;
+                return {};
+            });
         }));
     list.push_back(number(
         "transmit.beam_fraction", "", {0.01, 1.0}, Applies::Now,
@@ -180,7 +209,9 @@ void addBrake(std::vector<Setting>& list)
          QT_TRANSLATE_NOOP(
              "Text",
              "An output that is on while the brakes of the axes are released: file:PATH, mqtt:TOPIC, command:PROGRAM "
-             "with its arguments, dtr:PORT or rts:PORT. Nothing moves before it is on. Empty: no brake.")},
+             "with its arguments, dtr:PORT, rts:PORT or moteus:ID:aux1.PIN. Nothing moves before it is on. A pin stays "
+             "on "
+             "when Boresight dies, so wire the brakes to close without power. Empty: no brake.")},
         [](const Profile& p) { return p.brake.output; },
         [](Profile& p, const std::string& wanted) {
             return contacts::parseOutput(wanted).map([&](const contacts::OutputName&) { p.brake.output = wanted; });
@@ -217,10 +248,38 @@ void addEndSwitches(std::vector<Setting>& list)
                     [&](const contacts::InputName&) { p.endSwitches.inputs.at(end_switches::indexOf(one)) = wanted; });
             }));
     };
+    const auto place = [&list](const EndSwitch& one, const char* title) {
+        list.push_back(textual(
+            keyOf(one) + "_at_deg", Applies::Now,
+            {title, QT_TRANSLATE_NOOP("Text",
+                                      "The angle of the axis at which it meets this switch. An axis that meets it "
+                                      "elsewhere has lost steps. Empty: not compared.")},
+            [one](const Profile& p) { return p.endSwitches.places.at(end_switches::indexOf(one)); },
+            [one](Profile& p, const std::string& wanted) -> Result<> {
+                const auto degrees = parseFinite(wanted);
+                if (!wanted.empty() && (!degrees || *degrees < -720.0 || *degrees > 900.0)) {
+                    return failure(ErrorCode::InvalidInput,
+                                   Text::tr("an angle of the axis in degrees is expected, like -3.5, or nothing"));
+                }
+                p.endSwitches.places.at(end_switches::indexOf(one)) = wanted;
+                return {};
+            }));
+    };
     input({Axis::Azimuth, false}, QT_TRANSLATE_NOOP("Text", "Azimuth, lower end"));
     input({Axis::Azimuth, true}, QT_TRANSLATE_NOOP("Text", "Azimuth, upper end"));
     input({Axis::Elevation, false}, QT_TRANSLATE_NOOP("Text", "Elevation, lower end"));
     input({Axis::Elevation, true}, QT_TRANSLATE_NOOP("Text", "Elevation, upper end"));
+    place({Axis::Azimuth, false}, QT_TRANSLATE_NOOP("Text", "Azimuth, lower end at"));
+    place({Axis::Azimuth, true}, QT_TRANSLATE_NOOP("Text", "Azimuth, upper end at"));
+    place({Axis::Elevation, false}, QT_TRANSLATE_NOOP("Text", "Elevation, lower end at"));
+    place({Axis::Elevation, true}, QT_TRANSLATE_NOOP("Text", "Elevation, upper end at"));
+    list.push_back(number(
+        "end_switches.lost_steps_deg", "°", {0.5, 45.0}, Applies::Now,
+        {QT_TRANSLATE_NOOP("Text", "Lost steps beyond"),
+         QT_TRANSLATE_NOOP("Text",
+                           "An axis that meets a switch farther than this from the angle of the switch has lost steps. "
+                           "A rotator that reports its position seldom needs a larger value.")},
+        [](auto& p) -> auto& { return p.endSwitches.lostSteps; }));
     list.push_back(choice(
         "end_switches.pressed_when", {"off", "on"}, Applies::Now,
         {QT_TRANSLATE_NOOP("Text", "Pressed when"),
@@ -261,6 +320,7 @@ void checkTransmit(std::vector<Problem>& problems, const Profile& profile)
 void checkBrake(std::vector<Problem>& problems, const Profile& profile)
 {
     checkOutputTopic(problems, profile, "brake.output", profile.brake.output);
+    checkBrakePin(problems, profile);
     if (!profile.brake.output.empty() && profile.brake.output == profile.transmit.output) {
         problems.push_back({"brake.output", Text::tr("is also the transmit output (transmit.output)")});
     } else if (const std::string port = linePort(profile.brake.output);

@@ -76,6 +76,7 @@ struct RotatorSettings
     Angle deadBand{};
     int mostStarts = 30;  // of each motor in a minute; 0: any number
     Angle coast{};
+    std::string sensorOffsets;  // that the box reported when they were saved; empty: none
 
     bool operator==(const RotatorSettings&) const = default;
 };

@@ -3,6 +3,7 @@
 
 #include "core/base/bus_name.h"
 #include "core/base/text.h"
+#include "core/gs232/esp32_offsets.h"
 #include "core/listeners/listener.h"
 #include "core/profile/commissioning.h"
 #include "core/profile/further_boards.h"
@@ -235,6 +236,23 @@ void addRotator(std::vector<Setting>& list)
                            "With rare motor starts, how far an axis goes on when its motor is switched off. An axis "
                            "that is nearer to its target stays there. 0: as Boresight measures it.")},
         [](auto& p) -> auto& { return p.rotator.coast; }));
+    list.push_back(textual(
+        "rotator.sensor_offsets", Applies::Now,
+        {QT_TRANSLATE_NOOP("Text", "Saved sensor offsets"),
+         QT_TRANSLATE_NOOP("Text",
+                           "The offsets that the sensor of an ESP32 relay controller reported when they were saved "
+                           "(Mount > Console, Save offsets). Boresight compares them at each connection. It cannot "
+                           "write them to the box. Empty: not compared.")},
+        [](const Profile& p) { return p.rotator.sensorOffsets; },
+        [](Profile& p, const std::string& wanted) -> Result<> {
+            if (!wanted.empty() && !gs232::esp32::parseOffsets(wanted)) {
+                return failure(
+                    ErrorCode::InvalidInput,
+                    Text::tr("offsets are expected like \"%1\"").arg(toQString(gs232::esp32::offsetsText({}))));
+            }
+            p.rotator.sensorOffsets = wanted;
+            return {};
+        }));
 }
 
 void addControl(std::vector<Setting>& list)

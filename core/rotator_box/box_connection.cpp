@@ -85,12 +85,19 @@ void BoxConnection::send()
 
 Result<> BoxConnection::admits(const Request& request) const
 {
+    if (std::holds_alternative<request::MakeHomeRun>(request)) {
+        return m_mount->mayMakeHomeRun();
+    }
     const auto* const wanted = std::get_if<request::TypeLine>(&request);
     return wanted != nullptr && m_mount->talk().takesLines() ? m_mount->talk().mayType(wanted->line) : Result<>{};
 }
 
 Result<> BoxConnection::carryOut(const Request& request)
 {
+    if (std::holds_alternative<request::MakeHomeRun>(request)) {
+        m_mount->home();
+        return {};
+    }
     const auto* const wanted = std::get_if<request::TypeLine>(&request);
     if (wanted != nullptr && m_mount->talk().takesLines()) {
         m_mount->leave(profile::OnExit::Hold);
@@ -124,6 +131,7 @@ void BoxConnection::describe(StationStatus& status) const
                    .name = m_line->name(),
                    .problem = m_line->problem(),
                    .condition = m_mount->condition(),
+                   .sensorOffsets = m_mount->sensorOffsets(),
                    .sent = talk.counts().sent,
                    .received = talk.counts().received,
                    .dropped = talk.counts().unknown};

@@ -16,12 +16,6 @@ namespace {
 // After this time without an answer an alarm is raised.
 constexpr std::chrono::seconds kPatience{3};
 
-std::optional<AxisCapabilities> capabilitiesOf(const AxisSet& axes, Axis axis,
-                                               const std::array<AxisCapabilities, 2>& each)
-{
-    return std::ranges::find(axes, axis) != axes.end() ? std::optional(each[index(axis)]) : std::nullopt;
-}
-
 }  // namespace
 
 BoxMount::BoxMount(const profile::InForce& profile, AlarmBoard& alarms, const AxisSet& axes,
@@ -31,17 +25,28 @@ BoxMount::BoxMount(const profile::InForce& profile, AlarmBoard& alarms, const Ax
       m_capabilities{.axes = {capabilitiesOf(axes, Axis::Azimuth, each), capabilitiesOf(axes, Axis::Elevation, each)}},
       m_each(each),
       m_count(count),
-      m_names{QStringLiteral("azimuth drive"), QStringLiteral("elevation drive")},
       m_axes{
           AxisOfBox{.watch = ObedienceWatch(each[0].rareStarts ? 2.0 * count : Angle{}), .spared = SparedAlarm(alarms)},
           AxisOfBox{.watch = ObedienceWatch(each[0].rareStarts ? 2.0 * count : Angle{}),
                     .spared = SparedAlarm(alarms)}},
-      m_motors(profile, m_capabilities, {each[0].step, each[1].step}, count)
+      m_motors(profile, m_capabilities, {each[0].step, each[1].step}, count),
+      m_home(alarms)
 {}
 
 bool BoxMount::answers() const
 {
     return m_lineOpen && m_heard && m_now - *m_heard <= silence();
+}
+
+AxisSet BoxMount::turned() const
+{
+    return axesIf(m_capabilities.has(Axis::Azimuth), m_capabilities.has(Axis::Elevation));
+}
+
+const QString& BoxMount::name(Axis axis) const
+{
+    static const std::array kNames{QStringLiteral("azimuth drive"), QStringLiteral("elevation drive")};
+    return kNames.at(index(axis));
 }
 
 QString BoxMount::label(Axis axis) const
@@ -57,14 +62,12 @@ std::optional<QString> BoxMount::identity(Axis /*axis*/) const
 
 bool BoxMount::placed() const
 {
-    return std::ranges::all_of(kAxes,
-                               [this](Axis axis) { return !m_capabilities.has(axis) || of(axis).filter.place(); });
+    return std::ranges::all_of(turned(), [this](Axis axis) { return of(axis).filter.place().has_value(); });
 }
 
 bool BoxMount::moves() const
 {
-    return std::ranges::any_of(kAxes,
-                               [this](Axis axis) { return m_capabilities.has(axis) && of(axis).watch.moves(m_now); });
+    return std::ranges::any_of(turned(), [this](Axis axis) { return of(axis).watch.moves(m_now); });
 }
 
 AxisReport BoxMount::report(Axis axis) const
@@ -133,7 +136,8 @@ void BoxMount::takePlaces(const RotatorTalk::Places& places)
             continue;
         }
         AxisOfBox& mine = of(axis);
-        if (const auto jump = mine.filter.take(*angle, m_now); jump && m_capabilities.has(axis)) {
+        const auto jump = mine.filter.take(*angle, m_now);
+        if (jump && m_capabilities.has(axis) && !m_home.isRunning()) {  // at its switch an axis gets another count
             mine.jump = jump;
         }
         if (mine.filter.place() && mine.filter.placed() == m_now) {
@@ -160,17 +164,28 @@ MountFindings BoxMount::supervise(const MountSituation& /*known*/)
     if (m_console.ends(m_now)) {
         stop();  // the line may have started a motor
     }
-    for (const Axis axis : kAxes) {
-        if (m_capabilities.has(axis)) {
-            superviseAxis(axis, found);
-        }
+    if (const auto run = m_home.step(talk(), moves() || !placed(), m_now); run != HomeRun::Outcome::None) {
+        found.homed = run == HomeRun::Outcome::Ended;
+        found.homed ? forgetPlaces() : stop();
+    }
+    for (const Axis axis : turned()) {
+        superviseAxis(axis, found);
     }
     // A rotator that still moves after a stop is not taken over: its stop would not be watched any more.
-    const bool isStopping = std::ranges::any_of(kAxes, [this](Axis axis) { return of(axis).watch.stopping(); });
-    if (m_state.wanted && !m_state.follows && !isStopping && !m_console.isBusy() && answers() && placed()) {
+    const auto isStopping = [this](Axis axis) { return of(axis).watch.stopping(); };
+    const bool isFree = std::ranges::none_of(kAxes, isStopping) && !m_console.isBusy() && !m_home.isRunning();
+    if (m_state.wanted && !m_state.follows && isFree && answers() && placed()) {
         begin();
     }
     return found;
+}
+
+// The axes stand, so they are let go without a stop, which would end the run.
+void BoxMount::home()
+{
+    letGo();
+    forgetPlaces();
+    m_home.begin(talk(), m_now);
 }
 
 void BoxMount::beginSilence(MountFindings& found)
@@ -241,26 +256,25 @@ void BoxMount::superviseAxis(Axis axis, MountFindings& found)
     }
 }
 
-void BoxMount::lose(MountFindings& found, Axis axis, const AlarmCase& alarm)
+void BoxMount::lose(MountFindings& found, AxisSet axes, const AlarmKey& key, const AlarmCase& alarm)
 {
     stop();
     letGo();
     m_state.lost = true;
-    m_alarms.raise(alarm.entry.of(axis), alarm.arguments);
-    found.troubles.push_back({.axis = axis, .loss = supervision::LossClass::Motion, .what = whatOf(alarm)});
+    m_alarms.raise(key, alarm.arguments);
+    for (const Axis axis : axes) {
+        found.troubles.push_back({.axis = axis, .loss = supervision::LossClass::Motion, .what = whatOf(alarm)});
+    }
+}
+
+void BoxMount::lose(MountFindings& found, Axis axis, const AlarmCase& alarm)
+{
+    lose(found, axesIf(axis == Axis::Azimuth, axis == Axis::Elevation), alarm.entry.of(axis), alarm);
 }
 
 void BoxMount::loseAll(MountFindings& found, const AlarmCase& alarm)
 {
-    stop();
-    letGo();
-    m_state.lost = true;
-    m_alarms.raise(alarm.entry, alarm.arguments);
-    for (const Axis axis : kAxes) {
-        if (m_capabilities.has(axis)) {
-            found.troubles.push_back({.axis = axis, .loss = supervision::LossClass::Motion, .what = whatOf(alarm)});
-        }
-    }
+    lose(found, turned(), alarm.entry, alarm);
 }
 
 void BoxMount::begin()
@@ -286,12 +300,11 @@ std::optional<Angle> BoxMount::takeFollowing(Axis axis)
 
 void BoxMount::stop()
 {
+    m_home.end();
     talk().stop();
     m_motors.stopped(m_now);
-    for (const Axis axis : kAxes) {
-        if (m_capabilities.has(axis)) {
-            of(axis).watch.stopped(m_now);
-        }
+    for (const Axis axis : turned()) {
+        of(axis).watch.stopped(m_now);
     }
 }
 
@@ -341,6 +354,7 @@ void BoxMount::rearmed()
 {
     m_alarms.clear(alarmEntry("rotator.silent"));
     m_alarms.clear(alarmEntry("rotator.refused"));
+    m_home.forgetFailure();
     for (const Axis axis : kAxes) {
         m_alarms.clear(alarmEntry("rotator.stuck").of(axis));
     }
@@ -375,13 +389,11 @@ void BoxMount::order()
 void BoxMount::orderEachStep()
 {
     bool changed = false;
-    for (const Axis axis : kAxes) {
+    for (const Axis axis : turned()) {
         AxisOfBox& mine = of(axis);
-        if (m_capabilities.has(axis)) {
-            const bool isOther = mine.each.aim(mine.setpoint, m_profile->axis(axis), mine.filter.place(),
-                                               m_each[index(axis)].step, m_motors.leeway(axis).within);
-            changed = isOther || changed;
-        }
+        const bool isOther = mine.each.aim(mine.setpoint, m_profile->axis(axis), mine.filter.place(),
+                                           m_each[index(axis)].step, m_motors.leeway(axis).within);
+        changed = isOther || changed;
     }
     if (changed) {
         sendOrdered();

@@ -4,12 +4,10 @@
 #include "core/alarms/alarm_board.h"
 #include "core/mount/mount_driver.h"
 #include "core/profile/in_force.h"
+#include "core/rotator_box/axis_of_box.h"
 #include "core/rotator_box/box_console.h"
-#include "core/rotator_box/each_step.h"
-#include "core/rotator_box/obedience_watch.h"
-#include "core/rotator_box/place_filter.h"
+#include "core/rotator_box/home_run.h"
 #include "core/rotator_box/rotator_talk.h"
-#include "core/rotator_box/spared_alarm.h"
 #include "core/rotator_box/switched_motors.h"
 
 #include <array>
@@ -38,7 +36,10 @@ public:
         m_lineOpen = false;
         m_broke = true;
         m_console.drop();
+        m_home.end();
     }
+    // The rotator drives to its own switches. Boresight lets it go, watches it, and takes it over when it stands.
+    void home();
     [[nodiscard]] virtual RotatorTalk& talk() = 0;
     [[nodiscard]] virtual const RotatorTalk& talk() const = 0;
     // The kind as a short word for the screen.
@@ -48,9 +49,11 @@ public:
 
     // What the box reports of itself, in words. Empty: nothing.
     [[nodiscard]] virtual QString condition() const { return {}; }
+    // The offsets of its sensor, as the profile saves them. Empty: not known.
+    [[nodiscard]] virtual std::string sensorOffsets() const { return {}; }
 
     [[nodiscard]] Capabilities capabilities() const override { return m_capabilities; }
-    [[nodiscard]] const QString& name(Axis axis) const override { return m_names[index(axis)]; }
+    [[nodiscard]] const QString& name(Axis axis) const override;
     [[nodiscard]] QString label(Axis axis) const override;
     [[nodiscard]] std::optional<QString> identity(Axis axis) const override;
     [[nodiscard]] QString lastIdentity(Axis /*axis*/) const override { return {}; }
@@ -59,6 +62,7 @@ public:
     [[nodiscard]] std::optional<MotorStarts> starts(Axis axis) const;
     [[nodiscard]] Result<> available() const override { return {}; }
     [[nodiscard]] Result<> mayType() const override { return m_console.admits(talk(), answers()); }
+    [[nodiscard]] Result<> mayMakeHomeRun() const override { return m_home.admits(talk(), answers() && placed()); }
     [[nodiscard]] MountService* service() override { return nullptr; }
     [[nodiscard]] const MountService* service() const override { return nullptr; }
     void observe(SteadyTime now) override;
@@ -88,6 +92,8 @@ protected:
     // The advice while nothing answers.
     [[nodiscard]] virtual QString remedyOfNoAnswer() const = 0;
 
+    // For the constructor of a rotator whose protocol has a command for it.
+    void offerHomeRuns() { m_capabilities.makesHomeRuns = true; }
     [[nodiscard]] const profile::InForce& profile() const { return m_profile; }
     // The believed position, also of an axis that this mount does not turn.
     [[nodiscard]] const std::optional<Angle>& believed(Axis axis) const { return of(axis).filter.place(); }
@@ -95,30 +101,12 @@ protected:
     void loseAll(MountFindings& found, const AlarmCase& alarm);
 
 private:
-    struct AxisOfBox
-    {
-        ObedienceWatch watch;
-        SparedAlarm spared;
-        PlaceFilter filter{};
-        std::optional<PlaceFilter::Jump> jump{};  // not yet reported
-        tracking::Setpoint setpoint{};
-        EachStep each{};      // without rare starts
-        bool begins = false;  // starts to follow, but takeFollowing() was not called yet
-    };
-    struct State
-    {
-        bool wanted = false;  // engage() was called, and the axes do not follow yet
-        bool follows = false;
-        bool lost = false;    // nothing moves before recover()
-        bool silent = false;  // it answered before, but does not answer any more
-        bool hard = false;    // hard braking, after STOP
-    };
-
     [[nodiscard]] AxisOfBox& of(Axis axis) { return m_axes[index(axis)]; }
     [[nodiscard]] const AxisOfBox& of(Axis axis) const { return m_axes[index(axis)]; }
     [[nodiscard]] bool rareStarts() const { return m_each[0].rareStarts; }  // the same for both axes
     [[nodiscard]] Seconds silence() const { return m_each[0].silence; }
     [[nodiscard]] bool answers() const;
+    [[nodiscard]] AxisSet turned() const;  // the axes that it has
     [[nodiscard]] bool placed() const;
     [[nodiscard]] bool moves() const;
     void takePlaces(const RotatorTalk::Places& places);
@@ -126,6 +114,7 @@ private:
     void showNoAnswer();
     void superviseAxis(Axis axis, MountFindings& found);
     void lose(MountFindings& found, Axis axis, const AlarmCase& alarm);
+    void lose(MountFindings& found, AxisSet axes, const AlarmKey& key, const AlarmCase& alarm);
     void begin();
     void stop();
     void letGo();
@@ -142,11 +131,11 @@ private:
     Capabilities m_capabilities;
     std::array<AxisCapabilities, 2> m_each;
     Angle m_count;
-    std::array<QString, 2> m_names;
     std::array<AxisOfBox, 2> m_axes;
     SwitchedMotors m_motors;  // with rare starts
     BoxConsole m_console;
-    State m_state;
+    HomeRun m_home;
+    StateOfBox m_state;
     std::optional<SteadyTime> m_heard;   // when the last answer came
     std::optional<SteadyTime> m_opened;  // when the line was opened or a position was last known
     bool m_lineOpen = false;

@@ -58,6 +58,13 @@ public:
     }
     [[nodiscard]] virtual bool takesLines() const { return false; }
 
+    // Whether this protocol has a command by which the rotator drives to its own switches.
+    [[nodiscard]] virtual bool makesHomeRuns() const { return false; }
+    // Sends that command when everything else is answered. A stop drops it.
+    virtual void home() {}
+    // The answer to it, once: success, or why the rotator refuses.
+    [[nodiscard]] virtual std::optional<Result<>> takeHomeAnswer() { return std::nullopt; }
+
     // The line must be closed and opened again, because answers do not fit the questions any more, or none come.
     [[nodiscard]] virtual bool wantsAnotherLine() const { return false; }
 

@@ -55,10 +55,18 @@ std::string_view headOf(Question question)
             return "get_pos:";
         case Question::Order:
             return "set_pos:";
+        case Question::Reset:
+            return "reset:";
         case Question::Stop:
             break;
     }
     return "stop:";
+}
+
+// The answer has no values.
+bool isOrder(Question question)
+{
+    return question != Question::State && question != Question::Position;
 }
 
 RotatorType typeOf(std::string_view text)
@@ -139,8 +147,7 @@ bool ReplyReader::takeValue(std::string_view line)
 ReplyReader::Progress ReplyReader::takePlain(std::string_view line)
 {
     if (const auto code = codeOf(line)) {
-        const bool isOrder = m_question == Question::Order || m_question == Question::Stop;
-        return isOrder || (*code < 0 && m_lines == 1) ? end(*code) : Progress::Strange;
+        return isOrder(m_question) || (*code < 0 && m_lines == 1) ? end(*code) : Progress::Strange;
     }
     switch (m_question) {
         case Question::Position:
@@ -149,6 +156,7 @@ ReplyReader::Progress ReplyReader::takePlain(std::string_view line)
             return takePlainState(line);
         case Question::Order:
         case Question::Stop:
+        case Question::Reset:
             break;
     }
     return Progress::Strange;
@@ -195,7 +203,7 @@ ReplyReader::Progress ReplyReader::takeNumber(std::string_view line, int limit)
 ReplyReader::Progress ReplyReader::end(int code)
 {
     m_reply = Reply{.code = code, .state = {}, .position = {}};
-    if (code < 0 || m_question == Question::Order || m_question == Question::Stop) {
+    if (code < 0 || isOrder(m_question)) {
         return Progress::Whole;
     }
     const Numbers& all = m_numbers;

@@ -16,7 +16,8 @@ enum class Question
     State,
     Position,
     Order,  // to go somewhere
-    Stop
+    Stop,
+    Reset
 };
 
 // The axes of the rotator, as rotctld reports them.

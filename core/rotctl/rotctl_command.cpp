@@ -20,6 +20,11 @@ std::string stopAll(Form form)
     return form == Form::Extended ? "+\\stop\n" : "S\n";
 }
 
+std::string resetAll(Form form)
+{
+    return form == Form::Extended ? "+\\reset 1\n" : "R 1\n";
+}
+
 std::optional<std::string> goTo(Form form, const AxisPosition& place)
 {
     if (!kPossibleAzimuth.contains(place.azimuth) || !kPossibleElevation.contains(place.elevation)) {

@@ -19,6 +19,8 @@ enum class Form
 [[nodiscard]] std::string askState(Form form);  // the limits of the rotator
 [[nodiscard]] std::string askPosition(Form form);
 [[nodiscard]] std::string stopAll(Form form);
+// The rotator drives to its own switches. Hamlib answers when it has passed the command on.
+[[nodiscard]] std::string resetAll(Form form);
 // With two decimals. Empty if an angle is not a number, or if no rotator turns that far.
 [[nodiscard]] std::optional<std::string> goTo(Form form, const AxisPosition& place);
 

@@ -47,6 +47,11 @@ void RotctldBox::moveOn(SteadyTime now)
         m_place = {.azimuth = movedTo(m_place.azimuth, m_target.azimuth, farthest * m_faults.pace[0]),
                    .elevation = movedTo(m_place.elevation, m_target.elevation, farthest * m_faults.pace[1])};
     }
+    if (m_homes && m_place == m_faults.lost) {
+        m_place = m_target = {};
+        m_faults.lost = {};
+        m_homes = false;
+    }
     m_shown = m_faults.stuckPlace ? m_shown : m_place;
 }
 
@@ -183,6 +188,20 @@ Result<> RotctldBox::stop(const rotctld::Client& /*client*/)
         return failure(*m_faults.stop, {});
     }
     m_target = m_faults.runsOn ? m_target : m_place;
+    m_homes = m_homes && m_faults.runsOn;
+    return {};
+}
+
+// It drives to where its count and the truth agree.
+Result<> RotctldBox::reset(const rotctld::Client& /*client*/, int /*kind*/)
+{
+    ++m_moves;
+    if (m_faults.reset) {
+        return failure(*m_faults.reset, {});
+    }
+    ++m_homeRuns;
+    m_homes = true;
+    m_target = m_faults.lost;
     return {};
 }
 

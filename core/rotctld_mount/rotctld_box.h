@@ -15,6 +15,8 @@
 // A simulated rotctld with the dummy rotator of Hamlib: 6 °/s on both axes without ramps, exact arrival, -180…450° and
 // 0…90°. It carries out one command at a time, in order. The bytes come from our own server, which answers like that of
 // Hamlib. It fails on request. Pure: time is passed in.
+//
+// More than 15 members: the server and the rotator behind it.
 namespace boresight::rotctl {
 
 class RotctldBox final : public SimulatedBox, private rotctld::Rotator
@@ -36,12 +38,14 @@ public:
         bool runsOn = false;                   // a stop is accepted, but the rotator moves on
         Angle offset{};                        // error of the reported azimuth
         Angle sag{};                           // the reported elevation is lower by this angle
+        AxisPosition lost{};                   // steps that were lost: the rotator counts more than the truth
         std::chrono::milliseconds works{5};    // for each command
         std::array<double, 2> pace{1.0, 1.0};  // share of its speed that each motor reaches
         // Errors of the rotator behind rotctld: the error of each kind of answer.
         std::optional<ErrorCode> position{};
         std::optional<ErrorCode> order{};
         std::optional<ErrorCode> stop{};
+        std::optional<ErrorCode> reset{};
     };
 
     // `steps`: its axes stop only at multiples of these. 0: anywhere.
@@ -61,7 +65,13 @@ public:
     [[nodiscard]] Faults& faults() { return m_faults; }
 
     // The true position at the time of the last call.
-    [[nodiscard]] AxisPosition truth() const { return m_place; }
+    [[nodiscard]] AxisPosition truth() const
+    {
+        return {.azimuth = m_place.azimuth - m_faults.lost.azimuth,
+                .elevation = m_place.elevation - m_faults.lost.elevation};
+    }
+    // Its own switches are at 0°. Its count begins there again.
+    [[nodiscard]] int homeRuns() const { return m_homeRuns; }
     [[nodiscard]] int moves() const { return m_moves; }  // commands to move or stop so far, accepted or not
     [[nodiscard]] const std::deque<std::string>& heard() const { return m_heard; }  // received lines
     [[nodiscard]] std::size_t waiting() const { return m_todo.size(); }             // commands that were not begun yet
@@ -110,7 +120,7 @@ private:
     }
     Result<> stop(const rotctld::Client& client) override;
     Result<> park(const rotctld::Client& client) override;
-    Result<> reset(const rotctld::Client& /*client*/, int /*kind*/) override { return {}; }
+    Result<> reset(const rotctld::Client& client, int kind) override;
     [[nodiscard]] int speedLevel() const override { return 2; }
     Result<> setSpeedLevel(const rotctld::Client& /*client*/, int /*level*/) override { return {}; }
     void clientConnected(const rotctld::Client& /*client*/) override {}
@@ -130,6 +140,8 @@ private:
     std::deque<Due> m_due;
     std::deque<std::string> m_heard;
     bool m_started = false;
+    bool m_homes = false;
+    int m_homeRuns = 0;
     int m_moves = 0;
     int m_replies = 0;
 };

@@ -50,7 +50,9 @@ Result<> axisFits(const profile::Profile& profile, const RotatorState& state, Ax
 
 RotctldMount::RotctldMount(const profile::InForce& profile, AlarmBoard& alarms, const AxisSet& axes)
     : BoxMount(profile, alarms, axes, asInProfile(kAxis, *profile), kGrain), m_interlock(fits())
-{}
+{
+    offerHomeRuns();
+}
 
 QString RotctldMount::kindInWords() const
 {

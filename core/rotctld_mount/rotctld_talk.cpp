@@ -110,6 +110,8 @@ void RotctldTalk::leaveOut(SteadyTime now)
         m_stop.from = now + kBetweenStops;
     } else if (pending.question == Question::Order && !m_order.next) {
         m_order.next = m_order.last;
+    } else if (pending.question == Question::Reset) {
+        m_home.answer = Result<>{};  // it may have begun, so it is watched
     }
 }
 
@@ -156,6 +158,10 @@ void RotctldTalk::finish(const Pending& pending, const Reply& reply, SteadyTime 
         case Question::Stop:
             finishOrder(pending.stops, reply.code, now);
             break;
+        case Question::Reset:
+            m_home.answer =
+                reply.code < 0 ? Result<>(failure(ErrorCode::Refused, errorInWords(reply.code))) : Result<>{};
+            break;
     }
 }
 
@@ -193,6 +199,14 @@ void RotctldTalk::stop()
     m_order = {.next = {}, .last = {}, .sent = m_order.sent};
     m_stop.wanted = true;
     m_stop.from = {};
+    m_home = {};
+}
+
+// An older target would turn the rotator back.
+void RotctldTalk::home()
+{
+    m_order = {.next = {}, .last = {}, .sent = m_order.sent};
+    m_home = {.wanted = true, .answer = {}};
 }
 
 std::string RotctldTalk::say(Question question, std::string command, SteadyTime now, bool stops)
@@ -250,6 +264,10 @@ std::string RotctldTalk::send(SteadyTime now)
     if (!m_waiting.empty()) {
         m_wantsLine = m_wantsLine || now - m_waiting.front().sent >= kHangs;
         return {};
+    }
+    if (m_home.wanted && !m_stop.wanted) {
+        m_home.wanted = false;
+        return say(Question::Reset, resetAll(form()), now);
     }
     // Hamlib needs 0.8 s for a target of a slow box. A question between two targets keeps the position up to date.
     const bool mayGo = m_asked && (!m_order.sent || (now - *m_order.sent >= kBetweenGoes && *m_asked > *m_order.sent));

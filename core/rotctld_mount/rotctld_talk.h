@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 // The conversation with a rotctld. rotctld carries out one command at a time. So the next command waits for the answer,
 // however long that takes: a command sent earlier would wait in the queue of rotctld, and a stop would wait behind it.
@@ -38,6 +39,12 @@ public:
     // Replaces a target that was not sent yet. False if no rotator can have this position.
     [[nodiscard]] bool go(const AxisPosition& target);
     void stop() override;
+    [[nodiscard]] bool makesHomeRuns() const override { return true; }
+    void home() override;
+    [[nodiscard]] std::optional<Result<>> takeHomeAnswer() override
+    {
+        return std::exchange(m_home.answer, std::nullopt);
+    }
     // The target that stops a rotator without a stop command. Empty if its position is not known.
     void standsAt(const std::optional<AxisPosition>& place) { m_stop.place = place; }
     [[nodiscard]] std::string send(SteadyTime now) override;
@@ -109,6 +116,11 @@ private:
         SteadyTime from{};  // earliest time of the next stop
         std::optional<AxisPosition> place{};
     } m_stop;
+    struct
+    {
+        bool wanted = false;
+        std::optional<Result<>> answer;  // not yet read
+    } m_home;
     std::optional<SteadyTime> m_asked;
     int m_positionError = 0;
     Counts m_counts;

@@ -44,6 +44,15 @@ void visitServo(ServoConfig& servo, const ConfigVisitor& visit)
     visit("servo.velocity_zero_capture_threshold", &servo.velocityZeroCaptureThreshold);
 }
 
+void visitPins(DriveConfig& config, const ConfigVisitor& visit)
+{
+    for (const int port : {1, 2}) {
+        for (int pin = 0; pin < static_cast<int>(config.pins.modes[0].size()); ++pin) {
+            visit("aux" + std::to_string(port) + ".pins." + std::to_string(pin) + ".mode", &config.pinMode(port, pin));
+        }
+    }
+}
+
 std::optional<ConfigField> findField(DriveConfig& config, std::string_view key)
 {
     std::optional<ConfigField> found;
@@ -118,12 +127,7 @@ void visitFields(DriveConfig& config, const ConfigVisitor& visit)
     visit("motor_position.output.offset", &config.motorPosition.outputOffset);
     visit("motor_position.output.sign", &config.motorPosition.outputSign);
     visit("motor_position.output.reference_source", &config.motorPosition.referenceSource);
-    for (std::size_t port = 0; port < config.pins.modes.size(); ++port) {
-        for (std::size_t pin = 0; pin < config.pins.modes[port].size(); ++pin) {
-            visit("aux" + std::to_string(port + 1) + ".pins." + std::to_string(pin) + ".mode",
-                  &config.pins.modes[port][pin]);
-        }
-    }
+    visitPins(config, visit);
 }
 
 Result<std::string> configText(DriveConfig& config, std::string_view key)

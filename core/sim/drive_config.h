@@ -102,6 +102,12 @@ struct DriveConfig
     MotorConfig motor;
     MotorPositionConfig motorPosition;
     PinConfig pins;
+
+    // aux1.pins.0 is port 1, pin 0.
+    [[nodiscard]] int& pinMode(int port, int pin)
+    {
+        return pins.modes.at(static_cast<std::size_t>(port - 1)).at(static_cast<std::size_t>(pin));
+    }
 };
 
 // A pointer into a DriveConfig. A byte is one element of an array.

@@ -47,4 +47,10 @@ std::optional<double> FrameWrites::unused(Register reg) const
     return found != m_kept.unused.end() ? std::optional(found->second) : std::nullopt;
 }
 
+std::optional<double> FrameWrites::accepted(Register reg) const
+{
+    const auto found = m_accepted.unused.find(reg);
+    return found != m_accepted.unused.end() ? std::optional(found->second) : std::nullopt;
+}
+
 }  // namespace boresight::sim

@@ -29,6 +29,8 @@ public:
     [[nodiscard]] const std::vector<moteus::RegisterValue>& actions() const { return m_actions; }
     // The value of a register that can be written and read but has no effect in the simulator.
     [[nodiscard]] std::optional<double> unused(moteus::Register reg) const;
+    // The same, by the frames that were accepted.
+    [[nodiscard]] std::optional<double> accepted(moteus::Register reg) const;
 
 private:
     struct Kept

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/sim/simulated_moteus.h"
 
+#include "core/moteus/pin_query.h"
 #include "core/sim/command_registers.h"
 #include "core/sim/drive_telemetry.h"
 
@@ -81,6 +82,20 @@ void SimulatedMoteus::setPin(int port, int pin, bool isHigh)
     unsigned& pins = m_pins.at(static_cast<std::size_t>(port - 1));
     const unsigned bit = 1U << static_cast<unsigned>(pin);
     pins = isHigh ? pins | bit : pins & ~bit;
+}
+
+void SimulatedMoteus::makeOutput(int port, int pin)
+{
+    m_config.pinMode(port, pin) = moteus::kDigitalOutput;
+    m_stored.pinMode(port, pin) = moteus::kDigitalOutput;
+}
+
+bool SimulatedMoteus::isDrivenHigh(int port, int pin)
+{
+    const auto reg = static_cast<Register>(static_cast<int>(Register::AuxGpioCommand) + port - 1);
+    const auto outputs = static_cast<unsigned>(m_writes.accepted(reg).value_or(0.0));
+    return m_powered && m_config.pinMode(port, pin) == moteus::kDigitalOutput &&
+           (outputs >> static_cast<unsigned>(pin) & 1U) != 0;
 }
 
 void SimulatedMoteus::sampleEncoder()

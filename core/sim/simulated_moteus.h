@@ -62,6 +62,10 @@ public:
     [[nodiscard]] bool isPowered() const { return m_powered; }
     // What is wired to an aux pin. At first every pin is high.
     void setPin(int port, int pin, bool isHigh);
+    // Changes the configuration as stored in the memory of the board.
+    void makeOutput(int port, int pin);
+    // What an aux pin drives. False: low, or the pin is no output.
+    [[nodiscard]] bool isDrivenHigh(int port, int pin);
 
     [[nodiscard]] AxisPlant& plant() { return m_plant; }
     [[nodiscard]] const AxisPlant& plant() const { return m_plant; }

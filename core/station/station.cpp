@@ -66,7 +66,7 @@ Station::Station(const profile::Profile& profile, const MountMaker& mount, const
       m_tuning(m_control, clock, m_log),
       m_hooks(m_profile, m_mount->simulated(), m_log, m_inputs.broker(), this),
       m_transmit(m_profile, m_mount->simulated(), clock, m_log, m_alarms, this),
-      m_brake(m_profile, m_control, m_mount->simulated(), clock, this),
+      m_brake(m_profile, m_control, *m_mount, clock, this),
       m_reportFile(reportPath(stateDir, toQString(profile.mount.name), m_mount->simulated()), this),
       m_night(
           m_control, m_profile, m_reportFile, m_kept, m_log,

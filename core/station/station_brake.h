@@ -1,31 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/text.h"
 #include "core/control/station_control.h"
+#include "core/mount/mount_connection.h"
+#include "core/outputs/missing_output.h"
 #include "core/outputs/named_output.h"
+#include "core/outputs/output_maker.h"
 #include "core/outputs/simulated_output.h"
 #include "core/profile/in_force.h"
 
 #include <utility>
 
 // The output of the brakes of the axes, between the control and the profile. With a simulated mount nothing real is
-// switched. Station thread.
+// switched. A pin of a board of the mount is switched by the mount, which may be simulated. Station thread.
 namespace boresight {
 
 class StationBrake
 {
 public:
     // All arguments but the parent outlive this.
-    StationBrake(const profile::InForce& profile, StationControl& control, bool isSimulated, const Clock& clock,
+    StationBrake(const profile::InForce& profile, StationControl& control, MountConnection& mount, const Clock& clock,
                  QObject* parent)
         : m_control(control),
           m_output(
-              profile, [](const profile::Profile& named) -> const std::string& { return named.brake.output; },
-              QStringLiteral("brake"), clock, parent)
+              profile, [](const profile::Profile& named) -> const std::string& { return named.brake.output; }, kUse,
+              clock, parent)
     {
-        if (isSimulated) {
-            m_output.setMaker(outputs::simulatedOutput);  // no drive holds the real antenna
-        }
+        m_output.setMaker([&profile, &mount, &clock](const contacts::OutputName& name) {
+            if (name.kind == contacts::OutputKind::Pin) {
+                return outputOf(mount, name.pin);
+            }
+            return mount.simulated() ? outputs::simulatedOutput(name)  // no drive holds the real antenna
+                                     : outputs::makeOutput(name, kUse, profile->mqtt, clock);
+        });
     }
 
     // Replaces how the output is made. Call before open().
@@ -50,6 +58,16 @@ public:
     }
 
 private:
+    static inline const QString kUse = QStringLiteral("brake");
+
+    [[nodiscard]] static std::unique_ptr<outputs::Output> outputOf(MountConnection& mount,
+                                                                   const contacts::BoardPin& pin)
+    {
+        auto output = mount.pinOutput(pin);
+        return output ? std::move(output)
+                      : std::make_unique<outputs::MissingOutput>(Text::tr("this mount has no such pins"));
+    }
+
     StationControl& m_control;
     outputs::NamedOutput m_output;
 };

@@ -8280,10 +8280,6 @@ até %1</translation>
         <translation>espera-se uma linha de no máximo 1000 bytes</translation>
     </message>
     <message>
-        <source>file:PATH, mqtt:TOPIC, command:PROGRAM, dtr:PORT or rts:PORT is expected</source>
-        <translation>espera-se file:CAMINHO, mqtt:TÓPICO, command:PROGRAMA, dtr:PORTA ou rts:PORTA</translation>
-    </message>
-    <message>
         <source>%1 is used by %2</source>
         <translation>%1 está a ser usado por %2</translation>
     </message>
@@ -10308,10 +10304,6 @@ até %1</translation>
         <translation>A saída do travão (brake.output) só pode ser mudada com o travão aplicado. Mantenha a montagem na posição e espere até que esteja parada e o travão aplicado.</translation>
     </message>
     <message>
-        <source>An output that is on while the brakes of the axes are released: file:PATH, mqtt:TOPIC, command:PROGRAM with its arguments, dtr:PORT or rts:PORT. Nothing moves before it is on. Empty: no brake.</source>
-        <translation>Uma saída que está ligada enquanto os travões dos eixos estão soltos: file:CAMINHO, mqtt:TÓPICO, command:PROGRAMA com os seus argumentos, dtr:PORTA ou rts:PORTA. Nada se move antes de ela estar ligada. Vazio: sem travão.</translation>
-    </message>
-    <message>
         <source>Time to open or to close</source>
         <translation>Tempo para abrir ou fechar</translation>
     </message>
@@ -11094,6 +11086,162 @@ até %1</translation>
     <message>
         <source>The speed of a jog of this axis.</source>
         <translation>A velocidade de um movimento manual deste eixo.</translation>
+    </message>
+    <message>
+        <source>Home run</source>
+        <translation>Procurar referência</translation>
+    </message>
+    <message>
+        <source>The rotator makes its home run</source>
+        <translation>O rotor procura a sua referência</translation>
+    </message>
+    <message>
+        <source>The box drives the axes to its own switches. The limits of Boresight do not hold meanwhile</source>
+        <translation>A caixa leva os eixos aos seus próprios interruptores. Entretanto os limites do Boresight não valem</translation>
+    </message>
+    <message>
+        <source>Watch the antenna and its cable. STOP ends the run.</source>
+        <translation>Observe a antena e o seu cabo. STOP termina a procura.</translation>
+    </message>
+    <message>
+        <source>The home run failed: %1</source>
+        <translation>A procura da referência falhou: %1</translation>
+    </message>
+    <message>
+        <source>Boresight ended it. The count of the axes is as it was</source>
+        <translation>O Boresight terminou-a. A contagem dos eixos ficou como estava</translation>
+    </message>
+    <message>
+        <source>Make the home run at the box, if the box has one. Then compare the angles with the antenna.</source>
+        <translation>Procure a referência na caixa, se a caixa o permitir. Depois compare os ângulos com a antena.</translation>
+    </message>
+    <message>
+        <source>The sensor of the rotator came back with other offsets. They are: %1. Saved are: %2</source>
+        <translation>O sensor do rotor voltou com outros desvios. São: %1. Guardados estão: %2</translation>
+    </message>
+    <message>
+        <source>Boresight uses the angles of the box unchanged, because it cannot write offsets to the box</source>
+        <translation>O Boresight usa os ângulos da caixa sem os alterar, porque não pode escrever desvios na caixa</translation>
+    </message>
+    <message>
+        <source>Point at a known direction. If the antenna misses it, find north again on the page North, or type CALIBRATE on the page Console and turn the antenna until all digits are 3. Then press Save offsets.</source>
+        <translation>Aponte para uma direção conhecida. Se a antena falhar, encontre o norte de novo na página Norte, ou digite CALIBRATE na página Consola e rode a antena até todos os dígitos serem 3. Depois prima Guardar desvios.</translation>
+    </message>
+    <message>
+        <source>The mount met the end switch at %1 at %2, but this switch is at %3</source>
+        <translation>A montagem encontrou o fim de curso (%1) a %2, mas este fim de curso está a %3</translation>
+    </message>
+    <message>
+        <source>Boresight stopped the mount. The axis has lost steps, so its shown angle is wrong</source>
+        <translation>O Boresight parou a montagem. O eixo perdeu passos, por isso o ângulo mostrado está errado</translation>
+    </message>
+    <message>
+        <source>Press Re-arm, and make a home run. A rotator without such a command needs its position set at its box. If this repeats, look for a blocked axis, and lower the speed.</source>
+        <translation>Prima Rearmar e procure a referência. Num rotor sem esse comando, acerte a posição na sua caixa. Se isto se repetir, procure um eixo bloqueado e reduza a velocidade.</translation>
+    </message>
+    <message>
+        <source>file:PATH, mqtt:TOPIC, command:PROGRAM, dtr:PORT, rts:PORT or moteus:ID:aux1.PIN is expected</source>
+        <translation>espera-se file:CAMINHO, mqtt:TÓPICO, command:PROGRAMA, dtr:PORTA, rts:PORTA ou moteus:ID:aux1.PINO</translation>
+    </message>
+    <message>
+        <source>The mount has brakes, and the rotator does not wait for them in a home run.</source>
+        <translation>A montagem tem travões, e o rotor não espera por eles ao procurar a referência.</translation>
+    </message>
+    <message>
+        <source>starts a home run of the rotator</source>
+        <translation>inicia a procura da referência do rotor</translation>
+    </message>
+    <message>
+        <source>%1 (output)</source>
+        <translation>%1 (saída)</translation>
+    </message>
+    <message>
+        <source>This pin releases the brakes (brake.output), so it must be an output. Set it with moteus tview: conf set %1 %2; conf write.</source>
+        <translation>Este pino solta os travões (brake.output), por isso tem de ser uma saída. Defina-o com o moteus tview: conf set %1 %2; conf write.</translation>
+    </message>
+    <message>
+        <source>The end switch at %1 was met at %2, but it is at %3</source>
+        <translation>O fim de curso (%1) foi encontrado a %2, mas está a %3</translation>
+    </message>
+    <message>
+        <source>the pin was switched off. Was board %1 without power?</source>
+        <translation>o pino foi desligado. A placa %1 esteve sem alimentação?</translation>
+    </message>
+    <message>
+        <source>the pin was switched on. Does another program use board %1?</source>
+        <translation>o pino foi ligado. Outro programa usa a placa %1?</translation>
+    </message>
+    <message>
+        <source>the line to board %1 is closed</source>
+        <translation>a linha para a placa %1 está fechada</translation>
+    </message>
+    <message>
+        <source>this rotator has no command for a home run</source>
+        <translation>este rotor não tem um comando para procurar a referência</translation>
+    </message>
+    <message>
+        <source>is also the input of an end switch</source>
+        <translation>é também a entrada de um fim de curso</translation>
+    </message>
+    <message>
+        <source>a pin of a moteus can only be a brake output (brake.output)</source>
+        <translation>um pino de um moteus só pode ser uma saída de travão (brake.output)</translation>
+    </message>
+    <message>
+        <source>An output that is on while the brakes of the axes are released: file:PATH, mqtt:TOPIC, command:PROGRAM with its arguments, dtr:PORT, rts:PORT or moteus:ID:aux1.PIN. Nothing moves before it is on. A pin stays on when Boresight dies, so wire the brakes to close without power. Empty: no brake.</source>
+        <translation>Uma saída que está ligada enquanto os travões dos eixos estão soltos: file:CAMINHO, mqtt:TÓPICO, command:PROGRAMA com os seus argumentos, dtr:PORTA, rts:PORTA ou moteus:ID:aux1.PINO. Nada se move antes de ela estar ligada. Um pino fica ligado quando o Boresight falha, por isso ligue os travões de modo a fecharem sem alimentação. Vazio: sem travão.</translation>
+    </message>
+    <message>
+        <source>The angle of the axis at which it meets this switch. An axis that meets it elsewhere has lost steps. Empty: not compared.</source>
+        <translation>O ângulo do eixo em que este encontra o fim de curso. Um eixo que o encontra noutro lugar perdeu passos. Vazio: não se compara.</translation>
+    </message>
+    <message>
+        <source>an angle of the axis in degrees is expected, like -3.5, or nothing</source>
+        <translation>espera-se um ângulo do eixo em graus, como -3.5, ou nada</translation>
+    </message>
+    <message>
+        <source>Azimuth, lower end at</source>
+        <translation>Azimute, fim inferior a</translation>
+    </message>
+    <message>
+        <source>Azimuth, upper end at</source>
+        <translation>Azimute, fim superior a</translation>
+    </message>
+    <message>
+        <source>Elevation, lower end at</source>
+        <translation>Elevação, fim inferior a</translation>
+    </message>
+    <message>
+        <source>Elevation, upper end at</source>
+        <translation>Elevação, fim superior a</translation>
+    </message>
+    <message>
+        <source>Lost steps beyond</source>
+        <translation>Passos perdidos acima de</translation>
+    </message>
+    <message>
+        <source>An axis that meets a switch farther than this from the angle of the switch has lost steps. A rotator that reports its position seldom needs a larger value.</source>
+        <translation>Um eixo que encontra um fim de curso a mais do que isto do ângulo deste perdeu passos. Um rotor que raramente indica a sua posição precisa de um valor maior.</translation>
+    </message>
+    <message>
+        <source>Saved sensor offsets</source>
+        <translation>Desvios guardados do sensor</translation>
+    </message>
+    <message>
+        <source>The offsets that the sensor of an ESP32 relay controller reported when they were saved (Mount &gt; Console, Save offsets). Boresight compares them at each connection. It cannot write them to the box. Empty: not compared.</source>
+        <translation>Os desvios que o sensor de um controlador de relés ESP32 indicou quando foram guardados (Montagem &gt; Consola, Guardar desvios). O Boresight compara-os em cada ligação. Não os pode escrever na caixa. Vazio: não se comparam.</translation>
+    </message>
+    <message>
+        <source>offsets are expected like &quot;%1&quot;</source>
+        <translation>esperam-se desvios como &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>The home run is under way.</source>
+        <translation>A procura da referência está em curso.</translation>
+    </message>
+    <message>
+        <source>no standstill within %1 min</source>
+        <translation>sem paragem em %1 min</translation>
     </message>
 </context>
 <context>
@@ -12075,6 +12223,30 @@ velocidade %1</translation>
     <message>
         <source>A command in the words of the control box. Lines that move the rotator are refused.</source>
         <translation>Um comando nas palavras da caixa de controlo. As linhas que movem o rotor são recusadas.</translation>
+    </message>
+    <message>
+        <source>Home run…</source>
+        <translation>Procurar referência…</translation>
+    </message>
+    <message>
+        <source>The rotator drives its axes to its own switches, and counts from there again.</source>
+        <translation>O rotor leva os eixos aos seus próprios interruptores e volta a contar a partir daí.</translation>
+    </message>
+    <message>
+        <source>Drive the rotator to its own switches?</source>
+        <translation>Levar o rotor aos seus próprios interruptores?</translation>
+    </message>
+    <message>
+        <source>The rotator turns both axes by itself until they meet its switches, and counts from there again. The limits, the keep-outs and the Sun are not respected meanwhile. Look at the antenna and its cable first. STOP ends the run.
+
+Boresight takes the rotator over again when it has stood still for some seconds. Then compare the angles with the antenna.</source>
+        <translation>O rotor roda ambos os eixos sozinho até encontrarem os seus interruptores, e volta a contar a partir daí. Entretanto os limites, as zonas proibidas e o Sol não são respeitados. Observe primeiro a antena e o seu cabo. STOP termina a procura.
+
+O Boresight retoma o rotor quando este tiver estado parado alguns segundos. Depois compare os ângulos com a antena.</translation>
+    </message>
+    <message>
+        <source>Make the home run</source>
+        <translation>Procurar a referência</translation>
     </message>
 </context>
 <context>
@@ -15690,8 +15862,8 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
         <translation>Consola</translation>
     </message>
     <message>
-        <source>Type a line to the control box</source>
-        <translation>Escrever uma linha à caixa de controlo</translation>
+        <source>Type a line to the control box, or make a home run</source>
+        <translation>Digitar uma linha para a caixa de controlo, ou procurar a referência</translation>
     </message>
 </context>
 <context>
@@ -17910,6 +18082,45 @@ A menos de 3 dB: %4 s
     <message>
         <source>not reported</source>
         <translation>não o diz</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::SensorOffsetsRow</name>
+    <message>
+        <source>Sensor offsets of the control box</source>
+        <translation>Desvios do sensor da caixa de controlo</translation>
+    </message>
+    <message>
+        <source>Save offsets</source>
+        <translation>Guardar desvios</translation>
+    </message>
+    <message>
+        <source>Save the offsets with the profile. Boresight compares them at each connection. Nothing is written to the box.</source>
+        <translation>Guardar os desvios com o perfil. O Boresight compara-os em cada ligação. Nada é escrito na caixa.</translation>
+    </message>
+    <message>
+        <source>Sensor offsets: not reported. The box reports them while all digits are 3.</source>
+        <translation>Desvios do sensor: não indicados. A caixa indica-os enquanto todos os dígitos são 3.</translation>
+    </message>
+    <message>
+        <source>Sensor offsets, saved: %1</source>
+        <translation>Desvios do sensor, guardados: %1</translation>
+    </message>
+    <message>
+        <source>Sensor offsets, not saved: %1</source>
+        <translation>Desvios do sensor, não guardados: %1</translation>
+    </message>
+    <message>
+        <source>Sensor offsets: %1. Saved: %2</source>
+        <translation>Desvios do sensor: %1. Guardados: %2</translation>
+    </message>
+    <message>
+        <source>The box has not reported its offsets.</source>
+        <translation>A caixa não indicou os seus desvios.</translation>
+    </message>
+    <message>
+        <source>These offsets are saved.</source>
+        <translation>Estes desvios estão guardados.</translation>
     </message>
 </context>
 <context>

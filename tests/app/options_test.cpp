@@ -113,6 +113,11 @@ TEST_F(OptionsTest, TheKindOfTheSimulatedMountIsChosen)
     ASSERT_TRUE(moteus) << textOf(moteus.error());
     EXPECT_EQ(moteus->simulation, (Simulation{.on = true, .driver = profile::AxisDriver::Moteus}));
     EXPECT_EQ(moteus->startingProfile().sensor.source, profile::SensorSource::Simulated);
+    const auto esp32 = read({QStringLiteral("--simulate=esp32")});
+    ASSERT_TRUE(esp32) << textOf(esp32.error());
+    EXPECT_EQ(
+        esp32->simulation,
+        (Simulation{.on = true, .driver = profile::AxisDriver::Gs232, .device = profile::SimulatedDevice::Esp32}));
     for (const char* const wrong : {"--simulate=nonsense", "--simulate=none", "--simulate="}) {
         const auto refused = read({QString::fromLatin1(wrong)});
         ASSERT_FALSE(refused) << wrong;

@@ -61,7 +61,10 @@ void feed(std::span<const std::uint8_t> input)
         accept();
     }
     if (const auto name = contacts::parseOutput(text)) {
-        require(name->kind == contacts::OutputKind::None || !name->place.isEmpty(), "an output has a place");
+        const bool hasPlace = name->kind != contacts::OutputKind::None && name->kind != contacts::OutputKind::Pin;
+        require(!hasPlace || !name->place.isEmpty(), "an output has a place");
+        require(name->kind != contacts::OutputKind::Pin || (name->pin.board >= 1 && name->pin.number <= 4),
+                "a pin that a board has");
         accept();
     }
     if (contacts::readContact(text)) {

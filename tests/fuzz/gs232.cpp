@@ -108,7 +108,8 @@ void checkSentToEsp32(Proof before, const Esp32Talk& talk, const std::string& se
         require(sent.empty() || sent == "VE\r", "before its version nothing but this question is sent");
     } else {
         const bool isStop = sent.starts_with("SA\rSE\r");
-        const bool isKnown = sent == "P\r" || sent == "DEBUG\r" || sent.starts_with("AZ ") || sent.starts_with("EL ");
+        const bool isQuestion = sent == "P\r" || sent == "DEBUG\r" || sent == "CALSTATS\r";
+        const bool isKnown = isQuestion || sent.starts_with("AZ ") || sent.starts_with("EL ");
         require(sent.empty() || isStop || isKnown, "only our commands are sent");
     }
     require(!hasControlCharacters(talk.strange()) && talk.strange().size() <= 24,
@@ -131,6 +132,9 @@ void talkedToEsp32(std::string_view bytes, std::size_t piece)
             require(talk.proof() == Proof::Box, "who answers is a box");
             require(place->azimuth->degrees() >= 0.0 && place->azimuth->degrees() <= 360.0, "inside the travel");
         }
+        if (const auto& offsets = talk.offsets()) {
+            require(esp32::parseOffsets(esp32::offsetsText(*offsets)) == offsets, "offsets are read as they are saved");
+        }
         if (const auto digits = talk.digits(now)) {
             require(digits->system <= 3 && digits->magnetometer <= 3, "digits are 0 to 3");
         }
@@ -148,18 +152,21 @@ void talkedToEsp32(std::string_view bytes, std::size_t piece)
 Grammar grammar()
 {
     Grammar grammar;
-    grammar.corpus = {"+0180+0090\r\n",
-                      "AZ=180  EL=090\r\n",
-                      "AZ=450EL=000\r\n",
-                      "+0100\r\n",
-                      "\r\n>AZ=359 EL=012\r\n",
-                      "?>\r\n",
-                      "C2\rAZ=100  EL=010\r\n",
-                      "W123 046\r\r+0123.4+0046.0\r\n",
-                      "-0010+0003\r\n\r\r+0011+0004\r\n",
-                      "RPRT -1\rVEAdamESP32v1.0\r123.4 45.6\r123.4 45.6\r123.4 45.6\r123.4 45.6\r123.4 45.6\r",
-                      "DEBUG ON\rDEBUG | RawX:33.4 | CalcAZ:123.4 | Calib[S:3 G:2 A:1 M:0]\r\n",
-                      "CALIB: SYS=0 GYR=3 ACC=1 MAG=2\r\nReady! Type HELP for list of commands.\r\n"};
+    grammar.corpus = {
+        "+0180+0090\r\n",
+        "AZ=180  EL=090\r\n",
+        "AZ=450EL=000\r\n",
+        "+0100\r\n",
+        "\r\n>AZ=359 EL=012\r\n",
+        "?>\r\n",
+        "C2\rAZ=100  EL=010\r\n",
+        "W123 046\r\r+0123.4+0046.0\r\n",
+        "-0010+0003\r\n\r\r+0011+0004\r\n",
+        "RPRT -1\rVEAdamESP32v1.0\r123.4 45.6\r123.4 45.6\r123.4 45.6\r123.4 45.6\r123.4 45.6\r",
+        "DEBUG ON\rDEBUG | RawX:33.4 | CalcAZ:123.4 | Calib[S:3 G:2 A:1 M:0]\r\n",
+        "CALIB: SYS=0 GYR=3 ACC=1 MAG=2\r\nReady! Type HELP for list of commands.\r\n",
+        "--- Calibration Offsets ---\r\nAccel Off: 1,-2,3\r\nMag   Off: 4,5,6\r\nGyro  Off: 7,8,9\r\nAccel "
+        "Rad: 1000\r\nMag   Rad: 700\r\nDEBUG | RawX:1.0 | CalcAZ:91.0 | Calib[S:3 G:3 A:3 M:3]\r\n"};
     grammar.tokens = {"AZ=",
                       "EL=",
                       "+0",
@@ -192,6 +199,8 @@ Grammar grammar()
                       "123.4 45.6",
                       "360.1 ",
                       "DEBUG | ",
+                      "Accel Off: ",
+                      "Mag   Rad: ",
                       "Calib[S:",
                       "CALIB: ",
                       "Ready! ",

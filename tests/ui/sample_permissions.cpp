@@ -44,7 +44,7 @@ Permissions inMotion(Permissions may)
 {
     for (const Action action : {Action::SetAzimuth, Action::SetElevation, Action::ReadDrives, Action::SwitchOff,
                                 Action::SwitchOffAzimuth, Action::SwitchOffElevation, Action::ReleaseBus,
-                                Action::ProveCrashStop, Action::Reconnect, Action::TypeLine}) {
+                                Action::ProveCrashStop, Action::Reconnect, Action::TypeLine, Action::MakeHomeRun}) {
         may.refuse(action, QStringLiteral("The mount moves. Stop it first."));
     }
     return may;

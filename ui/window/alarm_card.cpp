@@ -384,6 +384,7 @@ void AlarmCard::help(AlarmHelp help, CommandButton& button)
         case AlarmHelp::OpenNorth:
         case AlarmHelp::OpenProfile:
         case AlarmHelp::ConfirmWrap:
+        case AlarmHelp::OpenHomeRun:
             Q_EMIT panelWanted(help);
             return;
     }

@@ -51,7 +51,7 @@ PanelTabs::PanelTabs(const Clock& clock, RequestDesk& desk, HostDesk& host, Prof
       m_readings(new ReadingsTable(this)),
       m_protection(new ProtectionPanel(desk, this)),
       m_tuning(new TuningPanel(desk, this)),
-      m_console(new BoxConsolePanel(desk, this)),
+      m_console(new BoxConsolePanel(draft, desk, this)),
       m_profile(new ProfilePage(draft, desk, settings.configDir, this)),
       m_north(new CalibrationPanel(clock, desk, draft, this)),
       m_turn(new TurnPage(desk, this)),
@@ -159,7 +159,8 @@ void PanelTabs::fillMountTabs()
     addPanel(*m_mountTabs, *m_protection, tr("Protection"), tr("Safety settings of the drives (Ctrl+7)"), Qt::Key_7);
     m_mountTabs->setTabToolTip(m_mountTabs->addTab(m_tuning, tr("Tuning")),
                                tr("Measure the axes and tune the gains of the drives"));
-    m_mountTabs->setTabToolTip(m_mountTabs->addTab(m_console, tr("Console")), tr("Type a line to the control box"));
+    m_mountTabs->setTabToolTip(m_mountTabs->addTab(m_console, tr("Console")),
+                               tr("Type a line to the control box, or make a home run"));
     addPanel(*m_mountTabs, *m_profile, tr("Profile"), tr("All settings, and the stored mounts (Ctrl+8)"), Qt::Key_8);
     keepHeightOfShownPage(*m_mountTabs);
 }
@@ -227,6 +228,10 @@ void PanelTabs::open(AlarmHelp help)
             break;
         case AlarmHelp::OpenProfile:
             bringUp(*m_profile);
+            break;
+        case AlarmHelp::OpenHomeRun:
+            bringUp(m_mountTabs->isTabVisible(m_mountTabs->indexOf(m_console)) ? static_cast<QWidget&>(*m_console)
+                                                                               : *m_profile);
             break;
         case AlarmHelp::None:
         case AlarmHelp::Rearm:
@@ -315,7 +320,7 @@ void PanelTabs::showMountTabs(const StationStatus& status)
     for (QWidget* const panel : std::initializer_list<QWidget*>{m_drives, m_readings, m_protection, m_tuning}) {
         offer(panel, status.drives.has_value());
     }
-    offer(m_console, status.console.has_value());
+    offer(m_console, status.console.has_value() || status.capabilities.makesHomeRuns);
 }
 
 void PanelTabs::showQuestion(const StationStatus& status)

@@ -35,6 +35,18 @@ TEST(OutputName, IsAFileATopicAProgramOrALine)
                                         QStringLiteral(";"), QStringLiteral("rm")}}));
 }
 
+// REQ-BRAKE-46: A brake output may be a pin of a moteus. The board, the port and the pin must exist. The transmit
+// output may not be such a pin, and no end switch may have the same one.
+TEST(OutputName, IsAPinOfABoard)
+{
+    EXPECT_EQ(named("moteus:3:aux2.4"),
+              (OutputName{.kind = OutputKind::Pin, .pin = {.board = 3, .port = 2, .number = 4}}));
+    for (const char* const text :
+         {"moteus:", "moteus:0:aux1.0", "moteus:1:aux3.0", "moteus:1:aux1.5", "moteus:1:aux1"}) {
+        EXPECT_FALSE(parseOutput(text)) << text;
+    }
+}
+
 // REQ-TRANSMIT-01
 TEST(OutputName, RefusesAllElse)
 {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/gs232_mount/esp32_box.h"
 #include "core/gs232_mount/gs232_mount.h"
 #include "tests/core/mount/mount_bench.h"
-#include "tests/fakes/esp32_box.h"
 
 #include <string>
 
@@ -54,13 +54,13 @@ public:
         }
     }
     AxisPosition truth() override { return m_box.truth(); }
-    Angle resolution() override { return fakes::Esp32Box::kTolerance; }
+    Angle resolution() override { return Esp32Box::kTolerance; }
     void setPace(const std::array<double, 2>& pace) override { m_box.faults().pace = pace; }
     bool ordered() override { return m_box.moves() > 0; }
     // Unplugs the cable. The box then goes on to its last target.
     void setLine(bool connected) override { m_connected = connected; }
 
-    [[nodiscard]] fakes::Esp32Box& box() { return m_box; }
+    [[nodiscard]] Esp32Box& box() { return m_box; }
     [[nodiscard]] Gs232Mount& mount() { return m_mount; }
     [[nodiscard]] fakes::ManualClock& clock() { return m_clock; }
 
@@ -74,7 +74,7 @@ private:
     fakes::ManualClock m_clock;
     EventLog m_log{m_clock};
     AlarmBoard m_alarms{m_log, m_clock};
-    fakes::Esp32Box m_box{kBetweenDegrees};
+    Esp32Box m_box{kBetweenDegrees};
     Gs232Mount m_mount;
     bool m_connected = true;
     StationControl m_control{m_profile, m_clock, m_log, m_alarms, m_mount, motionSources};

@@ -12,7 +12,7 @@ using std::chrono::milliseconds;
 // The fake is the rotator of these tests, so its own habits are tested first.
 TEST(Esp32Box, SwitchedOffRelaysSwitchOnAgain)
 {
-    fakes::Esp32Box box({.azimuth = 100_deg, .elevation = 20_deg});
+    Esp32Box box({.azimuth = 100_deg, .elevation = 20_deg});
     SteadyTime now = SteadyTime{} + std::chrono::hours(1);
     const auto after = [&](milliseconds time, const char* bytes) {
         now += time;
@@ -27,7 +27,7 @@ TEST(Esp32Box, SwitchedOffRelaysSwitchOnAgain)
 
 TEST(Esp32Box, AnswersAsItsSourceDoes)
 {
-    fakes::Esp32Box box({.azimuth = 370_deg, .elevation = 45_deg});
+    Esp32Box box({.azimuth = 370_deg, .elevation = 45_deg});
     SteadyTime now = SteadyTime{} + std::chrono::hours(1);
     const auto answer = [&](const char* bytes) {
         box.take(bytes, now);
@@ -213,7 +213,7 @@ TEST(Gs232Mount, AnEsp32OnItsLineIsRecognised)
     Gs232Bench bench;
     bench.run(Seconds(1.0));
     ASSERT_EQ(bench.mount().kind(), QStringLiteral("GS-232B"));
-    fakes::Esp32Box other({.azimuth = 100_deg, .elevation = 20_deg});
+    Esp32Box other({.azimuth = 100_deg, .elevation = 20_deg});
     Gs232Mount& mount = bench.mount();
     mount.lineClosed();
     mount.lineOpened();

@@ -134,6 +134,47 @@ TEST_F(StationEndSwitchTest, EverySourceIsRefused)
     EXPECT_NEAR(azimuth().degrees(), 50.0, 0.2);
 }
 
+// REQ-ENDSWITCH-66: An axis that meets its switch farther from the angle of the switch than the profile permits has
+// lost steps: a fault, with an alarm that has both angles. The alarm stays after the re-arm, until the axis meets the
+// switch where it is, or until a home run. A switch that is pressed while nothing moves is not compared.
+TEST_F(StationEndSwitchTest, AnAxisThatMeetsItsSwitchElsewhereHasLostSteps)
+{
+    profile::Profile profile = switched();
+    profile.endSwitches.places[1] = "40";
+    profile.endSwitches.lostSteps = 3_deg;
+    const auto before = *rig.inForce;
+    rig.inForce.apply(profile);
+    rig.control.profileChanged(before, *rig.inForce);
+    run(Seconds(1.0));
+    input(Axis::Azimuth, true).isOn = false;
+    run(Seconds(1.0));
+    EXPECT_THAT(alarmTexts(), testing::Not(HasSubstr("lost-steps"))) << "pressed by hand";
+    read(true);
+    run(Seconds(1.0));
+
+    runInto();
+    run(Seconds(0.6));
+    EXPECT_EQ(rig.control.state(), StationState::Fault);
+    EXPECT_TRUE(isStill());
+    EXPECT_THAT(alarmTexts(), HasSubstr("switch.lost-steps: The mount met the end switch at the upper end of the "
+                                        "azimuth at "));
+    EXPECT_THAT(alarmTexts(), HasSubstr("but this switch is at 40.0°"));
+    EXPECT_THAT(alarmTexts(), testing::Not(HasSubstr("switch.hit")));
+    read(true);
+    ASSERT_TRUE(rig.ask(request::Rearm{}));
+    run(Seconds(1.0));
+    EXPECT_THAT(alarmTexts(), HasSubstr("switch.lost-steps")) << "the angle is still wrong";
+
+    ASSERT_TRUE(rig.point(39.0, 30.0, kOperator));
+    run(Seconds(3.0));
+    for (int i = 0; i < 1000 && azimuth() < 38_deg; ++i) {
+        run(Seconds(0.02));
+    }
+    input(Axis::Azimuth, true).isOn = false;
+    run(Seconds(1.0));
+    EXPECT_THAT(alarmTexts(), testing::Not(HasSubstr("switch.lost-steps"))) << "it is where it should be";
+}
+
 // REQ-ENDSWITCH-22: Nothing moves by itself when the switch is released, also for a client that keeps sending its
 // target.
 TEST_F(StationEndSwitchTest, NothingMovesWhenItIsReleased)

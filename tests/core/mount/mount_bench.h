@@ -101,6 +101,14 @@ public:
                                    [alarm](const Alarm& one) { return one.name == QLatin1String(alarm); });
     }
 
+    // The same, and its cause lasts.
+    [[nodiscard]] bool isActive(const char* alarm)
+    {
+        return std::ranges::any_of(control().status().alarms, [alarm](const Alarm& one) {
+            return one.active && one.name == QLatin1String(alarm);
+        });
+    }
+
     void run(Seconds time)
     {
         for (Seconds left = time; left > Seconds(0.0); left -= kOneTick) {

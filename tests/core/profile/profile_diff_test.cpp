@@ -93,6 +93,7 @@ TEST(ProfileDiff, ListsAndTheSiteAreOneLineEach)
 // Every setting is compared, and can be copied alone by its key.
 TEST(ProfileDiff, KnowsEveryKey)
 {
+    constexpr const char* kOffsets = "accelerometer 1 2 3, magnetometer 4 5 6, gyroscope 7 8 9, radii 1000 700";
     for (const Setting& setting : settings()) {
         const Profile from;
         Profile to;
@@ -109,6 +110,8 @@ TEST(ProfileDiff, KnowsEveryKey)
                     : setting.key == "azel.file"                   ? "/srv/azel.dat"
                     : setting.key == "transmit.output"             ? "file:/srv/transmit"
                     : setting.key == "brake.output"                ? "rts:/dev/ttyUSB0"
+                    : setting.key.ends_with("_at_deg")             ? "-3.5"
+                    : setting.key == "rotator.sensor_offsets"      ? kOffsets
                     : setting.key.starts_with("end_switches.")     ? "cts:/dev/ttyUSB0"
                     : setting.key == "wind.source"                 ? "udp:4541"
                     : setting.key == "sensor.deviation_unreliable" ? "40.0-80.0"

@@ -26,6 +26,8 @@ TEST(RotctlCommand, IsALineOfTheProtocol)
     EXPECT_EQ(askPosition(Form::Plain), "p\n");
     EXPECT_EQ(stopAll(Form::Extended), "+\\stop\n");
     EXPECT_EQ(stopAll(Form::Plain), "S\n");
+    EXPECT_EQ(resetAll(Form::Extended), "+\\reset 1\n");
+    EXPECT_EQ(resetAll(Form::Plain), "R 1\n");
     EXPECT_EQ(goTo(Form::Extended, at(123.4, 45.678)), "+\\set_pos 123.40 45.68\n");
     EXPECT_EQ(goTo(Form::Plain, at(-12.0, -0.001)), "P -12.00 0.00\n");
 }

@@ -89,7 +89,8 @@ TEST_F(DiagnosticConsoleTest, EnumerateListsEverything)
                             "motor_position.rotor_to_output_ratio 0.010000"}) {
         EXPECT_NE(all.find(std::string(key) + "\r\n"), std::string::npos) << key;
     }
-    EXPECT_EQ(say("conf list"), "id\r\ncan\r\nuuid\r\nservo\r\nservopos\r\nmotor\r\nmotor_position\r\nOK\r\n");
+    EXPECT_EQ(say("conf list"),
+              "id\r\ncan\r\nuuid\r\nservo\r\nservopos\r\nmotor\r\nmotor_position\r\naux1\r\naux2\r\nOK\r\n");
 }
 
 // Object, flags 0; field "id": flags 0, name, 0 aliases, int of 4 bytes, no default; end.

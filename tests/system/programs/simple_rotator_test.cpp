@@ -57,6 +57,29 @@ TEST(SimulatedRotctld, ArrivesWhereAClientSendsIt)
     EXPECT_EQ(daemon.terminate(), 0);
 }
 
+// REQ-GS232-100: `--simulate=gs232` and `--simulate=esp32` are the station on a simulated box of this kind. At the
+// first start the travel fits the box.
+TEST(SimulatedBoxes, ArriveWhereAClientSendsThem)
+{
+    for (const char* const kind : {"gs232", "esp32"}) {
+        BoresightdProcess daemon({QStringLiteral("--simulate=%1").arg(QLatin1String(kind))});
+        ASSERT_TRUE(daemon.listens()) << daemon.complaints();
+        const auto client = daemon.connect();
+        ASSERT_TRUE(fakes::waitUntil([&] { return position(*client).first > 0.0 || position(*client).first == 0.0; }))
+            << kind;
+        const double target = std::string_view(kind) == "esp32" ? 186.0 : 6.0;
+        ASSERT_TRUE(fakes::waitUntil([&] {
+            return client->ask("P " + std::to_string(target) + " 24\n") == "RPRT 0\n";
+        })) << kind
+            << daemon.complaints();
+        EXPECT_TRUE(fakes::waitUntil([&] {
+            const auto [azimuth, elevation] = position(*client);
+            return std::abs(azimuth - target) <= 2.1 && std::abs(elevation - 24.0) <= 2.1;
+        })) << kind;
+        EXPECT_EQ(daemon.terminate(), 0);
+    }
+}
+
 TEST(SimpleRotator, AnotherKindIsRefused)
 {
     BoresightdProcess daemon({QStringLiteral("--simulate=nonsense")});

@@ -3,6 +3,7 @@
 
 #include "tests/ui/drives/drives_fixture.h"
 #include "tests/ui/sample_permissions.h"
+#include "ui/kit/value_label.h"
 
 #include <QLineEdit>
 
@@ -49,6 +50,44 @@ TEST_F(DrivesTest, ALineIsTypedToTheControlBox)
     QTest::keyClicks(line, QStringLiteral("C2"));
     QTest::keyClick(line, Qt::Key_Return);
     EXPECT_EQ(asked<request::TypeLine>().size(), 2U);
+}
+
+// REQ-UI-1753: A rotator that makes home runs has a button for it, which asks first. A rotator without that command has
+// no such button.
+TEST_F(DrivesTest, AHomeRunIsAskedFor)
+{
+    StationStatus status = samples::idle();
+    status.capabilities.makesHomeRuns = true;
+    give(samples::update(status));
+    open<BoxConsolePanel>();
+    EXPECT_FALSE(named<QLineEdit>("Line for the control box")->isVisible()) << "this rotator has no console";
+    click("Home run…");
+    EXPECT_TRUE(questionText().contains(QLatin1String("limits")));
+    EXPECT_TRUE(asked<request::MakeHomeRun>().empty());
+    QTest::mouseClick(act("Make the home run"), Qt::LeftButton);
+    EXPECT_EQ(asked<request::MakeHomeRun>().size(), 1U);
+    status.console = QStringList();
+    status.capabilities.makesHomeRuns = false;
+    give(samples::acceptance(status, requests.back().id));
+    EXPECT_FALSE(named<CommandButton>("Home run…")->isVisible());
+    EXPECT_TRUE(named<QLineEdit>("Line for the control box")->isVisible());
+}
+
+// REQ-UI-1752: The panel of a control box shows the offsets that its sensor reports, and those of the profile if they
+// differ. One press saves them with the profile. A box that reports none has no such row.
+TEST_F(DrivesTest, TheSensorOffsetsOfABoxAreSaved)
+{
+    StationStatus status = withConsole({});
+    give(samples::update(status));
+    open<BoxConsolePanel>();
+    EXPECT_FALSE(named<CommandButton>("Save offsets")->isVisible());
+    status.line.sensorOffsets = "accelerometer 1 2 3, magnetometer 4 5 6, gyroscope 7 8 9, radii 1000 700";
+    give(samples::update(status));
+    EXPECT_TRUE(named<CommandButton>("Save offsets")->isVisible());
+    EXPECT_TRUE(named<ValueLabel>("Sensor offsets of the control box")->text().contains(QLatin1String("not saved")));
+    click("Save offsets");
+    ASSERT_EQ(asked<request::ApplyProfile>().size(), 1U);
+    EXPECT_EQ(asked<request::ApplyProfile>().front().profile.rotator.sensorOffsets, status.line.sensorOffsets);
 }
 
 }  // namespace

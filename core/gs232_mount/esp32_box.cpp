@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/fakes/esp32_box.h"
+#include "core/gs232_mount/esp32_box.h"
 
 #include "core/base/numbers.h"
 #include "core/base/upper.h"
@@ -10,7 +10,7 @@
 #include <numeric>
 #include <utility>
 
-namespace boresight::fakes {
+namespace boresight::gs232 {
 namespace {
 
 constexpr std::chrono::milliseconds kEsp32Latency{20};
@@ -248,10 +248,20 @@ bool Esp32Box::move(const std::string& command)
     return true;
 }
 
-std::string Esp32Box::statistics() const
+// The numbers are random until the sensor is calibrated.
+std::string Esp32Box::statistics()
 {
-    return "--- Calibration Offsets ---\r\nAccel Off: 1,2,3\r\nMag   Off: 4,5,6\r\nGyro  Off: 7,8,9\r\n"
-           "Accel Rad: 1000\r\nMag   Rad: 700\r\n---------------------------\r\n";
+    m_random = isCalibrated() ? 0 : (m_random * 31 + 4711) % 20000;
+    const esp32::Offsets& offsets = m_faults.offsets;
+    const auto three = [this](const std::array<int, 3>& values) {
+        return std::to_string(values[0] + m_random) + ',' + std::to_string(values[1] + m_random) + ',' +
+               std::to_string(values[2] - m_random) + "\r\n";
+    };
+    return "--- Calibration Offsets ---\r\nAccel Off: " + three(offsets.accelerometer) +
+           "Mag   Off: " + three(offsets.magnetometer) + "Gyro  Off: " + three(offsets.gyroscope) +
+           "Accel Rad: " + std::to_string(offsets.accelerometerRadius + m_random) +
+           "\r\nMag   Rad: " + std::to_string(offsets.magnetometerRadius + m_random) +
+           "\r\n---------------------------\r\n";
 }
 
 void Esp32Box::reply(const std::string& text)
@@ -292,4 +302,4 @@ void Esp32Box::restart(SteadyTime now, bool calibrated)
     }
 }
 
-}  // namespace boresight::fakes
+}  // namespace boresight::gs232

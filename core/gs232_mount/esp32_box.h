@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/gs232/esp32_offsets.h"
 #include "core/rotator_box/simulated_box.h"
 #include "core/units/sky.h"
 
@@ -12,7 +13,9 @@
 
 // The ESP32 relay controller at the wire, with its two motors: words, decimals, RPRT replies, and no stop. A relay is
 // on while its axis is more than 2° away from its target, which is compared each half second. Time is passed in.
-namespace boresight::fakes {
+//
+// More than 15 members: the state of one program with one loop.
+namespace boresight::gs232 {
 
 class Esp32Box final : public SimulatedBox
 {
@@ -25,7 +28,12 @@ public:
         bool silent = false;                    // acts, but sends no answers
         std::array<double, 2> pace{1.0, 1.0};   // share of its speed that each motor reaches
         std::array<int, 4> digits{3, 3, 3, 3};  // calibration of its sensor
-        bool twitches = false;                  // runs each relay for 0.3 s when it starts
+        esp32::Offsets offsets{.accelerometer = {1, 2, 3},
+                               .magnetometer = {4, 5, 6},
+                               .gyroscope = {7, 8, 9},
+                               .accelerometerRadius = 1000,
+                               .magnetometerRadius = 700};
+        bool twitches = false;  // runs each relay for 0.3 s when it starts
     };
 
     explicit Esp32Box(const AxisPosition& place = {}) : m_place{place.azimuth, place.elevation} {}
@@ -62,7 +70,7 @@ private:
     [[nodiscard]] bool obeyAxis(const std::string& line);
     [[nodiscard]] std::optional<std::string> answerTo(const std::string& command);
     [[nodiscard]] bool move(const std::string& command);
-    [[nodiscard]] std::string statistics() const;
+    [[nodiscard]] std::string statistics();
     [[nodiscard]] Angle heading() const { return m_place[0].wrapped360(); }
     [[nodiscard]] Angle readElevation();
     [[nodiscard]] bool isCalibrated() const;
@@ -86,6 +94,7 @@ private:
     std::optional<SteadyTime> m_moved;
     SteadyTime m_nextLoop{};
     int m_moves = 0;
+    int m_random = 0;
 };
 
-}  // namespace boresight::fakes
+}  // namespace boresight::gs232
