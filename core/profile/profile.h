@@ -12,6 +12,7 @@
 #include "core/profile/brake_settings.h"
 #include "core/profile/end_switch_settings.h"
 #include "core/profile/position_settings.h"
+#include "core/profile/rotator_settings.h"
 #include "core/profile/power_settings.h"
 #include "core/profile/sensor_settings.h"
 #include "core/profile/transmit_settings.h"
@@ -60,25 +61,6 @@ struct AxisSettings
     TimeoutMode timeoutMode = TimeoutMode::Hold;
 
     bool operator==(const AxisSettings&) const = default;
-};
-
-// On for motors that are only switched on and off, to start them seldom.
-enum class RareStarts
-{
-    Off,
-    On
-};
-
-// Of motors that are only switched on and off. Zero stands for what Boresight computes or measures itself.
-struct RotatorSettings
-{
-    RareStarts rareStarts = RareStarts::Off;
-    Angle deadBand{};
-    int mostStarts = 30;  // of each motor in a minute; 0: any number
-    Angle coast{};
-    std::string sensorOffsets;  // that the box reported when they were saved; empty: none
-
-    bool operator==(const RotatorSettings&) const = default;
 };
 
 // What the drives do after the program has ended.

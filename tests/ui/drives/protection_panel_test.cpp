@@ -253,7 +253,7 @@ TEST_F(DrivesTest, ARefusedQuestionStaysWithTheReason)
     EXPECT_TRUE(shown);
 }
 
-// REQ-ENDSWITCH-66: The page Protection shows each end switch of the profile: its end, its state, its input, and why it
+// REQ-ENDSWITCH-67: The page Protection shows each end switch of the profile: its end, its state, its input, and why it
 // cannot be read. A switch that is not free is marked. Without end switches the page shows nothing of them.
 TEST_F(DrivesTest, TheStateOfTheEndSwitchesIsShown)
 {

@@ -57,7 +57,7 @@ TEST(AxisReadout, WithoutAModelTheAxisIsTheTruth)
     EXPECT_FALSE(shown(readout, "Detail of azimuth").contains(QStringLiteral("axis")));
 }
 
-// REQ-UI-1752: On an X/Y mount the numbers are those of the beam. X and Y stand below, by name, and error and rate are
+// REQ-UI-1754: On an X/Y mount the numbers are those of the beam. X and Y stand below, by name, and error and rate are
 // theirs.
 TEST(AxisReadout, AnXYMountShowsXAndYBesideTheBeam)
 {
