@@ -8,7 +8,7 @@
 #include "core/mount/mount_driver.h"
 #include "core/mount/third_axis.h"
 #include "core/profile/in_force.h"
-#include "core/tracking/axis_profile.h"
+#include "core/tracking/axis_setpoints.h"
 
 #include <optional>
 
@@ -53,10 +53,10 @@ private:
     void end(const QString& why);
 
     Parts m_of;
-    AngularRate m_rate;                             // of the button; zero: no button is held
-    SteadyTime m_deadline{};                        // the next keep-alive must arrive before it, while a button is held
-    bool m_needsRelease = false;                    // a jog was refused or ended, and its button was not released since
-    std::optional<tracking::AxisProfile> m_motion;  // while the axis follows set-points
+    AngularRate m_rate;           // of the button; zero: no button is held
+    SteadyTime m_deadline{};      // the next keep-alive must arrive before it, while a button is held
+    bool m_needsRelease = false;  // a jog was refused or ended, and its button was not released since
+    std::optional<tracking::AxisSetpoints> m_motion;  // while the axis follows set-points
     SteadyTime m_now{};
 };
 

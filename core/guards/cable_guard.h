@@ -4,7 +4,7 @@
 #include "core/alarms/alarm_board.h"
 #include "core/base/clock.h"
 #include "core/messages/station_status.h"
-#include "core/tracking/axis_profile.h"
+#include "core/tracking/axis_setpoints.h"
 #include "core/tracking/cable_forecast.h"
 #include "core/units/sky.h"
 

@@ -3,7 +3,7 @@
 
 #include "core/moteus_mount/drive.h"
 #include "core/profile/in_force.h"
-#include "core/tracking/axis_profile.h"
+#include "core/tracking/axis_setpoints.h"
 #include "core/units/sky.h"
 
 #include <vector>

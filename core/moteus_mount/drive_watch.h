@@ -6,7 +6,7 @@
 #include "core/moteus_mount/silence_alarms.h"
 #include "core/supervision/axis_supervisor.h"
 #include "core/supervision/retry_policy.h"
-#include "core/tracking/axis_profile.h"
+#include "core/tracking/axis_setpoints.h"
 
 #include <map>
 #include <optional>

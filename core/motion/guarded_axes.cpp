@@ -13,7 +13,7 @@ namespace boresight {
 namespace {
 
 using pointing::AxisBox;
-using tracking::AxisProfile;
+using tracking::AxisSetpoints;
 
 // The region that an edge belongs to is looked up this far beyond the edge.
 constexpr Angle kBeyondEdge = Angle::fromDegrees(0.1);
@@ -25,12 +25,12 @@ constexpr Seconds kLeftBehind{8.0};  // its driver reports a blocked axis earlie
 // When no motion is wanted any more, the rotator must not follow its set-points over more than this.
 constexpr Angle kRunsAfter = Angle::fromDegrees(3.0);
 
-AxisProfile profileOf(const profile::AxisSettings& axis, const TravelRange& travel)
+AxisSetpoints profileOf(const profile::AxisSettings& axis, const TravelRange& travel)
 {
     return {axis.limits, travel, travel.clamped(Angle{})};
 }
 
-void obey(AxisProfile& axis, Seconds duration, const AxisWish& wish)
+void obey(AxisSetpoints& axis, Seconds duration, const AxisWish& wish)
 {
     if (wish.braking) {
         axis.brake(duration, *wish.braking);
@@ -56,7 +56,7 @@ TravelRange onSteps(const TravelRange& range, Angle step)
 }
 
 // The range that an axis passes from its position before a step until it stands still after the step.
-TravelRange passed(Angle before, const AxisProfile& axis)
+TravelRange passed(Angle before, const AxisSetpoints& axis)
 {
     const TravelRange rest = axis.untilRest();
     return {.min = std::min(before, rest.min), .max = std::max(before, rest.max)};
@@ -308,8 +308,8 @@ void GuardedAxes::stepInside(Seconds duration, const AxisWish& azimuth, const Ax
 {
     const AxisPosition before = place();
     AxisBox box = fromSeen(untilRest());
-    AxisProfile nextAzimuth = m_azimuth;
-    AxisProfile nextElevation = m_elevation;
+    AxisSetpoints nextAzimuth = m_azimuth;
+    AxisSetpoints nextElevation = m_elevation;
     const TravelRange azimuths = openPart(Axis::Azimuth, m_region.azimuthsAround(box));
     nextAzimuth.setTravel(azimuths);
     obey(nextAzimuth, duration, azimuth);
@@ -339,7 +339,7 @@ void GuardedAxes::stepOut(Seconds duration, const AxisWish& azimuth, const AxisW
     const AxisPosition out = pointing::nearestPermitted(m_region, place()).value_or(place());
     const AxisBox room = AxisBox::between(place(), out);
     const auto move = [&](Axis which, const TravelRange& free, Angle end, const AxisWish& wish) {
-        AxisProfile& axis = which == Axis::Azimuth ? m_azimuth : m_elevation;
+        AxisSetpoints& axis = which == Axis::Azimuth ? m_azimuth : m_elevation;
         const TravelRange rest = axis.untilRest();
         const bool inside = within(rest, free);
         const TravelRange way = end == free.max ? TravelRange{rest.max, end} : TravelRange{end, rest.min};
@@ -366,7 +366,7 @@ const tracking::Setpoint& GuardedAxes::setpoint(Axis axis) const
 
 Angle GuardedAxes::restOf(Axis axis) const
 {
-    const tracking::AxisProfile& profile = axis == Axis::Azimuth ? m_azimuth : m_elevation;
+    const tracking::AxisSetpoints& profile = axis == Axis::Azimuth ? m_azimuth : m_elevation;
     const TravelRange range = profile.untilRest();
     const tracking::Setpoint& here = profile.setpoint();
     const double way = here.rate != AngularRate{} ? here.rate.degrees() : here.acceleration.degrees();

@@ -5,7 +5,7 @@
 #include "core/motion/axis_ends.h"
 #include "core/pointing/permitted_region.h"
 #include "core/profile/profile.h"
-#include "core/tracking/axis_profile.h"
+#include "core/tracking/axis_setpoints.h"
 #include "core/units/sky.h"
 
 #include <QString>
@@ -51,7 +51,7 @@ public:
     void setSeen(const std::optional<AxisPosition>& place);
     void step(Seconds duration, const AxisWish& azimuth, const AxisWish& elevation);
 
-    // Valid from the next step on. New limits of motion are reached gradually (AxisProfile).
+    // Valid from the next step on. New limits of motion are reached gradually (AxisSetpoints).
     void setRegion(const pointing::Region& region, const pointing::PointingModel& pointing);
     void setLimits(Axis axis, const tracking::MotionLimits& limits);
     // While the wrap of an axis is unknown, the forbidden places are unknown, too, so only the travel counts.
@@ -126,8 +126,8 @@ private:
     Capabilities m_capabilities;
     pointing::AxisBox m_travel;
     pointing::PermittedRegion m_region;
-    tracking::AxisProfile m_azimuth;
-    tracking::AxisProfile m_elevation;
+    tracking::AxisSetpoints m_azimuth;
+    tracking::AxisSetpoints m_elevation;
     std::array<Sight, 2> m_sights;
     bool m_enforced = true;
     bool m_leaves = false;  // on its way out of a forbidden place

@@ -6,7 +6,7 @@
 #include "core/messages/capabilities.h"
 #include "core/mount/mount_report.h"
 #include "core/profile/profile.h"
-#include "core/tracking/axis_profile.h"
+#include "core/tracking/axis_setpoints.h"
 #include "core/tracking/leeway.h"
 #include "core/units/sky.h"
 

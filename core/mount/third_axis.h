@@ -4,7 +4,7 @@
 #include "core/base/result.h"
 #include "core/messages/third_axis_status.h"
 #include "core/profile/profile.h"
-#include "core/tracking/axis_profile.h"
+#include "core/tracking/axis_setpoints.h"
 #include "core/units/sky.h"
 
 #include <QString>

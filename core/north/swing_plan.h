@@ -4,7 +4,7 @@
 #include "core/calibration/axis_tilt.h"
 #include "core/messages/calibration_status.h"
 #include "core/pointing/permitted_region.h"
-#include "core/tracking/axis_profile.h"
+#include "core/tracking/axis_setpoints.h"
 
 #include <vector>
 

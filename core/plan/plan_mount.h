@@ -4,7 +4,7 @@
 #include "core/base/result.h"
 #include "core/pointing/permitted_region.h"
 #include "core/profile/profile.h"
-#include "core/tracking/axis_profile.h"
+#include "core/tracking/axis_setpoints.h"
 #include "core/tracking/time_optimal.h"
 
 // What a plan needs of a mount: where its axes may be, how fast they are, and how wide the beam is. Pure, any thread.

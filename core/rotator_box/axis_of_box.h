@@ -6,7 +6,7 @@
 #include "core/rotator_box/obedience_watch.h"
 #include "core/rotator_box/place_filter.h"
 #include "core/rotator_box/spared_alarm.h"
-#include "core/tracking/axis_profile.h"
+#include "core/tracking/axis_setpoints.h"
 #include "core/units/sky.h"
 
 #include <algorithm>

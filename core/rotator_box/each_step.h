@@ -3,7 +3,7 @@
 
 #include "core/messages/capabilities.h"
 #include "core/profile/profile.h"
-#include "core/tracking/axis_profile.h"
+#include "core/tracking/axis_setpoints.h"
 #include "core/units/quantity.h"
 
 #include <optional>

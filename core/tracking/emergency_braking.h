@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/tracking/axis_profile.h"
+#include "core/tracking/axis_setpoints.h"
 
 namespace boresight::tracking {
 

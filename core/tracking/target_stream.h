@@ -15,7 +15,7 @@
 // thread. Limits and measured errors: METHOD.md.
 namespace boresight::tracking {
 
-// Where the target is and how it moves: the arguments of AxisProfile::follow for both axes.
+// Where the target is and how it moves: the arguments of AxisSetpoints::follow for both axes.
 struct MovingTarget
 {
     AxisPosition position;

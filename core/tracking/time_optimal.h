@@ -5,7 +5,7 @@
 
 // The fastest motion of one axis under a speed and an acceleration limit: accelerate, cruise, brake. Closed formulas,
 // exact within a tick, so a target is reached without oscillation. Plain numbers in radians and seconds: the arithmetic
-// below AxisProfile, which uses types for quantities. Pure.
+// below AxisSetpoints, which uses types for quantities. Pure.
 namespace boresight::tracking {
 
 struct MotionState

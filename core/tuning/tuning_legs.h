@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/messages/tuning_status.h"
-#include "core/tracking/axis_profile.h"
+#include "core/tracking/axis_setpoints.h"
 
 #include <functional>
 #include <optional>

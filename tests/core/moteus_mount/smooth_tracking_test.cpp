@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/moteus_mount/drive.h"
 #include "core/sim/simulated_pair.h"
-#include "core/tracking/axis_profile.h"
+#include "core/tracking/axis_setpoints.h"
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@
 namespace boresight {
 namespace {
 
-using tracking::AxisProfile;
+using tracking::AxisSetpoints;
 
 constexpr double kStepOfRide = 0.5e-3;
 
@@ -33,23 +33,23 @@ sim::PairSettings ridePair(bool encoderNoise)
 class Ride
 {
 public:
-    using Wish = std::function<void(AxisProfile&, Seconds)>;
+    using Wish = std::function<void(AxisSetpoints&, Seconds)>;
 
     explicit Ride(bool encoderNoise = true) : m_pair(ridePair(encoderNoise))
     {
-        run(Seconds(0.2), [](AxisProfile&, Seconds) {});
+        run(Seconds(0.2), [](AxisSetpoints&, Seconds) {});
         drive.engage();
         run(Seconds(1.0), hold);
     }
 
-    static void hold(AxisProfile& axis, Seconds step) { axis.brake(step); }
+    static void hold(AxisSetpoints& axis, Seconds step) { axis.brake(step); }
     static Wish rate(double degrees)
     {
-        return [degrees](AxisProfile& axis, Seconds step) { axis.run(step, AngularRate::fromDegrees(degrees)); };
+        return [degrees](AxisSetpoints& axis, Seconds step) { axis.run(step, AngularRate::fromDegrees(degrees)); };
     }
     static Wish goTo(double degrees)
     {
-        return [degrees](AxisProfile& axis, Seconds step) { axis.follow(step, Angle::fromDegrees(degrees)); };
+        return [degrees](AxisSetpoints& axis, Seconds step) { axis.follow(step, Angle::fromDegrees(degrees)); };
     }
 
     void run(Seconds time, const Wish& wish)
@@ -218,11 +218,11 @@ private:
     }
 
     sim::SimulatedPair m_pair;
-    AxisProfile m_axis{{.speed = AngularRate::fromDegrees(10.0),
-                        .acceleration = AngularAcceleration::fromDegrees(10.0),
-                        .jerk = AngularJerk::fromDegrees(100.0)},
-                       {.min = -90_deg, .max = 450_deg},
-                       10_deg};
+    AxisSetpoints m_axis{{.speed = AngularRate::fromDegrees(10.0),
+                          .acceleration = AngularAcceleration::fromDegrees(10.0),
+                          .jerk = AngularJerk::fromDegrees(100.0)},
+                         {.min = -90_deg, .max = 450_deg},
+                         10_deg};
     OnTheWay m_frames;
     OnTheWay m_replies;
     std::mt19937 m_random{7};

@@ -338,7 +338,7 @@ struct Sample
     double place;
 };
 
-// A speed profile with jerky starts and stops. The bus and the ticks that read it are late at random.
+// A motion with jerky starts and stops. The bus and the ticks that read it are late at random.
 class HealthyAxis : public PlaceBeliefTest, public ::testing::WithParamInterface<double>
 {
 protected:

@@ -6,7 +6,7 @@
 #include "core/sim/simulated_pair.h"
 #include "core/supervision/axis_supervisor.h"
 #include "core/supervision/place_belief.h"
-#include "core/tracking/axis_profile.h"
+#include "core/tracking/axis_setpoints.h"
 
 #include <array>
 #include <functional>
@@ -64,7 +64,7 @@ private:
     {
         Axis axis;
         const profile::AxisSettings& settings;
-        tracking::AxisProfile setpoints;
+        tracking::AxisSetpoints setpoints;
         AxisSupervisor supervisor;
         PlaceBelief belief;
         SteadyTime asked{};

@@ -2,7 +2,7 @@
 // Gpredict sends a point only while the position of its last reading is off by more than its threshold. So the reported
 // position decides what Gpredict sends. These tests close this loop, which recorded streams cannot do.
 #include "core/base/numbers.h"
-#include "core/tracking/axis_profile.h"
+#include "core/tracking/axis_setpoints.h"
 #include "core/tracking/target_stream.h"
 #include "tests/core/tracking/sky_track.h"
 
@@ -151,8 +151,8 @@ private:
     Satellite m_satellite;
     GpredictModel m_gpredict;
     Following m_following;
-    AxisProfile m_azimuth;
-    AxisProfile m_elevation;
+    AxisSetpoints m_azimuth;
+    AxisSetpoints m_elevation;
     TargetStream m_stream;
     int m_tick = 0;
 };

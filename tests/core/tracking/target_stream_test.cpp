@@ -2,7 +2,7 @@
 #include "core/tracking/target_stream.h"
 
 #include "core/base/numbers.h"
-#include "core/tracking/axis_profile.h"
+#include "core/tracking/axis_setpoints.h"
 #include "tests/core/tracking/sky_track.h"
 
 #include <gtest/gtest.h>
@@ -31,8 +31,8 @@ struct StreamScore
 StreamScore drive(const std::vector<Timed>& stream, const std::vector<Timed>& truth)
 {
     const MotionLimits limits{15_deg_s, 10_deg_s2, AngularJerk::fromDegrees(100)};
-    AxisProfile azimuth(limits, {-90_deg, 450_deg}, stream.front().position.azimuth);
-    AxisProfile elevation(limits, {0_deg, 90_deg}, 0_deg);
+    AxisSetpoints azimuth(limits, {-90_deg, 450_deg}, stream.front().position.azimuth);
+    AxisSetpoints elevation(limits, {0_deg, 90_deg}, 0_deg);
     TargetStream points;
     StreamScore score;
     auto next = stream.begin();

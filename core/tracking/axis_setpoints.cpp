@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/tracking/axis_profile.h"
+#include "core/tracking/axis_setpoints.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,19 +18,19 @@ double filterLengthFor(const MotionLimits& limits)
 
 }  // namespace
 
-AxisProfile::AxisProfile(const MotionLimits& limits, const TravelRange& travel, Angle position)
+AxisSetpoints::AxisSetpoints(const MotionLimits& limits, const TravelRange& travel, Angle position)
     : m_limits(limits), m_travel(travel)
 {
     reset(position);
 }
 
-void AxisProfile::reset(Angle position)
+void AxisSetpoints::reset(Angle position)
 {
     m_motion.reset(position.radians(), filterLengthFor(m_limits));
     m_setpoint = {.position = position, .rate = {}, .acceleration = {}};
 }
 
-void AxisProfile::setLimits(const MotionLimits& limits)
+void AxisSetpoints::setLimits(const MotionLimits& limits)
 {
     m_limits = limits;
     if (atRest()) {
@@ -38,24 +38,24 @@ void AxisProfile::setLimits(const MotionLimits& limits)
     }
 }
 
-void AxisProfile::setTravel(const TravelRange& travel)
+void AxisSetpoints::setTravel(const TravelRange& travel)
 {
     m_travel = travel;
 }
 
 // Averaging turns a jump from full braking to full acceleration into a jerk of 2 × acceleration / length.
-double AxisProfile::acceleration() const
+double AxisSetpoints::acceleration() const
 {
     return std::min(m_limits.acceleration.radians(), 0.5 * m_limits.jerk.radians() * m_motion.length());
 }
 
-Setpoint AxisProfile::follow(Seconds dt, Angle target, AngularRate targetRate)
+Setpoint AxisSetpoints::follow(Seconds dt, Angle target, AngularRate targetRate)
 {
     const double duration = dt.count();
     if (duration <= 0.0) {
         return m_setpoint;
     }
-    // The average of a uniform motion lags by half the filter length. So the profile aims that far ahead.
+    // The average of a uniform motion lags by half the filter length. So the axis aims that far ahead.
     const double speed = m_limits.speed.radians();
     double rate = std::clamp(targetRate.radians(), -speed, speed);
     const Angle lead = target + Angle::fromRadians(0.5 * m_motion.length() * rate);
@@ -66,7 +66,7 @@ Setpoint AxisProfile::follow(Seconds dt, Angle target, AngularRate targetRate)
     return approachTo({.position = end - rate * duration, .rate = rate}, speed, duration);
 }
 
-Setpoint AxisProfile::arrive(Seconds dt, Angle target, Seconds time)
+Setpoint AxisSetpoints::arrive(Seconds dt, Angle target, Seconds time)
 {
     const double duration = dt.count();
     if (duration <= 0.0) {
@@ -78,14 +78,14 @@ Setpoint AxisProfile::arrive(Seconds dt, Angle target, Seconds time)
     return approachTo({.position = end, .rate = 0.0}, speedForRestTime(m_motion.latest(), end, bounds, left), duration);
 }
 
-Setpoint AxisProfile::approachTo(const MotionState& goal, double speed, double duration)
+Setpoint AxisSetpoints::approachTo(const MotionState& goal, double speed, double duration)
 {
     const auto path = approach(m_motion.latest(), goal, {.speed = speed, .acceleration = acceleration()}, duration);
     const auto obstacle = endInTheWay(path);
     return advance(obstacle ? stopAt(*obstacle, speed, duration) : path);
 }
 
-Setpoint AxisProfile::run(Seconds dt, AngularRate rate)
+Setpoint AxisSetpoints::run(Seconds dt, AngularRate rate)
 {
     const double duration = dt.count();
     if (duration <= 0.0) {
@@ -101,7 +101,7 @@ Setpoint AxisProfile::run(Seconds dt, AngularRate rate)
 }
 
 // The axis may stop earlier than with the limits, never later.
-Setpoint AxisProfile::brake(Seconds dt, AngularAcceleration deceleration)
+Setpoint AxisSetpoints::brake(Seconds dt, AngularAcceleration deceleration)
 {
     const double duration = dt.count();
     if (duration <= 0.0) {
@@ -113,7 +113,7 @@ Setpoint AxisProfile::brake(Seconds dt, AngularAcceleration deceleration)
 // The end of the travel before which the axis could not stop after this path. Testing the end of each segment is
 // enough, because within a segment the stopping place moves outwards only while the axis does. Motion back inside is
 // always safe.
-std::optional<double> AxisProfile::endInTheWay(const std::vector<Segment>& path) const
+std::optional<double> AxisSetpoints::endInTheWay(const std::vector<Segment>& path) const
 {
     for (const Segment& segment : path) {
         const MotionState state = segment.end();
@@ -130,7 +130,7 @@ std::optional<double> AxisProfile::endInTheWay(const std::vector<Segment>& path)
 
 // Moves towards the end and stops there. If limits or travel were reduced during the motion, the braking may have to
 // exceed the limit. An axis beyond the end only stops.
-std::vector<Segment> AxisProfile::stopAt(double end, double speed, double duration) const
+std::vector<Segment> AxisSetpoints::stopAt(double end, double speed, double duration) const
 {
     const MotionState now = m_motion.latest();
     const double outside = end == m_travel.max.radians() ? now.position - end : end - now.position;
@@ -144,7 +144,7 @@ std::vector<Segment> AxisProfile::stopAt(double end, double speed, double durati
     return approach(now, {.position = end, .rate = 0.0}, {.speed = speed, .acceleration = braking}, duration);
 }
 
-Setpoint AxisProfile::advance(const std::vector<Segment>& path)
+Setpoint AxisSetpoints::advance(const std::vector<Segment>& path)
 {
     m_motion.append(path);
     const MovingAverage::Sample sample = m_motion.sample();
@@ -154,25 +154,25 @@ Setpoint AxisProfile::advance(const std::vector<Segment>& path)
     return m_setpoint;
 }
 
-TravelRange AxisProfile::untilRest() const
+TravelRange AxisSetpoints::untilRest() const
 {
     const auto [lowest, highest] = m_motion.untilRestAt(stopPosition(m_motion.latest(), acceleration()));
     return {.min = Angle::fromRadians(lowest), .max = Angle::fromRadians(highest)};
 }
 
-bool AxisProfile::atRest() const
+bool AxisSetpoints::atRest() const
 {
     return m_motion.atRest();
 }
 
-Seconds AxisProfile::restTime(Angle target) const
+Seconds AxisSetpoints::restTime(Angle target) const
 {
     const MotionBounds bounds{.speed = m_limits.speed.radians(), .acceleration = acceleration()};
     return Seconds(tracking::restTime(m_motion.latest(), m_travel.clamped(target).radians(), bounds) +
                    m_motion.length());
 }
 
-Seconds AxisProfile::filterLength() const
+Seconds AxisSetpoints::filterLength() const
 {
     return Seconds(m_motion.length());
 }

@@ -8,7 +8,7 @@
 #include <vector>
 
 // The set-point of one axis. Each control tick moves it towards its goal within speed, acceleration, jerk and travel. A
-// time-optimal second-order profile (bang-bang, exact within the tick) is averaged over the last 2 × acceleration /
+// time-optimal motion (bang-bang, exact within the tick) is averaged over the last 2 × acceleration /
 // jerk seconds. The average of a motion stays inside the motion, and its jerk is limited. METHOD.md gives the reasons.
 // Pure values, one thread.
 namespace boresight::tracking {
@@ -32,12 +32,12 @@ struct Setpoint
     bool operator==(const Setpoint&) const = default;
 };
 
-class AxisProfile
+class AxisSetpoints
 {
 public:
     // Standing still at `position`. It may be outside the travel: then the axis stays there, and every motion leads
     // back inside.
-    AxisProfile(const MotionLimits& limits, const TravelRange& travel, Angle position);
+    AxisSetpoints(const MotionLimits& limits, const TravelRange& travel, Angle position);
 
     // Standing still at a measured position, with no memory of earlier motion. Call it when the drive takes the first
     // command, and after the drive was not under our control. During control it would be a step.
@@ -72,7 +72,7 @@ public:
     [[nodiscard]] bool atRest() const;
     // The shortest time until the axis stands still at a fixed target.
     [[nodiscard]] Seconds restTime(Angle target) const;
-    // The duration of the averaging. The axis arrives later than the time-optimal profile by this time.
+    // The duration of the averaging. The axis arrives later than the time-optimal motion by this time.
     [[nodiscard]] Seconds filterLength() const;
 
 private:
