@@ -308,6 +308,7 @@ void StationControl::tick()
     watchSun();
     // After all parts that begin, hold or end the motion. The set-points of this tick carry out the result.
     moveOn(step);
+    // After STOP and the faults of this tick are known, because they end its jog.
     m_thirdAxis.step(step, now);
     // After the set-points. Only now it is known what holds them, how much cable is left, and whether the target is
     // reached.
