@@ -147,7 +147,7 @@ protected:
         const std::size_t before = mount.truths().size();
         const std::size_t logBefore = mount.log().size();
         ASSERT_TRUE(run(command));
-        ASSERT_TRUE(mount.waitForWords("bus [bus.down]: Cleared.", logBefore).has_value()) << mount.log();
+        ASSERT_TRUE(mount.waitForWords("bus [bus.down]: Cleared: ", logBefore).has_value()) << mount.log();
         ASSERT_TRUE(mount.waitForTruths(30));
         EXPECT_NE(mount.ask("P 50 20"), "RPRT 0\n") << mount.log();
         ASSERT_TRUE(mount.waitForTruths(10));
