@@ -139,17 +139,13 @@ inline constexpr std::array kRotatorAlarms{
         .id = "rotator.offsets",
         .source = "rotator",
         .severity = Severity::Warning,
-        .what = QT_TRANSLATE_NOOP(
-            "Text", "The sensor of the rotator came back with other offsets. They are: %1. Saved are: %2"),
-        .action = QT_TRANSLATE_NOOP(
-            "Text", "Boresight uses the angles of the box unchanged, because it cannot write offsets to the box"),
+        .what = QT_TRANSLATE_NOOP("Text", "The sensor of the rotator has other offsets than those saved"),
+        .action = QT_TRANSLATE_NOOP("Text", "Boresight cannot write them to the box, and uses its angles unchanged"),
         .remedy = QT_TRANSLATE_NOOP(
             "Text",
-            "Point at a known direction. If the antenna misses it, find north again on the page North, or type "
-            "CALIBRATE on the page Console and turn the antenna until all digits are 3. Then press Save offsets."),
-        .help = AlarmHelp::OpenNorth,
-        .examples = {"accelerometer 1 2 3, magnetometer 40 5 6, gyroscope 7 8 9, radii 1000 700",
-                     "accelerometer 1 2 3, magnetometer 4 5 6, gyroscope 7 8 9, radii 1000 700"}},
+            "Point at a known direction. If the antenna misses it, find north again. Then press Save offsets on the "
+            "page Console, which shows both."),
+        .help = AlarmHelp::OpenNorth},
 };
 
 }  // namespace boresight

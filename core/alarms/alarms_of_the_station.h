@@ -227,8 +227,8 @@ inline constexpr std::array kStationAlarms{
             "Text", "Boresight stopped the mount. The axis has lost steps, so its shown angle is wrong"),
         .remedy = QT_TRANSLATE_NOOP(
             "Text",
-            "Press Re-arm, and make a home run. A rotator without such a command needs its position set at its box. If "
-            "this repeats, look for a blocked axis, and lower the speed."),
+            "Press Re-arm. Then make a home run, or set the position at the box. If this repeats, look for a blocked "
+            "axis."),
         .help = AlarmHelp::OpenHomeRun,
         .examples = {"the lower end of the azimuth", "14.0°", "-2.0°"},
         .identifying = 1},

@@ -13,7 +13,7 @@ void OffsetWatch::compare(const std::optional<esp32::Offsets>& reported)
     if (!saved) {  // nothing is saved: the profile accepts no other text
         m_alarms.clear(alarmEntry("rotator.offsets"));
     } else if (reported && !esp32::areAlike(*saved, *reported)) {
-        m_alarms.raise(alarmEntry("rotator.offsets"), {toQString(esp32::offsetsText(*reported)), toQString(text)});
+        m_alarms.raise(alarmEntry("rotator.offsets"));
     } else if (reported) {
         m_alarms.clear(alarmEntry("rotator.offsets"));
     }

@@ -11116,28 +11116,12 @@ até %1</translation>
         <translation>Procure a referência na caixa, se a caixa o permitir. Depois compare os ângulos com a antena.</translation>
     </message>
     <message>
-        <source>The sensor of the rotator came back with other offsets. They are: %1. Saved are: %2</source>
-        <translation>O sensor do rotor voltou com outros desvios. São: %1. Guardados estão: %2</translation>
-    </message>
-    <message>
-        <source>Boresight uses the angles of the box unchanged, because it cannot write offsets to the box</source>
-        <translation>O Boresight usa os ângulos da caixa sem os alterar, porque não pode escrever desvios na caixa</translation>
-    </message>
-    <message>
-        <source>Point at a known direction. If the antenna misses it, find north again on the page North, or type CALIBRATE on the page Console and turn the antenna until all digits are 3. Then press Save offsets.</source>
-        <translation>Aponte para uma direção conhecida. Se a antena falhar, encontre o norte de novo na página Norte, ou digite CALIBRATE na página Consola e rode a antena até todos os dígitos serem 3. Depois prima Guardar desvios.</translation>
-    </message>
-    <message>
         <source>The mount met the end switch at %1 at %2, but this switch is at %3</source>
         <translation>A montagem encontrou o fim de curso (%1) a %2, mas este fim de curso está a %3</translation>
     </message>
     <message>
         <source>Boresight stopped the mount. The axis has lost steps, so its shown angle is wrong</source>
         <translation>O Boresight parou a montagem. O eixo perdeu passos, por isso o ângulo mostrado está errado</translation>
-    </message>
-    <message>
-        <source>Press Re-arm, and make a home run. A rotator without such a command needs its position set at its box. If this repeats, look for a blocked axis, and lower the speed.</source>
-        <translation>Prima Rearmar e procure a referência. Num rotor sem esse comando, acerte a posição na sua caixa. Se isto se repetir, procure um eixo bloqueado e reduza a velocidade.</translation>
     </message>
     <message>
         <source>file:PATH, mqtt:TOPIC, command:PROGRAM, dtr:PORT, rts:PORT or moteus:ID:aux1.PIN is expected</source>
@@ -11242,6 +11226,22 @@ até %1</translation>
     <message>
         <source>no standstill within %1 min</source>
         <translation>sem paragem em %1 min</translation>
+    </message>
+    <message>
+        <source>The sensor of the rotator has other offsets than those saved</source>
+        <translation>O sensor do rotor tem desvios diferentes dos guardados</translation>
+    </message>
+    <message>
+        <source>Boresight cannot write them to the box, and uses its angles unchanged</source>
+        <translation>O Boresight não os pode escrever na caixa, e usa os ângulos dela sem os alterar</translation>
+    </message>
+    <message>
+        <source>Point at a known direction. If the antenna misses it, find north again. Then press Save offsets on the page Console, which shows both.</source>
+        <translation>Aponte para uma direção conhecida. Se a antena falhar, encontre o norte de novo. Depois prima Guardar desvios na página Consola, que mostra ambos.</translation>
+    </message>
+    <message>
+        <source>Press Re-arm. Then make a home run, or set the position at the box. If this repeats, look for a blocked axis.</source>
+        <translation>Prima Rearmar. Depois procure a referência, ou acerte a posição na caixa. Se isto se repetir, procure um eixo bloqueado.</translation>
     </message>
 </context>
 <context>

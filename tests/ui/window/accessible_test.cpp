@@ -202,6 +202,7 @@ TEST_P(FocusIsSeen, OnEveryControl)
             if (!widget->isVisible()) {
                 continue;
             }
+            top.setFocus();
             widget->setFocus(Qt::TabFocusReason);
             const QImage with = picture(top, *widget);
             widget->clearFocus();
