@@ -126,6 +126,10 @@ QLayout* inRow(std::initializer_list<QWidget*> parts, int stretchOfLast, int spa
 int pointsOf(Numerals numerals)
 {
     switch (numerals) {
+        case Numerals::Bare:
+            return 17;
+        case Numerals::Beside:
+            return 22;
         case Numerals::Small:
             return 28;
         case Numerals::Usual:
@@ -178,89 +182,79 @@ AxisCard::AxisCard(Axis axis, QWidget* parent)
     m_state->setSymbolRoom(true);
     m_detail->setStretching(true);
     m_detail->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    arrange(Numerals::Small, CardForm::Wide);
+    setNumerals(Numerals::Small);
 }
 
-// The name with the state below it, the number, and beside it a line for each further value.
-void AxisCard::build()
+// The name with the state below it, the number, and beside it a line for each further value. In the narrow cards the
+// lines of target and error are one line, below the number.
+void AxisCard::build(Numerals numerals)
 {
     delete layout();
     auto* const grid = new QGridLayout(this);
-    const bool isWide = m_form == CardForm::Wide;
-    const int sides = isWide ? kCardSides : kNarrowSides;
+    const int sides = areBeside(numerals) ? kNarrowSides : kCardSides;
     grid->setContentsMargins(sides, kCardEnds, sides, kCardEnds);
-    grid->setHorizontalSpacing(isWide ? kGrid : kGrid / 2);
+    grid->setHorizontalSpacing(areBeside(numerals) ? kGrid / 2 : kGrid);
     grid->setVerticalSpacing(0);
-    if (!isWide) {
-        buildNarrow(*grid);
-        return;
+    if (areBeside(numerals)) {
+        buildBeside(*grid, numerals);
+    } else {
+        grid->addLayout(stacked({m_name, m_state}), 0, 0, 3, 1);
+        grid->addWidget(m_actual, 0, 1, 3, 1, Qt::AlignRight | Qt::AlignVCenter);
+        grid->addWidget(m_targetCaption, 0, 2);
+        grid->addWidget(m_target, 0, 3);
+        grid->addWidget(m_errorCaption, 1, 2);
+        grid->addWidget(m_error, 1, 3);
+        grid->addWidget(m_rateCaption, 2, 2);
+        grid->addWidget(m_rate, 2, 3);
+        grid->addLayout(inRow({m_bar, m_detail}, 1, kGrid), 3, 0, 1, 4);
     }
-    grid->addLayout(stacked({m_name, m_state}), 0, 0, 3, 1);
-    grid->addWidget(m_actual, 0, 1, 3, 1, Qt::AlignRight | Qt::AlignVCenter);
-    grid->addWidget(m_targetCaption, 0, 2);
-    grid->addWidget(m_target, 0, 3);
-    grid->addWidget(m_errorCaption, 1, 2);
-    grid->addWidget(m_error, 1, 3);
-    grid->addWidget(m_rateCaption, 2, 2);
-    grid->addWidget(m_rate, 2, 3);
-    grid->addLayout(inRow({m_bar, m_detail}, 1, kGrid), 3, 0, 1, 4);
     grid->setColumnStretch(1, 1);
 }
 
-// The number keeps its size, so the name and the state are above it, and target and error in one line below it. The
-// bare card shows the age of late data in the place of the error.
-void AxisCard::buildNarrow(QGridLayout& grid)
+// The bare card shows the age of late data in the place of the error.
+void AxisCard::buildBeside(QGridLayout& grid, Numerals numerals)
 {
+    const bool bare = numerals == Numerals::Bare;
     auto* const line = new QHBoxLayout;
     for (QWidget* const part :
          {m_targetCaption, static_cast<QWidget*>(m_target), m_errorCaption, static_cast<QWidget*>(m_error)}) {
         line->addWidget(part);
     }
     line->insertStretch(2, 1);
-    auto* const head = new QHBoxLayout;
-    head->addWidget(m_name);
-    head->addStretch(1);
-    head->addWidget(m_state);
-    grid.addLayout(head, 0, 0);
-    grid.addWidget(m_actual, 1, 0, Qt::AlignRight | Qt::AlignVCenter);
-    grid.addLayout(line, 2, 0);
-    if (m_form == CardForm::Bare) {
+    grid.addLayout(bare ? inRow({m_name, m_state}, 0, kGrid / 2) : stacked({m_name, m_state}), 0, 0);
+    grid.addWidget(m_actual, 0, 1, Qt::AlignRight | Qt::AlignVCenter);
+    grid.addLayout(line, 1, 0, 1, 2);
+    if (bare) {
         line->addWidget(m_detail, 1);
     } else {
-        grid.addLayout(inRow({m_bar, m_detail}, 2, kGrid), 3, 0);
+        grid.addLayout(inRow({m_bar, m_detail}, 2, kGrid), 2, 0, 1, 2);
     }
 }
 
-void AxisCard::arrange(Numerals numerals, CardForm form)
+void AxisCard::setNumerals(Numerals numerals)
 {
-    if (m_numerals == numerals && m_form == form) {
+    if (m_numerals == numerals) {
         return;
     }
     m_numerals = numerals;
-    m_form = form;
-    const bool isWide = form == CardForm::Wide;
-    const QFont font = fonts::actual(pointsOf(numerals));
-    m_actual->setFont(font);
-    // Digits have no descenders, so the narrow card leaves their room out.
-    m_actual->setMinimumHeight(isWide ? 0 : QFontMetrics(font).ascent());
-    m_actual->setMaximumHeight(isWide ? QWIDGETSIZE_MAX : QFontMetrics(font).ascent());
+    m_actual->setFont(fonts::actual(pointsOf(numerals)));
     for (ValueLabel* const number : {m_target, m_error}) {
-        number->setFont(isWide ? fonts::value() : fonts::small());
+        number->setFont(areBeside(numerals) ? fonts::small() : fonts::value());
     }
-    const QFont stateFont = isWide ? fonts::text() : fonts::label();
+    const QFont stateFont = areBeside(numerals) ? fonts::label() : fonts::text();
     m_state->setFont(stateFont);
     m_state->setWidest(widestState(stateFont));
-    const bool roomForRate = isWide && numerals != Numerals::Small;
+    const bool roomForRate = numerals == Numerals::Usual || numerals == Numerals::Large;
     m_rate->setVisible(roomForRate);
     m_rateCaption->setVisible(roomForRate);
-    build();
+    build(numerals);
     chooseShown();
     updateGeometry();
 }
 
 void AxisCard::chooseShown()
 {
-    const bool bare = m_form == CardForm::Bare;
+    const bool bare = m_numerals == Numerals::Bare;
     const bool live = freshness(m_shown.age) == Freshness::Live;
     m_bar->setVisible(!bare);
     m_detail->setVisible(!bare || !live);
@@ -336,7 +330,7 @@ Angle AxisCard::trim() const
 // The bare card has room for the age only.
 QString AxisCard::detail()
 {
-    if (m_form == CardForm::Bare) {
+    if (m_numerals == Numerals::Bare) {
         return detailText(m_shown, m_shown.turnKnown);
     }
     QStringList parts;

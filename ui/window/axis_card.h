@@ -19,21 +19,21 @@ namespace boresight::ui {
 class ErrorBar;
 class ValueLabel;
 
-// The size of the number of the actual angle, by the size of the window. Nothing else changes it.
+// The size of the number of the actual angle, by the available room in the window.
 enum class Numerals
 {
-    Small,  // 28 pt, without a line for the rate: a window of 1024×700 has no room for more
-    Usual,  // 44 pt
-    Large   // 60 pt
+    Bare,    // 20 pt, the word beside the name, without bar and detail: a long alarm in a low window
+    Beside,  // 22 pt, without a line for the rate: both cards in one row, while an alarm needs room
+    Small,   // 28 pt, without a line for the rate: a window of 1024×700 has no room for more
+    Usual,   // 44 pt
+    Large    // 60 pt
 };
 
-// The arrangement of a card.
-enum class CardForm
+// Whether both cards are side by side.
+[[nodiscard]] constexpr bool areBeside(Numerals numerals)
 {
-    Wide,    // the cards are one above the other, with a line for each value
-    Narrow,  // the cards are side by side, while an alarm needs room: the values are below the number
-    Bare     // the same without bar and detail, while a long alarm needs more room
-};
+    return numerals == Numerals::Bare || numerals == Numerals::Beside;
+}
 
 class AxisCard : public QWidget
 {
@@ -43,15 +43,15 @@ public:
     explicit AxisCard(Axis axis, QWidget* parent = nullptr);
 
     void showStatus(const StationStatus& status);
-    void arrange(Numerals numerals, CardForm form);
+    void setNumerals(Numerals numerals);
 
 protected:
     bool event(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
 
 private:
-    void build();
-    void buildNarrow(QGridLayout& grid);
+    void build(Numerals numerals);
+    void buildBeside(QGridLayout& grid, Numerals numerals);
     void chooseShown();
     void showNumbers(bool turnKnown);
     void showError(const StationStatus& status, bool known);
@@ -71,7 +71,6 @@ private:
     ErrorBar* m_bar;
     ValueLabel* m_detail;
     std::optional<Numerals> m_numerals;
-    CardForm m_form = CardForm::Wide;
     AxisStatus m_shown;
     QString m_registers;  // the values reported by the drive
     std::optional<SkyPointing> m_trim;

@@ -5,6 +5,8 @@
 
 #include <QBoxLayout>
 
+#include <utility>
+
 namespace boresight::ui {
 
 namespace {
@@ -43,26 +45,24 @@ void AxisReadout::showStatus(const StationStatus& status)
     m_elevation->showStatus(status);
 }
 
-void AxisReadout::arrange(Numerals numerals, CardForm form)
+void AxisReadout::setNumerals(Numerals numerals)
 {
     m_numerals = numerals;
-    m_form = form;
-    m_cards->setDirection(form == CardForm::Wide ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
-    m_azimuth->arrange(numerals, form);
-    m_elevation->arrange(numerals, form);
+    m_cards->setDirection(areBeside(numerals) ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+    m_azimuth->setNumerals(numerals);
+    m_elevation->setNumerals(numerals);
 }
 
 // Measured once: the parts of a card have the size of their templates, whatever they show.
-QSize AxisReadout::sizeWith(Numerals numerals, CardForm form)
+QSize AxisReadout::sizeWith(Numerals numerals)
 {
-    const std::pair key(numerals, form);
-    if (!m_sizes.contains(key)) {
-        const std::pair now(m_numerals, m_form);
-        arrange(numerals, form);
-        m_sizes[key] = minimumSizeHint();
-        arrange(now.first, now.second);
+    if (!m_sizes.contains(numerals)) {
+        const Numerals now = m_numerals;
+        setNumerals(numerals);
+        m_sizes[numerals] = minimumSizeHint();
+        setNumerals(now);
     }
-    return m_sizes[key];
+    return m_sizes[numerals];
 }
 
 }  // namespace boresight::ui

@@ -7,7 +7,6 @@
 #include <QWidget>
 
 #include <map>
-#include <utility>
 
 class QBoxLayout;
 
@@ -27,16 +26,15 @@ public:
     explicit AxisReadout(QWidget* parent = nullptr);
 
     void showStatus(const StationStatus& status);
-    void arrange(Numerals numerals, CardForm form);
-    [[nodiscard]] QSize sizeWith(Numerals numerals, CardForm form);  // px that this form needs
+    void setNumerals(Numerals numerals);
+    [[nodiscard]] QSize sizeWith(Numerals numerals);  // px that this form needs
 
 private:
     QBoxLayout* m_cards;
     AxisCard* m_azimuth;
     AxisCard* m_elevation;
     Numerals m_numerals = Numerals::Small;
-    CardForm m_form = CardForm::Wide;
-    std::map<std::pair<Numerals, CardForm>, QSize> m_sizes;
+    std::map<Numerals, QSize> m_sizes;
 };
 
 }  // namespace boresight::ui

@@ -16,20 +16,9 @@ namespace boresight::ui {
 
 namespace {
 
-// px that an alarm may take from the panels, by the size of the window. The readouts of the axes use this room while
-// there is no alarm. In a low window the last line of the log is below the sky, which leaves 22 of them.
-constexpr int keptForAlarms(Numerals numerals)
-{
-    switch (numerals) {
-        case Numerals::Small:
-            return 32;
-        case Numerals::Usual:
-            return 6;
-        case Numerals::Large:
-            break;
-    }
-    return 150;
-}
+// px in a low window that an alarm may take from the panels. The last line of the log is below the sky there, which
+// leaves 22 of them.
+constexpr int kKeptForAlarms = 46;
 
 }  // namespace
 
@@ -45,10 +34,11 @@ ColumnHead::ColumnHead(AlarmCard& alarms, RequestDesk& desk, QWidget* parent)
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(kGrid / 2);
     column->addWidget(&m_alarms);
-    column->addWidget(m_axes, 1);
+    column->addWidget(m_axes);
     column->addWidget(m_antenna);
     column->addWidget(m_wind);
     column->addWidget(m_sensor);
+    column->addStretch(1);
     connect(m_antenna, &AntennaRow::editWanted, this, &ColumnHead::antennasWanted);
 }
 
@@ -78,30 +68,25 @@ void ColumnHead::arrange()
 {
     struct Arrangement
     {
-        CardForm cards;
+        Numerals numerals;
         bool sensor;
         AlarmForm alarm = AlarmForm::Lines;
     };
-    const Numerals numerals = numeralsFor(m_window);
-    const int line = m_sensor->sizeHint().height() + layout()->spacing();
-    const int sensor = m_sensor->isConfigured() ? line : 0;
+    const Numerals usual = numeralsFor(m_window);
+    const int sensor = m_sensor->isConfigured() ? m_sensor->sizeHint().height() + layout()->spacing() : 0;
     const int antenna = m_antenna->hasChoice() ? m_antenna->sizeHint().height() + layout()->spacing() : 0;
     const int wind = m_wind->isConfigured() ? m_wind->sizeHint().height() + layout()->spacing() : 0;
     const auto height = [&](const Arrangement& of) {
-        return antenna + wind + m_axes->sizeWith(numerals, of.cards).height() + (of.sensor ? sensor : 0);
+        return antenna + wind + m_axes->sizeWith(of.numerals).height() + (of.sensor ? sensor : 0);
     };
-    // The largest numbers are too wide for two cards in one row.
-    const bool isWideEnough = m_axes->sizeWith(numerals, CardForm::Narrow).width() <= width();
-    const CardForm narrow = isWideEnough ? CardForm::Narrow : CardForm::Wide;
-    const CardForm bare = isWideEnough ? CardForm::Bare : CardForm::Wide;
-    const std::array arrangements{Arrangement{CardForm::Wide, true},
-                                  Arrangement{narrow, true},
-                                  Arrangement{narrow, false},
-                                  Arrangement{bare, false},
-                                  Arrangement{bare, false, AlarmForm::Flowing},
-                                  Arrangement{bare, false, AlarmForm::Remedy}};
-    // Without a sensor its line is room for alarms, too.
-    const int room = height(arrangements.front()) + (line - sensor) + keptForAlarms(numerals);
+    const std::array arrangements{Arrangement{usual, true},
+                                  Arrangement{Numerals::Small, true},
+                                  Arrangement{Numerals::Beside, true},
+                                  Arrangement{Numerals::Beside, false},
+                                  Arrangement{Numerals::Bare, false},
+                                  Arrangement{Numerals::Bare, false, AlarmForm::Flowing},
+                                  Arrangement{Numerals::Bare, false, AlarmForm::Remedy}};
+    const int room = height(arrangements.front()) + (isLow(m_window) ? kKeptForAlarms : 0);
     Arrangement best = arrangements.back();
     for (const Arrangement& one : arrangements) {
         if (heightOfAlarm(one.alarm) + height(one) <= room) {
@@ -109,8 +94,8 @@ void ColumnHead::arrange()
             break;
         }
     }
-    setMinimumSize(m_axes->sizeWith(numerals, CardForm::Wide).width(), room);
-    m_axes->arrange(numerals, best.cards);
+    setMinimumSize(m_axes->sizeWith(usual).width(), room);
+    m_axes->setNumerals(best.numerals);
     m_sensor->setRoom(best.sensor);
     m_alarms.setForm(best.alarm);
 }

@@ -6,9 +6,8 @@
 #include <QWidget>
 
 // The part above the tabs: the alarm card while there is one, the readouts of the axes, the antenna in use if there are
-// several, the wind if it is read, and the readout of the sensor. Tabs and buttons do not move, and the numbers keep
-// their size: while an alarm needs room, the two axes are side by side. The longest alarms leave out a sentence. Gui
-// thread.
+// several, the wind if it is read, and the readout of the sensor. Tabs and buttons do not move: an alarm takes its room
+// from the readouts, which get smaller. The longest alarms leave out a sentence. Gui thread.
 namespace boresight::ui {
 
 class AlarmCard;

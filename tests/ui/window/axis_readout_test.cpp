@@ -153,7 +153,7 @@ TEST(AxisReadout, TheNumeralsScaleWithTheWindow)
 {
     AxisReadout readout;
     const auto points = [&readout](QSize window) {
-        readout.arrange(numeralsFor(window), CardForm::Wide);
+        readout.setNumerals(numeralsFor(window));
         return findNamed<ValueLabel>(readout, "Actual azimuth")->font().pointSize();
     };
     EXPECT_EQ(points({1024, 700}), 28);
