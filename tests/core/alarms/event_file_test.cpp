@@ -45,7 +45,7 @@ protected:
     }
     [[nodiscard]] bool ticksUntil(const std::function<bool()>& condition)
     {
-        const QDeadlineTimer limit(std::chrono::seconds(10));
+        const QDeadlineTimer limit(std::chrono::minutes(1));
         while (!condition() && !limit.hasExpired()) {
             file->tick();
             std::this_thread::yield();
