@@ -44,7 +44,7 @@ Result<> ThirdAxisJog::mayJog(AngularRate rate) const
 
 Result<> ThirdAxisJog::ask(const request::JogThirdAxis& wanted, const Source& by)
 {
-    if (const Result<> may = operatorOnly(by); !may) {
+    if (Result<> may = operatorOnly(by); !may) {
         return may;
     }
     if (wanted.rate == AngularRate{}) {
@@ -52,7 +52,7 @@ Result<> ThirdAxisJog::ask(const request::JogThirdAxis& wanted, const Source& by
         m_needsRelease = false;
         return {};
     }
-    if (const Result<> may = mayJog(wanted.rate); !may) {
+    if (Result<> may = mayJog(wanted.rate); !may) {
         if (m_rate != AngularRate{}) {
             end(may.error().text);
         }

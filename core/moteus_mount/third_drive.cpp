@@ -191,7 +191,7 @@ Result<> ThirdDrive::fit() const
                                                     "press Re-arm.")
                                                .arg(readingsOf(*m_drive, m_now).fault));
     }
-    if (const Result<> known = isKnownBoard(); !known) {
+    if (Result<> known = isKnownBoard(); !known) {
         return known;
     }
     if (!place()) {

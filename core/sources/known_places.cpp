@@ -37,7 +37,7 @@ Result<> KnownPlaces::ask(const request::Home&, const Source& by)
 // Goes down to 0°, or to the lowest permitted elevation.
 Result<> KnownPlaces::ask(const request::Horizon& wanted, const Source& by)
 {
-    if (const Result<> may = hasElevationAxis(helm().view()); !may) {
+    if (Result<> may = hasElevationAxis(helm().view()); !may) {
         return may;
     }
     const pointing::PermittedRegion& region = helm().view().motion.region();
