@@ -127,6 +127,28 @@ void checkGeometry(std::vector<Problem>& problems, const Profile& profile)
     }
 }
 
+void addMountGeometry(std::vector<Setting>& list)
+{
+    list.push_back(choice(
+        "mount.geometry", {"az-el", "x-y"}, Applies::OnReconnect,
+        {QT_TRANSLATE_NOOP("Text", "Geometry"),
+         QT_TRANSLATE_NOOP(
+             "Text",
+             "What the two axes turn about. \"az-el\": azimuth and elevation. \"x-y\": the lower axis X "
+             "is horizontal and carries the upper axis Y. At X 0° and Y 0° the beam points to the zenith. "
+             "All settings of the azimuth axis are then those of X, and those of the elevation axis are "
+             "those of Y.")},
+        [](auto& p) -> auto& { return p.pointing.geometry.kind; }));
+    list.push_back(number(
+        "mount.x_axis_deg", "°", {0.0, 360.0}, Applies::OnReconnect,
+        {QT_TRANSLATE_NOOP("Text", "Direction of the X axis"),
+         QT_TRANSLATE_NOOP(
+             "Text",
+             "Only for \"x-y\": true azimuth of the X axis. 0 is north-south, 90 is east-west. A positive "
+             "Y leans the beam to this azimuth, a positive X to the azimuth 90° clockwise of it.")},
+        [](auto& p) -> auto& { return p.pointing.geometry.xAxis; }));
+}
+
 void addPointing(std::vector<Setting>& list)
 {
     list.push_back(term(

@@ -11,6 +11,7 @@
 namespace boresight::profile {
 
 void addThirdAxis(std::vector<Setting>& list);
+void addMountGeometry(std::vector<Setting>& list);
 void addPointing(std::vector<Setting>& list);
 void addRegion(std::vector<Setting>& list);
 void addSite(std::vector<Setting>& list);
