@@ -118,11 +118,11 @@ void ThirdDrive::tell()
 {
     const QString name = toQString(m_profile->thirdAxis.name);
     if (isSilent()) {
-        m_alarms.raise(alarmEntry("third-axis.silent"), {name, QString::number(m_id)});
+        m_alarms.raise(alarmEntry("third.silent"), {name, QString::number(m_id)});
     } else if (isFaulted()) {
-        m_alarms.raise(alarmEntry("third-axis.fault"), {name, readingsOf(*m_drive, m_now).fault});
+        m_alarms.raise(alarmEntry("third.fault"), {name, readingsOf(*m_drive, m_now).fault});
     } else if (answers()) {
-        m_alarms.clear(alarmEntry("third-axis.fault"));
+        m_alarms.clear(alarmEntry("third.fault"));
     }
 }
 
@@ -159,7 +159,7 @@ void ThirdDrive::setReleased(bool released)
         m_registerMap.reset();
         m_setpoint.reset();
         m_started.reset();
-        m_alarms.clear(alarmEntry("third-axis.fault"));
+        m_alarms.clear(alarmEntry("third.fault"));
     }
 }
 
