@@ -10796,10 +10796,6 @@ até %1</translation>
         <translation>volta atrás %1 porque o cabo acaba em %2 do eixo. O alvo perde-se durante cerca de %3</translation>
     </message>
     <message>
-        <source>plans the pass of %1 near the zenith, where the azimuth is too slow: off by up to %2, and for %3 by more than half of the beam width</source>
-        <translation>planeia a passagem de %1 perto do zénite, onde o azimute é demasiado lento: desvio até %2, e durante %3 superior a metade da largura do feixe</translation>
-    </message>
-    <message>
         <source>trims the tracked target by %1 in X, %2 in Y</source>
         <translation>compensa o alvo seguido em %1 de X, %2 de Y</translation>
     </message>
@@ -11242,6 +11238,10 @@ até %1</translation>
     <message>
         <source>Press Re-arm. Then make a home run, or set the position at the box. If this repeats, look for a blocked axis.</source>
         <translation>Prima Rearmar. Depois procure a referência, ou acerte a posição na caixa. Se isto se repetir, procure um eixo bloqueado.</translation>
+    </message>
+    <message>
+        <source>plans the pass of %1 near the zenith, where the azimuth is too slow: off by up to %2. It is off by more than half of the beam width for %3</source>
+        <translation>planeia a passagem de %1 perto do zénite, onde o azimute é demasiado lento: desvio até %2. O desvio é maior do que metade da largura do feixe durante %3</translation>
     </message>
 </context>
 <context>
