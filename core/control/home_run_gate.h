@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/text.h"
-#include "core/control/gates.h"
+#include "core/control/standstill_gate.h"
 
 namespace boresight {
 
@@ -10,8 +10,6 @@ namespace boresight {
 // does not wait for brakes either: against a set brake its motors would lose steps.
 [[nodiscard]] inline Result<> mayMakeHomeRun(const ControlParts& parts, const Source& by)
 {
-    const Gates gates(parts);
-    const CurrentMotion& current = parts.current;
     return parts.mount.mayMakeHomeRun()
         .and_then([&]() -> Result<> {
             return parts.profile.brake.isUsed()
@@ -20,14 +18,8 @@ namespace boresight {
                              Text::tr("The mount has brakes, and the rotator does not wait for them in a home run."))
                        : Result<>{};
         })
-        .and_then([&] { return gates.mayPoint(by); })
-        .and_then([&]() -> Result<> {
-            return current.moves() && !current.goesToAPlace()
-                       ? failure(ErrorCode::Refused, Text::tr("The mount tracks a target. Press Hold first."))
-                       : Result<>{};
-        })
-        .and_then([&] { return gates.drivesRest(); })
-        .and_then([&] { return gates.axesStand(); });
+        .and_then([&] { return Gates(parts).mayPoint(by); })
+        .and_then([&] { return standsWithoutTarget(parts); });
 }
 
 }  // namespace boresight

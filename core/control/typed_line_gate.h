@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/text.h"
-#include "core/control/gates.h"
+#include "core/control/standstill_gate.h"
 
 namespace boresight {
 
@@ -10,16 +9,7 @@ namespace boresight {
 // the limits do not hold for such a line, and its answer takes the place of the next position.
 [[nodiscard]] inline Result<> mayTypeLine(const ControlParts& parts)
 {
-    const Gates gates(parts);
-    const CurrentMotion& current = parts.current;
-    return parts.mount.mayType()
-        .and_then([&]() -> Result<> {
-            return current.moves() && !current.goesToAPlace()
-                       ? failure(ErrorCode::Refused, Text::tr("The mount tracks a target. Press Hold first."))
-                       : Result<>{};
-        })
-        .and_then([&] { return gates.drivesRest(); })
-        .and_then([&] { return gates.axesStand(); });
+    return parts.mount.mayType().and_then([&] { return standsWithoutTarget(parts); });
 }
 
 }  // namespace boresight

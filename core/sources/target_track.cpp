@@ -244,8 +244,9 @@ void TargetTrack::notePlan()
     const plan::Forecast& forecast = m_tracked->keyhole.variant().forecast;
     helm().note(
         Severity::Advisory,
-        Text::tr("plans the pass of %1 near the zenith, where the azimuth is too slow: off by up to %2. It is off by more "
-                 "than half of the beam width for %3")
+        Text::tr(
+            "plans the pass of %1 near the zenith, where the azimuth is too slow: off by up to %2. It is off by more "
+            "than half of the beam width for %3")
             .arg(m_tracked->target.name, degreesText(forecast.peak), durationText(forecast.beyond)));
 }
 
