@@ -13,7 +13,7 @@ namespace {
 
 // The box has 0.8 s for its answer, and may have to finish another exchange first.
 constexpr std::chrono::seconds kAnswerPatience{5};
-constexpr unsigned long kBetweenLooks = 100;  // ms
+constexpr unsigned long kBetweenTexts = 100;  // ms
 
 // The typed lines and the answers that the station has kept.
 Result<QStringList> readConsole(const profile::ListenAddress& station)
@@ -47,7 +47,7 @@ Result<QStringList> awaitAnswer(const profile::ListenAddress& station, const QSt
         if (QStringList answer = answerIn(*lines, before); !answer.isEmpty()) {
             return answer;
         }
-        QThread::msleep(kBetweenLooks);
+        QThread::msleep(kBetweenTexts);
     }
     return failure(ErrorCode::Refused, QStringLiteral("the line was accepted, but the station has shown no answer"));
 }

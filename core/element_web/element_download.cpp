@@ -16,7 +16,7 @@ namespace boresight::orbit {
 
 namespace {
 
-constexpr qint64 kMostBytes = kMostElementMegabytes * (qint64(1) << 20);
+constexpr qint64 kMostDownloadBytes = kMostElementMegabytes * (qint64(1) << 20);
 constexpr std::size_t kLongestShown = 120;
 constexpr qint64 kReadAtOnce = 1 << 20;
 constexpr int kUnchanged = 304;
@@ -121,7 +121,7 @@ bool ElementDownload::follow()
 
 void ElementDownload::look()
 {
-    if (m_reply->header(QNetworkRequest::ContentLengthHeader).toLongLong() > kMostBytes) {
+    if (m_reply->header(QNetworkRequest::ContentLengthHeader).toLongLong() > kMostDownloadBytes) {
         giveUp(Text::tr("The answer is larger than %1 MB.").arg(kMostElementMegabytes));
     }
 }
@@ -133,7 +133,7 @@ void ElementDownload::read()
     }
     m_silence.start();
     m_content += m_reply->readAll();
-    if (m_content.size() > kMostBytes) {
+    if (m_content.size() > kMostDownloadBytes) {
         giveUp(Text::tr("The answer is larger than %1 MB.").arg(kMostElementMegabytes));
     }
 }

@@ -15,7 +15,7 @@ constexpr Seconds kRunUp{1.5};  // long enough for a low speed to be steady
 constexpr Seconds kRoomTime{4.0};
 constexpr Angle kRoomMargin = Angle::fromDegrees(2.0);
 // A drive that brakes or holds stops the axis much earlier. A drive that does neither must not run on for longer.
-constexpr Seconds kPatience{2.0};
+constexpr Seconds kProofPatience{2.0};
 // An axis stands still when its angle stays within the band for this time. The band is well above the encoder noise.
 constexpr Seconds kStandingTime{0.12};
 constexpr Angle kStandingBand = Angle::fromDegrees(0.03);
@@ -123,10 +123,10 @@ CrashStopProof::Action CrashStopProof::watchStop(SteadyTime now)
         enter(Phase::Recovering, now);
         return Action::Recover;
     }
-    if (now - *m_phaseSince > kPatience) {
+    if (now - *m_phaseSince > kProofPatience) {
         m_failure = Text::tr("The %1 did not stop within %2 s without commands. Check its time-out mode.")
                         .arg(nameOf(axis()))
-                        .arg(kPatience.count());
+                        .arg(kProofPatience.count());
         enter(Phase::Recovering, now);
         return Action::Recover;
     }
@@ -136,7 +136,7 @@ CrashStopProof::Action CrashStopProof::watchStop(SteadyTime now)
 CrashStopProof::Action CrashStopProof::recover(SteadyTime now, const Measured& measured)
 {
     if (!measured.settled) {
-        return now - *m_phaseSince > kPatience ? fail(Text::tr("its drive did not come back")) : Action::Wait;
+        return now - *m_phaseSince > kProofPatience ? fail(Text::tr("its drive did not come back")) : Action::Wait;
     }
     if (!m_failure.isEmpty() || m_axes.size() == 1) {
         m_phase = Phase::Over;

@@ -11,7 +11,7 @@ namespace {
 
 // Seldom compared with the frames of the motion, and often enough to look live on the screen.
 constexpr std::chrono::milliseconds kBetweenQuestions{200};
-constexpr std::chrono::seconds kPatience{2};
+constexpr std::chrono::seconds kReportPatience{2};
 
 AlarmKey faultOf(const profile::WatchedBoard& board)
 {
@@ -71,7 +71,7 @@ void WatchedBoards::judge(const Board& board, SteadyTime now)
 {
     const auto& report = board.drive.report();
     const QStringList which{toQString(board.named.name), QString::number(board.named.id)};
-    if (now - (report ? report->received : m_since) >= kPatience) {
+    if (now - (report ? report->received : m_since) >= kReportPatience) {
         m_alarms.raise(alarmEntry("board.silent").of(which.back()), which);
     } else if (report && report->mode == moteus::Mode::Fault) {
         m_alarms.raise(faultOf(board.named), which + QStringList{readingsOf(board.drive, now).fault});

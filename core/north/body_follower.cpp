@@ -12,7 +12,7 @@ namespace {
 using namespace boresight::literals;
 using ephemeris::Body;
 
-const QString kSource = QStringLiteral("calibration");
+const QString kFollowerSource = QStringLiteral("calibration");
 constexpr std::chrono::seconds kPointPeriod{1};
 // Nearer to the zenith a small offset across would need a very large change of azimuth.
 constexpr Angle kHighest = Angle::fromDegrees(89.0);
@@ -235,7 +235,7 @@ void BodyFollower::ended(const QString& how)
     }
     m_following = false;
     m_offset = {};
-    m_log.add(m_ending.isEmpty() ? Severity::Advisory : Severity::Warning, kSource, how);
+    m_log.add(m_ending.isEmpty() ? Severity::Advisory : Severity::Warning, kFollowerSource, how);
     [[maybe_unused]] const Result<> cleared = m_control.request(request::ClearTrim{}, calibrationSource());
 }
 

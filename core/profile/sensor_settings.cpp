@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kSensorSettingsLongest = 1000;
 
-Result<> checkPath(const std::string& text)
+Result<> checkSensorPath(const std::string& text)
 {
     if (text.size() > kSensorSettingsLongest || hasControlCharacters(text)) {
         return failure(ErrorCode::InvalidInput, Text::tr("a path on one line is expected"));
@@ -59,7 +59,7 @@ void addTransport(std::vector<Setting>& list)
          QT_TRANSLATE_NOOP(
              "Text",
              "Device of the serial port of the sensor. A name in /dev/serial/by-id stays the same in every socket.")},
-        &SensorSettings::port, checkPath));
+        &SensorSettings::port, checkSensorPath));
     list.push_back(integer(
         "sensor.baud", "Bd", {300, 4000000}, kNow,
         {QT_TRANSLATE_NOOP("Text", "Baud rate"), QT_TRANSLATE_NOOP("Text", "Speed of the serial port of the sensor.")},
@@ -195,7 +195,7 @@ void addDeclination(std::vector<Setting>& list)
                          QT_TRANSLATE_NOOP("Text",
                                            "Coefficients of the World Magnetic Model (.COF). Boresight computes the "
                                            "declination of the site from them.")},
-                        &SensorSettings::declinationFile, checkPath));
+                        &SensorSettings::declinationFile, checkSensorPath));
 }
 
 void addJudgement(std::vector<Setting>& list)

@@ -16,11 +16,11 @@ namespace {
 
 // A control loop with this rate is fast enough for every motion, and fewer ticks make the rehearsal shorter.
 constexpr int kTickHz = 20;
-constexpr Seconds kPatience{0.2};  // longer than a few ticks
+constexpr Seconds kRehearsalPatience{0.2};  // longer than a few ticks
 constexpr std::chrono::nanoseconds kTick = std::chrono::nanoseconds(std::chrono::seconds(1)) / kTickHz;
 // The time that the control needs to take over the mount.
 constexpr std::chrono::seconds kBegin{2};
-constexpr std::chrono::minutes kBetweenLooks{1};
+constexpr std::chrono::minutes kBetweenIdleLooks{1};
 // While the mount stands and no pass is near, only this part of each minute is computed.
 constexpr std::chrono::milliseconds kLook{500};
 constexpr std::size_t kMostRemarks = 200;
@@ -31,8 +31,8 @@ const Source kRehearser{.kind = SourceKind::Operator, .name = QStringLiteral("op
 profile::Profile rehearsed(profile::Profile profile)
 {
     profile.control.tickHz = kTickHz;
-    profile.control.watchdog = kPatience;
-    profile.supervision.replyAge = kPatience;
+    profile.control.watchdog = kRehearsalPatience;
+    profile.supervision.replyAge = kRehearsalPatience;
     profile.schedule.unattended = profile::Unattended::Off;
     profile.brake = {};
     profile.endSwitches = {};
@@ -70,9 +70,9 @@ public:
     {
         const bool idle = isIdle();
         if (idle) {
-            m_clock.skip(kBetweenLooks - kLook);
+            m_clock.skip(kBetweenIdleLooks - kLook);
         }
-        run(idle ? kLook : kBetweenLooks);
+        run(idle ? kLook : kBetweenIdleLooks);
     }
 
     void run(std::chrono::nanoseconds time)
@@ -110,7 +110,7 @@ private:
             return m_mount.report(axis).rate.value_or(AngularRate{}) == AngularRate{};
         };
         const UtcTime soon =
-            utc() + 2 * kBetweenLooks + std::chrono::ceil<std::chrono::seconds>(m_profile->schedule.lead);
+            utc() + 2 * kBetweenIdleLooks + std::chrono::ceil<std::chrono::seconds>(m_profile->schedule.lead);
         const auto isNear = [&](const schedule::WatchedPass& pass) {
             return pass.begins() < soon && pass.ends() > utc();
         };
@@ -155,7 +155,7 @@ Result<RehearsedNight> rehearse(const RehearsalTask& task, const std::stop_token
     if (plan.chosen.empty()) {
         return failure(ErrorCode::NotAvailable, Text::tr("The schedule has no pass within a day."));
     }
-    const UtcTime end = plan.chosen.back().ends() + kBetweenLooks;
+    const UtcTime end = plan.chosen.back().ends() + kBetweenIdleLooks;
     while (stage.utc() < end && stage.schedule().armed) {
         if (stop.stop_requested()) {
             return failure(ErrorCode::NotAvailable, Text::tr("The rehearsal was stopped."));

@@ -13,7 +13,7 @@
 namespace boresight::tables {
 namespace {
 
-constexpr qint64 kMostBytes = kMostTableMegabytes * (qint64(1) << 20);
+constexpr qint64 kMostTableBytes = kMostTableMegabytes * (qint64(1) << 20);
 
 tl::unexpected<Error> cannotRead(ErrorCode code, const QString& path, const QString& reason)
 {
@@ -32,11 +32,11 @@ Result<SharedTable> readTableFile(const QString& path)
     }
     QFile file(path);
     const bool isOpen = file.open(QIODevice::ReadOnly);
-    const QByteArray bytes = isOpen ? file.read(kMostBytes + 1) : QByteArray();
+    const QByteArray bytes = isOpen ? file.read(kMostTableBytes + 1) : QByteArray();
     if (!isOpen || file.error() != QFileDevice::NoError) {
         return cannotRead(ErrorCode::Io, path, file.errorString());
     }
-    if (bytes.size() > kMostBytes) {
+    if (bytes.size() > kMostTableBytes) {
         return cannotRead(ErrorCode::InvalidInput, path,
                           Text::tr("The file is larger than %1 MB. Split it.").arg(kMostTableMegabytes));
     }

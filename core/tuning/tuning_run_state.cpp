@@ -10,10 +10,10 @@
 namespace boresight {
 namespace {
 
-constexpr Angle kArrived = Angle::fromDegrees(1e-4);
+constexpr Angle kTuningArrived = Angle::fromDegrees(1e-4);
 // Gains with a larger error are not tried any longer.
 constexpr Angle kLargestError = Angle::fromDegrees(1.0);
-constexpr Seconds kPatience{10.0};  // a run may take this much longer than planned
+constexpr Seconds kTuningPatience{10.0};  // a run may take this much longer than planned
 
 }  // namespace
 
@@ -69,7 +69,7 @@ bool TuningRunState::isOver(SteadyTime now, const AxisSample& sample)
     if (!leg().place) {
         return now - m_legBegan >= leg().time;
     }
-    const bool there = m_asked && sample.commanded && abs(*sample.commanded - *leg().place) < kArrived;
+    const bool there = m_asked && sample.commanded && abs(*sample.commanded - *leg().place) < kTuningArrived;
     m_arrived = there ? std::optional(m_arrived.value_or(now)) : std::nullopt;
     return m_arrived && now - *m_arrived >= leg().time;
 }
@@ -89,7 +89,7 @@ QString TuningRunState::obstacle(SteadyTime now) const
                    "The axis was %1 away from its set-point. Put the gains back. Check that nothing blocks the axis")
             .arg(degreesText(abs(m_error), 1));
     }
-    if (now - m_began > m_way.plan.duration + kPatience) {
+    if (now - m_began > m_way.plan.duration + kTuningPatience) {
         return Text::tr("The axis is not moving. Something is blocking it, or a limit holds it");
     }
     return {};

@@ -15,7 +15,7 @@ namespace boresight::ui {
 
 namespace {
 
-constexpr double kLineWidth = 1.5;
+constexpr double kItemLineWidth = 1.5;
 constexpr double kBandWidth = 6.0;
 constexpr std::size_t kPiece = 48;      // columns
 constexpr double kBandStrength = 0.45;  // of the accent colour over the ground
@@ -88,7 +88,7 @@ void drawTrace(QPainter& painter, const Trace& trace, const StripFrame& frame, c
 QPen tracePen(TraceLine line)
 {
     const Theme& colours = currentTheme();
-    return line == TraceLine::Line ? QPen(colours.text, kLineWidth, Qt::SolidLine, Qt::SquareCap, Qt::BevelJoin)
+    return line == TraceLine::Line ? QPen(colours.text, kItemLineWidth, Qt::SolidLine, Qt::SquareCap, Qt::BevelJoin)
                                    : QPen(mixed(colours.accent, colours.plotGround, kBandStrength), kBandWidth,
                                           Qt::SolidLine, Qt::SquareCap, Qt::BevelJoin);
 }

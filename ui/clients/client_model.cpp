@@ -10,7 +10,7 @@ namespace boresight::ui {
 namespace {
 
 // "1.3", "655", "6.6 k", "66 k": never wider than its column.
-QString rateText(double perSecond)
+QString commandsPerSecondText(double perSecond)
 {
     constexpr double kThousand = 1000.0;
     const auto digits = [](double value, double exactBelow) {
@@ -28,7 +28,7 @@ QString cell(const ClientStatus& client, int column)
         case ClientModel::Program:
             return client.program.isEmpty() ? ClientModel::tr("unknown") : client.program;
         case ClientModel::Rate:
-            return rateText(client.commandsPerSecond);
+            return commandsPerSecondText(client.commandsPerSecond);
         case ClientModel::LastCommand:
             return client.lastCommand;
         default:
