@@ -21,7 +21,6 @@
 namespace boresight::ctl {
 namespace {
 
-constexpr int kTimeDigits = 3;
 constexpr int kDegreeDecimals = 4;
 
 struct FoundPass
@@ -72,18 +71,12 @@ std::string degreesCell(Angle angle)
     return formatFixed(angle.degrees(), kDegreeDecimals);
 }
 
-// Rounded to the printed digits.
-std::string timeCell(UtcTime utc)
-{
-    return skyTimeText(std::chrono::round<std::chrono::milliseconds>(utc), kTimeDigits);
-}
-
 // The parts that the antenna sees, as intervals of ISO 8601.
 std::string seenCell(const passes::Pass& pass)
 {
     std::string all;
     for (const passes::Stretch& part : pass.clear) {
-        all += (all.empty() ? "" : " ") + timeCell(part.from) + "/" + timeCell(part.to);
+        all += (all.empty() ? "" : " ") + skyTimeCell(part.from) + "/" + skyTimeCell(part.to);
     }
     return all;
 }
@@ -106,10 +99,11 @@ RecordTable tableOf(const std::vector<FoundPass>& found, const Site& site, const
     }
     for (const FoundPass& one : found) {
         const auto& [set, pass] = one;
-        table.rows.push_back(
-            {set->name, std::to_string(set->number), timeCell(pass.aos.utc), degreesCell(pass.aos.direction.azimuth),
-             timeCell(pass.tca.utc), degreesCell(pass.tca.direction.azimuth), degreesCell(pass.tca.direction.elevation),
-             timeCell(pass.los.utc), degreesCell(pass.los.direction.azimuth), flagsOf(one, site, mount)});
+        table.rows.push_back({set->name, std::to_string(set->number), skyTimeCell(pass.aos.utc),
+                              degreesCell(pass.aos.direction.azimuth), skyTimeCell(pass.tca.utc),
+                              degreesCell(pass.tca.direction.azimuth), degreesCell(pass.tca.direction.elevation),
+                              skyTimeCell(pass.los.utc), degreesCell(pass.los.direction.azimuth),
+                              flagsOf(one, site, mount)});
         if (hasSeen) {
             table.rows.back().push_back(seenCell(pass));
         }
@@ -123,7 +117,7 @@ void report(const orbit::ElementSet& set, const passes::PassList& list, const pa
     if (list.end) {
         complain(kPassesCommand,
                  QStringLiteral("%1: no passes after %2. %3")
-                     .arg(satelliteText(set), toQString(timeCell(list.end->utc)), orbit::describe(list.end->fault)));
+                     .arg(satelliteText(set), toQString(skyTimeCell(list.end->utc)), orbit::describe(list.end->fault)));
     } else if (list.passes.empty() && isAsked) {
         complain(kPassesCommand, QStringLiteral("%1 does not rise above %2 in this time")
                                      .arg(satelliteText(set), degreesText(search.minimumElevation)));

@@ -20,9 +20,8 @@ namespace boresight::ctl {
 namespace {
 
 constexpr std::chrono::days kSearchedDays{3};
-constexpr int kMilliseconds = 3;
 
-std::string degreesCell(Angle angle, int decimals = 2)
+std::string planDegrees(Angle angle, int decimals = 2)
 {
     return formatFixed(angle.degrees(), decimals);
 }
@@ -32,15 +31,10 @@ std::string secondsCell(Seconds time)
     return formatFixed(time.count(), 1);
 }
 
-std::string timeCell(UtcTime utc)
-{
-    return skyTimeText(std::chrono::round<std::chrono::milliseconds>(utc), kMilliseconds);
-}
-
 // As an interval of ISO 8601.
 std::string spanCell(const std::optional<plan::PlanSpan>& span)
 {
-    return span ? timeCell(span->from) + "/" + timeCell(span->to) : std::string();
+    return span ? skyTimeCell(span->from) + "/" + skyTimeCell(span->to) : std::string();
 }
 
 // The chosen variant first, then the better ones first.
@@ -78,10 +72,10 @@ RecordTable tableOfVariants(const plan::PassPlan& plan, const passes::Pass& pass
         const AxisPosition start = variant->start();
         table.rows.push_back(
             {plan::keyOf(variant->way).toStdString(), variant == &plan.best() ? "yes" : "no",
-             degreesCell(start.azimuth), degreesCell(start.elevation), degreesCell(variant->end().azimuth),
-             degreesCell(forecast.peak, 3), degreesCell(forecast.rms, 3),
+             planDegrees(start.azimuth), planDegrees(start.elevation), planDegrees(variant->end().azimuth),
+             planDegrees(forecast.peak, 3), planDegrees(forecast.rms, 3),
              forecast.peakLoss ? formatFixed(*forecast.peakLoss, 2) : std::string(), secondsCell(forecast.beyond),
-             secondsCell(forecast.hidden), secondsCell(variant->toStart), degreesCell(variant->margin),
+             secondsCell(forecast.hidden), secondsCell(variant->toStart), planDegrees(variant->margin),
              spanCell(variant->ramp), spanCell(variant->unwrap), spanCell(plan::PlanSpan{pass.aos.utc, pass.los.utc})});
     }
     return table;
@@ -101,9 +95,9 @@ RecordTable tableOfMotion(const plan::PlanVariant& variant)
     for (const plan::PlannedMoment& moment : variant.moments) {
         if (moment.utc >= next) {
             next = moment.utc + std::chrono::seconds(1);
-            table.rows.push_back({timeCell(moment.utc), degreesCell(moment.axes.azimuth, 3),
-                                  degreesCell(moment.axes.elevation, 3), degreesCell(moment.target.azimuth, 3),
-                                  degreesCell(moment.target.elevation, 3), degreesCell(moment.error, 3),
+            table.rows.push_back({skyTimeCell(moment.utc), planDegrees(moment.axes.azimuth, 3),
+                                  planDegrees(moment.axes.elevation, 3), planDegrees(moment.target.azimuth, 3),
+                                  planDegrees(moment.target.elevation, 3), planDegrees(moment.error, 3),
                                   moment.isHidden ? "yes" : "no"});
         }
     }
@@ -121,7 +115,7 @@ Result<passes::Pass> nextPass(const orbit::ElementSet& set, const Site& site, Ut
     return failure(
         ErrorCode::NotAvailable,
         list.end ? QStringLiteral("%1: no passes after %2. %3")
-                       .arg(satelliteText(set), toQString(timeCell(list.end->utc)), orbit::describe(list.end->fault))
+                       .arg(satelliteText(set), toQString(skyTimeCell(list.end->utc)), orbit::describe(list.end->fault))
                  : QStringLiteral("%1 does not rise in the %2 days after this time. Use a later --from")
                        .arg(satelliteText(set))
                        .arg(kSearchedDays.count()));

@@ -40,4 +40,9 @@ std::string skyTimeText(UtcTime utc, int digits)
     return whole + (fraction.empty() ? "" : ".") + fraction + "Z";
 }
 
+std::string skyTimeCell(UtcTime utc)
+{
+    return skyTimeText(std::chrono::round<std::chrono::milliseconds>(utc), 3);
+}
+
 }  // namespace boresight::ctl

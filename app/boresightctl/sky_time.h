@@ -18,5 +18,7 @@ namespace boresight::ctl {
 // For example "2024-05-10T04:50:02Z". Writes at least `digits` decimals of a second, and up to six if the time needs
 // them.
 [[nodiscard]] std::string skyTimeText(UtcTime utc, int digits);
+// Rounded to three decimals of a second, for a cell of a table.
+[[nodiscard]] std::string skyTimeCell(UtcTime utc);
 
 }  // namespace boresight::ctl
