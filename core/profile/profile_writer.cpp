@@ -5,6 +5,7 @@
 #include "core/profile/setting.h"
 #include "core/records/toml_value.h"
 
+#include <optional>
 #include <span>
 
 namespace boresight::profile {
@@ -92,6 +93,31 @@ std::string horizonText(const std::vector<pointing::HorizonPoint>& horizon)
     return text + (horizon.empty() ? "]\n" : "\n]\n");
 }
 
+std::string keyAndValue(const std::string& key, const SettingValue& value)
+{
+    return key + " = " + toText(value) + "\n";
+}
+
+// `standard`: the value of a key that may be left out.
+std::string rowComment(const std::string& key, const std::string& meaning, const std::string& bounds,
+                       const std::optional<SettingValue>& standard)
+{
+    return "#   " + key + ": " + meaning + " " + bounds +
+           (standard ? "; default " + toText(*standard) : std::string()) + "\n";
+}
+
+template <class Row>
+std::string rowText(std::span<const SettingOf<Row>> fields, const Row& row)
+{
+    std::string text;
+    for (const SettingOf<Row>& field : fields) {
+        if (!field.mayBeLeftOut || field.get(row) != field.get(Row{})) {
+            text += keyAndValue(field.key, field.get(row));
+        }
+    }
+    return text;
+}
+
 template <class Row>
 std::string rowsText(std::string_view list, const std::string& meaning, std::span<const SettingOf<Row>> fields,
                      const std::vector<Row>& rows)
@@ -99,16 +125,11 @@ std::string rowsText(std::string_view list, const std::string& meaning, std::spa
     const std::string head = "[[" + std::string(list) + "]]\n";
     std::string text = "\n# " + meaning + " Each entry begins with " + head;
     for (const SettingOf<Row>& field : fields) {
-        const std::string standard = field.mayBeLeftOut ? "; default " + toText(field.get(Row{})) : std::string();
-        text += "#   " + field.key + ": " + field.text + " " + boundsAndUnit(field) + standard + "\n";
+        const auto standard = field.mayBeLeftOut ? std::optional(field.get(Row{})) : std::nullopt;
+        text += rowComment(field.key, field.text, boundsAndUnit(field), standard);
     }
     for (const Row& row : rows) {
-        text += "\n" + head;
-        for (const SettingOf<Row>& field : fields) {
-            if (!field.mayBeLeftOut || field.get(row) != field.get(Row{})) {
-                text += field.key + " = " + toText(field.get(row)) + "\n";
-            }
-        }
+        text += "\n" + head + rowText(fields, row);
     }
     return text;
 }

@@ -16,7 +16,7 @@ constexpr Range kElevation{-90.0, 90.0};
 
 // Setting one value of the site makes the site known. The reader checks that a file contains all of them.
 template <class Access>
-Setting siteNumber(const std::string& key, const std::string& unit, Range range, const Words& words, Access access)
+Setting siteNumber(const std::string& key, std::string_view unit, Range range, const Words& words, Access access)
 {
     Setting setting = number(key, unit, range, Applies::Now, words, access);
     setting.set = [set = setting.set](Profile& profile, const SettingValue& value) {

@@ -6,7 +6,10 @@
 #include "core/records/field_list.h"
 
 #include <algorithm>
+#include <functional>
+#include <initializer_list>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <vector>
 
@@ -21,8 +24,8 @@ using records::Range;
 // The texts about a setting, in English. Text::of() translates them for the screen.
 struct Words
 {
-    std::string title;    // two or three words, as on the page of the profile
-    std::string meaning;  // full sentences
+    const char* title;    // two or three words, as on the page of the profile
+    const char* meaning;  // full sentences
 };
 
 [[nodiscard]] Result<> checkRange(double value, Range range);
@@ -70,67 +73,95 @@ inline void assign(double& field, double value)
     field = value;
 }
 
-template <class Owner = Profile, class Access>
-SettingOf<Owner> number(const std::string& key, const std::string& unit, Range range, Applies applies,
-                        const Words& words, Access access)
+// How a setting reads and writes its field. The same code serves the fields of one kind, so that the compiler does not
+// repeat it for each of several hundred settings.
+template <class Owner, class Value>
+struct Field
 {
-    auto get = [access](const Owner& owner) -> SettingValue { return toNumber(access(owner)); };
-    auto set = [access, range](Owner& owner, const SettingValue& value) -> Result<> {
+    std::function<Value(const Owner&)> read;
+    std::function<void(Owner&, const Value&)> write;
+};
+
+template <class Owner>
+SettingOf<Owner> described(std::string_view key, SettingType type, Applies applies, const Words& words)
+{
+    SettingOf<Owner> setting;
+    setting.key = key;
+    setting.title = words.title;
+    setting.type = type;
+    setting.text = words.meaning;
+    setting.applies = applies;
+    return setting;
+}
+
+template <class Owner>
+SettingOf<Owner> numberOf(std::string_view key, std::string_view unit, Range range, Applies applies, const Words& words,
+                          const Field<Owner, double>& field)
+{
+    SettingOf<Owner> setting = described<Owner>(key, SettingType::Number, applies, words);
+    setting.unit = unit;
+    setting.min = range.min;
+    setting.max = range.max;
+    setting.get = [read = field.read](const Owner& owner) -> SettingValue { return read(owner); };
+    setting.set = [write = field.write, range](Owner& owner, const SettingValue& value) -> Result<> {
         const auto* whole = std::get_if<std::int64_t>(&value);
         const auto* real = std::get_if<double>(&value);
         if (whole == nullptr && real == nullptr) {
             return failure(ErrorCode::InvalidInput, Text::tr("a number is expected"));
         }
         const double wanted = rounded(real != nullptr ? *real : static_cast<double>(*whole));
-        return checkRange(wanted, range).map([&] { assign(access(owner), wanted); });
+        return checkRange(wanted, range).map([&] { write(owner, wanted); });
     };
-    return {.key = key,
-            .title = words.title,
-            .type = SettingType::Number,
-            .unit = unit,
-            .min = range.min,
-            .max = range.max,
-            .choices = {},
-            .text = words.meaning,
-            .applies = applies,
-            .get = get,
-            .set = set};
+    return setting;
 }
 
 template <class Owner = Profile, class Access>
-SettingOf<Owner> integer(const std::string& key, const std::string& unit, Range range, Applies applies,
-                         const Words& words, Access access)
+SettingOf<Owner> number(std::string_view key, std::string_view unit, Range range, Applies applies, const Words& words,
+                        Access access)
 {
-    auto get = [access](const Owner& owner) -> SettingValue { return std::int64_t{access(owner)}; };
-    auto set = [access, range](Owner& owner, const SettingValue& value) -> Result<> {
+    return numberOf<Owner>(key, unit, range, applies, words,
+                           {.read = [access](const Owner& owner) { return toNumber(access(owner)); },
+                            .write = [access](Owner& owner, double value) { assign(access(owner), value); }});
+}
+
+template <class Owner>
+SettingOf<Owner> integerOf(std::string_view key, std::string_view unit, Range range, Applies applies,
+                           const Words& words, const Field<Owner, int>& field)
+{
+    SettingOf<Owner> setting = described<Owner>(key, SettingType::Integer, applies, words);
+    setting.unit = unit;
+    setting.min = range.min;
+    setting.max = range.max;
+    setting.get = [read = field.read](const Owner& owner) -> SettingValue { return std::int64_t{read(owner)}; };
+    setting.set = [write = field.write, range](Owner& owner, const SettingValue& value) -> Result<> {
         const auto* whole = std::get_if<std::int64_t>(&value);
         if (whole == nullptr) {
             return failure(ErrorCode::InvalidInput, Text::tr("a whole number is expected"));
         }
-        return checkRange(static_cast<double>(*whole), range).map([&] { access(owner) = static_cast<int>(*whole); });
+        return checkRange(static_cast<double>(*whole), range).map([&] { write(owner, static_cast<int>(*whole)); });
     };
-    return {.key = key,
-            .title = words.title,
-            .type = SettingType::Integer,
-            .unit = unit,
-            .min = range.min,
-            .max = range.max,
-            .choices = {},
-            .text = words.meaning,
-            .applies = applies,
-            .get = get,
-            .set = set};
+    return setting;
 }
 
-// `names`: one per enumerator, in the same order.
 template <class Owner = Profile, class Access>
-SettingOf<Owner> choice(const std::string& key, const std::vector<std::string>& names, Applies applies,
-                        const Words& words, Access access)
+SettingOf<Owner> integer(std::string_view key, std::string_view unit, Range range, Applies applies, const Words& words,
+                         Access access)
 {
-    auto get = [access, names](const Owner& owner) -> SettingValue {
-        return names.at(static_cast<std::size_t>(access(owner)));
+    return integerOf<Owner>(key, unit, range, applies, words,
+                            {.read = [access](const Owner& owner) { return int{access(owner)}; },
+                             .write = [access](Owner& owner, int value) { access(owner) = value; }});
+}
+
+template <class Owner>
+SettingOf<Owner> choiceOf(std::string_view key, const std::vector<std::string>& names, Applies applies,
+                          const Words& words, const Field<Owner, std::size_t>& field)
+{
+    SettingOf<Owner> setting = described<Owner>(key, SettingType::Choice, applies, words);
+    setting.choices = names;
+    setting.get = [names = setting.choices, read = field.read](const Owner& owner) -> SettingValue {
+        return names.at(read(owner));
     };
-    auto set = [access, names](Owner& owner, const SettingValue& value) -> Result<> {
+    setting.set = [names = setting.choices, write = field.write](Owner& owner, const SettingValue& value) -> Result<> {
         const auto* wanted = std::get_if<std::string>(&value);
         if (wanted == nullptr) {
             return failure(ErrorCode::InvalidInput, Text::tr("a text in quotes is expected"));
@@ -140,46 +171,53 @@ SettingOf<Owner> choice(const std::string& key, const std::vector<std::string>& 
             return failure(ErrorCode::InvalidInput,
                            Text::tr("\"%1\" is not one of %2").arg(toQString(*wanted), listed(names)));
         }
-        auto& field = access(owner);
-        field = static_cast<std::remove_reference_t<decltype(field)>>(found - names.begin());
+        write(owner, static_cast<std::size_t>(found - names.begin()));
         return {};
     };
-    return {.key = key,
-            .title = words.title,
-            .type = SettingType::Choice,
-            .unit = {},
-            .choices = names,
-            .text = words.meaning,
-            .applies = applies,
-            .get = get,
-            .set = set};
+    return setting;
+}
+
+// `names`: one per enumerator, in the same order.
+template <class Owner = Profile, class Access>
+SettingOf<Owner> choice(std::string_view key, const std::vector<std::string>& names, Applies applies,
+                        const Words& words, Access access)
+{
+    return choiceOf<Owner>(key, names, applies, words,
+                           {.read = [access](const Owner& owner) { return static_cast<std::size_t>(access(owner)); },
+                            .write =
+                                [access](Owner& owner, std::size_t index) {
+                                    auto& field = access(owner);
+                                    field = static_cast<std::remove_reference_t<decltype(field)>>(index);
+                                }});
+}
+template <class Owner = Profile, class Access>
+SettingOf<Owner> choice(std::string_view key, std::initializer_list<const char*> names, Applies applies,
+                        const Words& words, Access access)
+{
+    return choice<Owner>(key, std::vector<std::string>(names.begin(), names.end()), applies, words, access);
 }
 
 // `read` returns the text of the owner. `write` sets the text, or returns what is wrong with it.
-template <class Owner = Profile, class Read, class Write>
-SettingOf<Owner> textual(const std::string& key, Applies applies, const Words& words, Read read, Write write)
+template <class Owner = Profile>
+SettingOf<Owner> textual(std::string_view key, Applies applies, const Words& words,
+                         const std::type_identity_t<std::function<std::string(const Owner&)>>& read,
+                         const std::type_identity_t<std::function<Result<>(Owner&, const std::string&)>>& write)
 {
-    auto set = [write](Owner& owner, const SettingValue& value) -> Result<> {
+    SettingOf<Owner> setting = described<Owner>(key, SettingType::Text, applies, words);
+    setting.get = [read](const Owner& owner) -> SettingValue { return read(owner); };
+    setting.set = [write](Owner& owner, const SettingValue& value) -> Result<> {
         const auto* wanted = std::get_if<std::string>(&value);
-        return wanted != nullptr ? Result<>(write(owner, *wanted))
+        return wanted != nullptr ? write(owner, *wanted)
                                  : failure(ErrorCode::InvalidInput, Text::tr("a text in quotes is expected"));
     };
-    return {.key = key,
-            .title = words.title,
-            .type = SettingType::Text,
-            .unit = {},
-            .choices = {},
-            .text = words.meaning,
-            .applies = applies,
-            .get = [read](const Owner& owner) -> SettingValue { return read(owner); },
-            .set = set};
+    return setting;
 }
 
 // Checks a name that people read: one line, not empty.
 [[nodiscard]] Result<> checkName(const std::string& name);
 
 template <class Owner = Profile, class Access>
-SettingOf<Owner> name(const std::string& key, Applies applies, const Words& words, Access access)
+SettingOf<Owner> name(std::string_view key, Applies applies, const Words& words, Access access)
 {
     return textual<Owner>(
         key, applies, words, [access](const Owner& owner) { return access(owner); },
@@ -188,12 +226,13 @@ SettingOf<Owner> name(const std::string& key, Applies applies, const Words& word
         });
 }
 
-// `check` returns what is wrong with one text of the list.
-template <class Owner = Profile, class Access>
-SettingOf<Owner> textList(const std::string& key, Applies applies, const Words& words, Access access,
-                          Result<> (*check)(const std::string&))
+template <class Owner>
+SettingOf<Owner> textListOf(std::string_view key, Applies applies, const Words& words,
+                            const Field<Owner, TextList>& field, Result<> (*check)(const std::string&))
 {
-    auto set = [access, check](Owner& owner, const SettingValue& value) -> Result<> {
+    SettingOf<Owner> setting = described<Owner>(key, SettingType::TextList, applies, words);
+    setting.get = [read = field.read](const Owner& owner) -> SettingValue { return read(owner); };
+    setting.set = [write = field.write, check](Owner& owner, const SettingValue& value) -> Result<> {
         const auto* wanted = std::get_if<TextList>(&value);
         if (wanted == nullptr) {
             return failure(ErrorCode::InvalidInput,
@@ -204,18 +243,21 @@ SettingOf<Owner> textList(const std::string& key, Applies applies, const Words& 
                 return fits;
             }
         }
-        access(owner) = *wanted;
+        write(owner, *wanted);
         return {};
     };
-    return {.key = key,
-            .title = words.title,
-            .type = SettingType::TextList,
-            .unit = {},
-            .choices = {},
-            .text = words.meaning,
-            .applies = applies,
-            .get = [access](const Owner& owner) -> SettingValue { return access(owner); },
-            .set = set};
+    return setting;
+}
+
+// `check` returns what is wrong with one text of the list.
+template <class Owner = Profile, class Access>
+SettingOf<Owner> textList(std::string_view key, Applies applies, const Words& words, Access access,
+                          Result<> (*check)(const std::string&))
+{
+    return textListOf<Owner>(key, applies, words,
+                             {.read = [access](const Owner& owner) { return access(owner); },
+                              .write = [access](Owner& owner, const TextList& value) { access(owner) = value; }},
+                             check);
 }
 
 // A key of a row that a file may leave out. It then has the default of the row.
