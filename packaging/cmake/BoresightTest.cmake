@@ -28,12 +28,11 @@ endif()
 #   TIMEOUT s   of each shard (default: 600 s)
 #   SLOW_TIME   the programs of the test must keep the watchdog of a drive, so their time passes slower
 #               (tests/system/programs/slow_clock.cpp)
-#   FOLDERS_TOGETHER  the sources are in many small folders (boresight_unite)
 #   HEADERS_OF  station or ui: the test shares the headers that tests/CMakeLists.txt precompiles for tests of a whole station
 #               or of the window
 #   OPTIMISED   for a long test. Other tests are not optimised, because half of a build from nothing compiles tests
 function(boresight_add_test name)
-  cmake_parse_arguments(T "QT_MAIN;OWN_MAIN;ONE_THREAD;SLOW_TIME;OPTIMISED;FOLDERS_TOGETHER" "LABEL;TIMEOUT;SHARDS;HEADERS_OF"
+  cmake_parse_arguments(T "QT_MAIN;OWN_MAIN;ONE_THREAD;SLOW_TIME;OPTIMISED" "LABEL;TIMEOUT;SHARDS;HEADERS_OF"
     "SOURCES;LIBRARIES" ${ARGN})
   if((T_ONE_THREAD AND BORESIGHT_SANITIZE MATCHES "thread") OR (T_LABEL STREQUAL "long" AND BORESIGHT_SANITIZE)
       OR (T_LABEL MATCHES "unit|ui" AND NOT BORESIGHT_UNIT_TESTS))
@@ -51,11 +50,7 @@ function(boresight_add_test name)
   add_executable(${name} ${T_SOURCES})
   set_target_properties(${name} PROPERTIES AUTOMOC OFF)
   target_link_libraries(${name} PRIVATE boresight_fakes ${T_LIBRARIES} Qt6::Test ${main} GTest::gmock)
-  set(together "")
-  if(T_FOLDERS_TOGETHER)
-    set(together FOLDERS_TOGETHER)
-  endif()
-  boresight_unite(${name} ${together})
+  boresight_unite(${name})
   if(T_OPTIMISED)
     target_compile_options(${name} PRIVATE -O1)
     boresight_precompile(${name} ${test_headers})
