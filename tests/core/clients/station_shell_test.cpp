@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The local socket of a whole station, with a real socket.
-#include "core/clients/station_shell.h"
-
-#include "core/elements/julian_date.h"
-#include "tests/core/control/station_rig.h"
+#include "tests/core/clients/shell_rig.h"
 #include "tests/core/station/linked_station.h"
 #include "tests/fakes/azel_writer.h"
-#include "tests/fakes/wait_until.h"
 
-#include <QLocalSocket>
 #include <QTcpServer>
 
 #include <gmock/gmock.h>
@@ -25,15 +20,6 @@ using testing::Not;
 QString socketOf(const StationStatus& status, const QTemporaryDir& runtime)
 {
     return local::socketPath(runtime.path(), status.listening.section(QLatin1Char(':'), -1).toUShort());
-}
-
-std::string ask(const QString& path, const QByteArray& line)
-{
-    QLocalSocket socket;
-    socket.connectToServer(path);
-    socket.write(line);
-    EXPECT_TRUE(fakes::waitUntil([&socket] { return socket.state() == QLocalSocket::UnconnectedState; }));
-    return socket.readAll().toStdString();
 }
 
 std::string logOf(LinkedStation& rig)
@@ -61,18 +47,18 @@ TEST(StationShell, AsksAsTheOperator)
     rig.run(5);
     const QString path = socketOf(rig.station->status(), runtime);
     EXPECT_EQ(rig.station->status().authority, Authority::Clients);
-    EXPECT_EQ(ask(path, "take\n"), "ok\n");
+    EXPECT_EQ(askShell(path, "take\n"), "ok\n");
     EXPECT_EQ(rig.station->status().authority, Authority::Operator);
-    EXPECT_EQ(ask(path, "release\n"), "ok\n");
+    EXPECT_EQ(askShell(path, "release\n"), "ok\n");
     EXPECT_EQ(rig.station->status().authority, Authority::Clients);
     const std::uint64_t tick = rig.station->status().tick;
-    EXPECT_EQ(ask(path, "stop\n"), "ok\n");
+    EXPECT_EQ(askShell(path, "stop\n"), "ok\n");
     EXPECT_TRUE(rig.station->status().stopLatched);
     EXPECT_EQ(rig.station->status().tick, tick + 1) << "STOP does not wait for the next tick";
-    EXPECT_EQ(ask(path, "release\n"), "error: STOP is latched. Reset STOP first.\n");
+    EXPECT_EQ(askShell(path, "release\n"), "error: STOP is latched. Reset STOP first.\n");
     EXPECT_EQ(rig.station->status().authority, Authority::Operator);
-    EXPECT_EQ(ask(path, "reset-stop\n"), "ok\n");
-    EXPECT_EQ(ask(path, "use-new-time\n"), "error: Boresight already uses the time of this computer.\n");
+    EXPECT_EQ(askShell(path, "reset-stop\n"), "ok\n");
+    EXPECT_EQ(askShell(path, "use-new-time\n"), "error: Boresight already uses the time of this computer.\n");
     EXPECT_FALSE(rig.station->status().stopLatched);
     EXPECT_EQ(rig.station->status().authority, Authority::Operator);
     const std::string log = logOf(rig);
@@ -91,78 +77,13 @@ TEST(StationShell, ShowsAFaultOfTheSimulatedMount)
     rig.station->openAll();
     rig.run(5);
     const QString path = socketOf(rig.station->status(), runtime);
-    EXPECT_THAT(ask(path, "simulate wind az:60\n"), HasSubstr("error: This station moves a real mount"));
+    EXPECT_THAT(askShell(path, "simulate wind az:60\n"), HasSubstr("error: This station moves a real mount"));
     rig.station->setFaults([](std::string_view text) { return QStringLiteral("begins: ") + toQString(text); });
-    EXPECT_EQ(ask(path, "simulate wind az:60\n"), "ok\nbegins: wind az:60\n");
+    EXPECT_EQ(askShell(path, "simulate wind az:60\n"), "ok\nbegins: wind az:60\n");
     const std::string log = logOf(rig);
     EXPECT_THAT(log, HasSubstr("shell: simulate refused: This station moves a real mount"));
     EXPECT_THAT(log, HasSubstr("shell: begins: wind az:60"));
 }
-
-// A mount that may move, and the shell that controls it.
-struct ShellRig : StationRig
-{
-    ShellRig()
-    {
-        run(Seconds(0.5));
-        control.clientCame(kClient, "10.0.0.7");
-        shell.setRuntimeFolder(runtime.path());
-        shell.open(kPort);
-    }
-
-    std::string answerTo(const QByteArray& line)
-    {
-        return boresight::ask(local::socketPath(runtime.path(), kPort), line);
-    }
-
-    static std::vector<local::KnownAntenna> antennas()
-    {
-        return {{.antenna = {}, .isInUse = true}, {.antenna = {.name = "70 cm", .beamWidth = 20_deg, .up = 3_deg}}};
-    }
-
-    static constexpr std::uint16_t kPort = 4533;
-    QTemporaryDir runtime;
-    QString asked;  // the name of a file or a rotctld
-    StationTables::Then answer;
-    StationFollow::Then found;
-    TransmitStatus transmit;
-    ClockStatus watched;
-    std::optional<TrackedTarget> tracked;
-    std::vector<Alarm> alarms;
-    std::optional<QStringList> console;
-    std::optional<ThirdAxisStatus> third;
-    std::shared_ptr<const std::vector<orbit::ElementSet>> known =
-        std::make_shared<const std::vector<orbit::ElementSet>>(std::vector<orbit::ElementSet>{
-            {.name = "ISS (ZARYA)", .number = 25544, .epoch = orbit::julianDate(UtcTime(std::chrono::days(20000)))}});
-    StationShell shell{{.ask = [this](const Request& request, const Source& by) { return ask(request, by); },
-                        .mayShellCommand = [this] { return control.mayShellCommand(); },
-                        .readTable =
-                            [this](const QString& path, StationTables::Then then) {
-                                asked = path;
-                                answer = std::move(then);
-                            },
-                        .findRotator =
-                            [this](const QString& name, StationFollow::Then then) {
-                                asked = name;
-                                found = std::move(then);
-                            },
-                        .satellites = [this] { return known; },
-                        .antennas = [] { return antennas(); },
-                        .status =
-                            [this] {
-                                StationStatus status = control.status();
-                                status.clock = watched;
-                                status.tracked = tracked ? tracked : status.tracked;
-                                status.alarms = alarms;
-                                status.console = console;
-                                status.thirdAxis = third;
-                                return status;
-                            },
-                        .transmit = [this] { return transmit; }},
-                       log,
-                       clock,
-                       nullptr};
-};
 
 // REQ-STATION-940: The shell lets the station track a target by the rules of a go-to. It is refused while STOP is
 // latched, and while a client has control. Then `take` must come first. Afterwards the operator has control.
@@ -206,25 +127,6 @@ TEST(StationShell, ListsAntennasAndUsesOne)
     EXPECT_EQ(rig.control.status().antenna, "70 cm");
 }
 
-// REQ-WIND-29: The shell reports the wind with the status where the profile reads it, and lets the operator override
-// it.
-TEST(StationShell, ReportsTheWindAndOverridesIt)
-{
-    ShellRig rig;
-    EXPECT_THAT(rig.answerTo("status\n"), testing::Not(HasSubstr("wind")));
-    EXPECT_EQ(rig.answerTo("override-wind\n"), "error: The wind does not forbid any motion.\n");
-    profile::Profile windy = rig.profile;
-    windy.wind.source = "udp:4541";
-    rig.setProfile(windy);
-    EXPECT_THAT(rig.answerTo("status\n"), HasSubstr(R"("speed":null)"));
-    rig.control.takeWind(21.0);
-    rig.run(Seconds(1.0));
-    EXPECT_THAT(rig.answerTo("status\n"), HasSubstr(R"("speed":21)"));
-    EXPECT_THAT(rig.answerTo("status\n"), HasSubstr("The wind reached 21.0 m/s. The limit is 15.0 m/s."));
-    EXPECT_EQ(rig.answerTo("override-wind\n"), "ok\n");
-    EXPECT_THAT(rig.answerTo("status\n"), HasSubstr(R"("obstacle":"","overriddenUntil":"00:)"));
-}
-
 // REQ-STATION-244: Without a screen, the shell reports with the status the next rise or set of the tracked target, and
 // the active alarms with their sentences.
 TEST(StationShell, ReportsTheNextEventAndTheAlarms)
@@ -241,42 +143,12 @@ TEST(StationShell, ReportsTheNextEventAndTheAlarms)
     EXPECT_THAT(rig.answerTo("status\n"), HasSubstr(R"("alarms":["It failed. It stands. Mend it."])"));
 }
 
-// REQ-BRAKE-35: The shell reports the brake with the status if the mount has one.
-TEST(StationShell, ReportsTheBrake)
-{
-    ShellRig rig;
-    EXPECT_THAT(rig.answerTo("status\n"), testing::Not(HasSubstr("brake")));
-    profile::Profile braked = rig.profile;
-    braked.brake.output = "rts:/dev/ttyUSB0";
-    rig.setProfile(braked);
-    EXPECT_THAT(rig.answerTo("status\n"),
-                HasSubstr(R"("brake":{"output":"rts:/dev/ttyUSB0","problem":"","state":"closes"})"));
-    rig.control.takeBrake({.isOn = false});
-    rig.run(Seconds(1.0));
-    EXPECT_THAT(rig.answerTo("status\n"), HasSubstr(R"("state":"set"})"));
-    rig.control.takeBrake({.problem = QStringLiteral("unplugged")});
-    EXPECT_THAT(rig.answerTo("status\n"), HasSubstr(R"("problem":"unplugged","state":"failed"})"));
-}
-
-// REQ-ENDSWITCH-61: The shell reports the end switches of the profile with the status.
-TEST(StationShell, ReportsTheEndSwitches)
-{
-    ShellRig rig;
-    EXPECT_THAT(rig.answerTo("status\n"), testing::Not(HasSubstr("endSwitches")));
-    profile::Profile switched = rig.profile;
-    switched.endSwitches.inputs[1] = "mqtt:roof/end";
-    rig.setProfile(switched);
-    EXPECT_THAT(rig.answerTo("status\n"),
-                HasSubstr(R"("endSwitches":[{"end":"azimuth upper","input":"mqtt:roof/end",)"));
-    EXPECT_THAT(rig.answerTo("status\n"), HasSubstr(R"("state":"unread")"));
-}
-
 // REQ-STATION-243: Without a screen, the shell confirms the new time of a clock that was set, and reports with the
 // status by how much it was set while the station uses the old time.
 TEST(StationShell, ConfirmsAClockThatWasSet)
 {
     ShellRig rig;
-    EXPECT_THAT(rig.answerTo("status\n"), testing::Not(HasSubstr("clockSetBy")));
+    EXPECT_THAT(rig.answerTo("status\n"), Not(HasSubstr("clockSetBy")));
     rig.watched.ahead = Seconds(90.0);
     EXPECT_THAT(rig.answerTo("status\n"), HasSubstr(R"("clockSetBy":90)"));
     EXPECT_EQ(rig.answerTo("use-new-time\n"), "ok\n");
@@ -370,13 +242,13 @@ TEST(StationShell, HasTheSchedule)
     rig.station->openAll();
     rig.run(5);
     const QString path = socketOf(rig.station->status(), runtime);
-    EXPECT_THAT(ask(path, "schedule-list\n"), HasSubstr("ok\n{\"armed\":false,"));
-    EXPECT_THAT(ask(path, "schedule-report\n"), HasSubstr("\"done\":0,"));
-    EXPECT_EQ(ask(path, "schedule-arm\n"), "error: The watch list of the profile is empty.\n");
-    EXPECT_EQ(ask(path, "schedule-disarm\n"), "ok\n");
-    EXPECT_EQ(ask(path, "schedule-rehearse\n"), "ok\n");
+    EXPECT_THAT(askShell(path, "schedule-list\n"), HasSubstr("ok\n{\"armed\":false,"));
+    EXPECT_THAT(askShell(path, "schedule-report\n"), HasSubstr("\"done\":0,"));
+    EXPECT_EQ(askShell(path, "schedule-arm\n"), "error: The watch list of the profile is empty.\n");
+    EXPECT_EQ(askShell(path, "schedule-disarm\n"), "ok\n");
+    EXPECT_EQ(askShell(path, "schedule-rehearse\n"), "ok\n");
     EXPECT_TRUE(fakes::waitUntil([&] {
-        return ask(path, "schedule-rehearsal\n") ==
+        return askShell(path, "schedule-rehearsal\n") ==
                "ok\n{\"night\":null,\"problem\":\"The watch list of the profile is empty.\",\"progress\":null}\n";
     }));
     EXPECT_EQ(rig.station->status().authority, Authority::Clients) << "nothing was taken";
@@ -455,52 +327,6 @@ TEST(StationShell, ReportsTheStateOfTheWindow)
                 HasSubstr("{\"motion\":\"track 20.00° 30.00°\",\"reason\":\"\",\"state\":\"SLEW\"}"));
     EXPECT_EQ(rig.answerTo("stop\n"), "ok\n");
     EXPECT_THAT(rig.answerTo("status\n"), HasSubstr("\"state\":\"STOPPED\""));
-}
-
-// REQ-TRANSMIT-31: The shell reports whether the transmit output is on, or what keeps it off. Without an output the
-// answer is an empty object.
-TEST(StationShell, ReportsTheTransmitOutput)
-{
-    ShellRig rig;
-    EXPECT_EQ(rig.answerTo("transmit\n"), "ok\n{}\n");
-    rig.transmit = {.output = QStringLiteral("file:/run/transmit"),
-                    .whyOff = QStringLiteral("The mount has no target."),
-                    .within = 2.5_deg};
-    EXPECT_EQ(rig.answerTo("transmit\n"),
-              "ok\n{\"error\":null,\"on\":false,\"output\":\"file:/run/transmit\",\"problem\":\"\","
-              "\"whyOff\":\"The mount has no target.\",\"within\":2.5}\n");
-    rig.transmit.on = true;
-    rig.transmit.whyOff.clear();
-    rig.transmit.error = 0.25_deg;
-    EXPECT_THAT(rig.answerTo("transmit\n"), HasSubstr("{\"error\":0.25,\"on\":true,"));
-}
-
-// REQ-STATION-945: The shell types a line to the control box of the mount by the rules of the page Console, and reports
-// the typed lines with their answers. A mount without such a box refuses both.
-TEST(StationShell, TypesToTheControlBox)
-{
-    ShellRig rig;
-    EXPECT_EQ(rig.answerTo("console H\n"), "error: this rotator does not have this function\n");
-    EXPECT_EQ(rig.answerTo("console-lines\n"), "error: This mount has no control box that takes typed lines.\n");
-    EXPECT_THAT(rig.answerTo("console\n"), HasSubstr("error: This is not a command."));
-    rig.console = QStringList{QStringLiteral("> H"), QStringLiteral("H \"help\"")};
-    EXPECT_EQ(rig.answerTo("console-lines\n"), "ok\n[\"> H\",\"H \\\"help\\\"\"]\n");
-}
-
-// REQ-THIRD-32: The shell reports the angle, the state, the mode, the fault and the temperature of the third axis.
-TEST(StationShell, ReportsTheThirdAxis)
-{
-    ShellRig rig;
-    EXPECT_THAT(rig.answerTo("status\n"), Not(HasSubstr("thirdAxis")));
-    rig.third = ThirdAxisStatus{.name = QStringLiteral("polarisation"),
-                                .state = ThirdAxisStatus::State::Holding,
-                                .place = 12.5_deg,
-                                .mode = QStringLiteral("position (10)"),
-                                .boardTemperature = 31.0};
-    EXPECT_THAT(
-        rig.answerTo("status\n"),
-        HasSubstr("\"thirdAxis\":{\"angle\":12.5,\"boardTemperature\":31,\"fault\":\"\",\"mode\":\"position (10)\","
-                  "\"name\":\"polarisation\",\"rate\":null,\"state\":\"holding\"}"));
 }
 
 }  // namespace
