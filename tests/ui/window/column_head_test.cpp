@@ -119,8 +119,9 @@ TEST_F(PortugueseColumnHeadTest, NoAlarmMovesTheTabs)
     }
 }
 
-// Story: at 1024×700 a refused Go made the page Limits scroll. The tabs lost their icons, so a click on Jog opened
-// Passes. REQ-UI-1773: The tabs do not move when a refusal is shown, on no page.
+// Story: at 1024×700 a refused Go made the page Limits scroll. The tabs lost their icons, and a click on Jog met
+// Passes.
+// REQ-UI-1773: The tabs do not move when a refusal is shown, on no page.
 TEST_F(ColumnHeadTest, ARefusalDoesNotMoveTheTabs)
 {
     window.resize(1024, 700);
