@@ -26,6 +26,20 @@ constexpr Angle kNextOfStream = Angle::fromDegrees(10.0);
 constexpr Angle kTurnedBack = Angle::fromDegrees(1.0);
 constexpr Angle kSameWay = Angle::fromDegrees(1e-6);
 
+// How long the target of a stream is lost if the mount waits at the end. Its path is unknown, so it counts as turning
+// on at its present azimuth rate: half a turn later the mount reaches it again on the other side, after half a turn of
+// its own. Coarse steps, so that the number stands still. Empty: the azimuth of the target stands.
+std::optional<Seconds> lostByWaiting(AngularRate azimuthRate, const tracking::MotionLimits& limits)
+{
+    constexpr AngularRate kSlowestTarget = AngularRate::fromDegrees(0.001);
+    constexpr Seconds kCoarseTime{10.0};
+    if (abs(azimuthRate) < kSlowestTarget) {
+        return std::nullopt;
+    }
+    const Seconds lost = Seconds(180_deg / (abs(azimuthRate) * Seconds(1.0))) + tracking::fullTurnTime(limits) / 2.0;
+    return kCoarseTime * std::round(lost / kCoarseTime);
+}
+
 QString timeText(Seconds time)
 {
     return time < Seconds(100.0) ? QStringLiteral("%1 s").arg(std::lround(time.count()))
@@ -102,7 +116,8 @@ void CableGuard::watchEnd(const std::optional<tracking::MovingTarget>& path, con
     const bool turnsBack = !keepsWrap && range.contains(forecast->end + back);
     m_end = CableEnd{.end = forecast->end,
                      .in = forecast->in,
-                     .turningBack = turnsBack ? std::optional(tracking::fullTurnTime(limits)) : std::nullopt};
+                     .turningBack = turnsBack ? std::optional(tracking::fullTurnTime(limits)) : std::nullopt,
+                     .lostByHolding = turnsBack ? lostByWaiting(path->rates.azimuth, limits) : std::nullopt};
     tell(*m_end);
 }
 

@@ -376,8 +376,9 @@ void TargetTrack::describe(StationStatus& status) const
     if (!targets::stays(m_tracked->target)) {
         status.tracked->skyRate = m_tracked->skyRate;
     }
-    if (status.cableEnd && status.cableEnd->turningBack && m_tracked->place) {
-        status.cableEnd->lostByHolding = lostByHolding();
+    if (status.cableEnd) {
+        const bool isKnown = status.cableEnd->turningBack && m_tracked->place;
+        status.cableEnd->lostByHolding = isKnown ? std::optional(lostByHolding()) : std::nullopt;
     }
 }
 

@@ -31,10 +31,6 @@
         <translation>cabo %1</translation>
     </message>
     <message>
-        <source>end %1 in %2</source>
-        <translation>fim %1 em %2</translation>
-    </message>
-    <message>
         <source>Its travel is from %1 to %2.</source>
         <translation>O seu curso vai de %1 a %2.</translation>
     </message>
@@ -61,6 +57,10 @@
     <message>
         <source>It ends at %1 in %2.</source>
         <translation>Termina em %1 dentro de %2.</translation>
+    </message>
+    <message>
+        <source>end in %1, %2</source>
+        <translation>fim em %1, %2</translation>
     </message>
 </context>
 <context>
@@ -11490,10 +11490,6 @@ SDL 2, toml++</translation>
         <translation>Não desenrolar. A montagem espera no fim do cabo até poder alcançar o alvo de novo. Os clientes mantêm o controlo</translation>
     </message>
     <message>
-        <source>Unwrapping loses the target for %1. Holding at the end loses it for %2.</source>
-        <translation>Desenrolar perde o alvo durante %1. Ficar no fim perde-o durante %2.</translation>
-    </message>
-    <message>
         <source>More</source>
         <translation>Mais</translation>
     </message>
@@ -11508,6 +11504,18 @@ SDL 2, toml++</translation>
     <message>
         <source>The mount may move in the wind for the time of wind.override_min. Then the mount parks again</source>
         <translation>A montagem pode mover-se com vento durante o tempo de wind.override_min. Depois a montagem volta a estacionar</translation>
+    </message>
+    <message>
+        <source>Unwrapping loses the target for %1.</source>
+        <translation>Desenrolar perde o alvo durante %1.</translation>
+    </message>
+    <message>
+        <source>Holding at the end loses the target for %1.</source>
+        <translation>Ficar no fim perde o alvo durante %1.</translation>
+    </message>
+    <message>
+        <source>Holding at the end loses the target for about %1 if it keeps its azimuth rate.</source>
+        <translation>Ficar no fim perde o alvo durante cerca de %1, se mantiver a sua velocidade em azimute.</translation>
     </message>
 </context>
 <context>
@@ -19555,10 +19563,6 @@ Para onde outro rotor aponta, segundo o seu rotctld: rotctld:10.0.0.7:4533</tran
     <message>
         <source>Wind %1 m/s</source>
         <translation>Vento %1 m/s</translation>
-    </message>
-    <message>
-        <source>Wind %1</source>
-        <translation>Vento %1</translation>
     </message>
     <message>
         <source>only Park moves the mount</source>

@@ -31,9 +31,9 @@ QString unknownPlace()
     return CableText::tr("cable %1").arg(QStringLiteral("---°"));
 }
 
-QString endText(Angle end, const QString& wait)
+QString endText(Angle left, const QString& wait)
 {
-    return CableText::tr("end %1 in %2").arg(angleText(end, 0), wait);
+    return CableText::tr("end in %1, %2").arg(angleText(left, 0), wait);
 }
 
 QString rangeSentence(const TravelRange& travel)
@@ -70,7 +70,7 @@ CableWords cableWords(const StationStatus& status)
     if (cable.actual && status.cableEnd) {
         words.isWarning = true;
         words.tone = Tone::Warning;
-        words.travel = endText(status.cableEnd->end, waitText(status.cableEnd->in));
+        words.travel = endText(abs(status.cableEnd->end - *cable.actual), waitText(status.cableEnd->in));
         words.sentence += u' ' + CableText::tr("It ends at %1 in %2.")
                                      .arg(angleText(status.cableEnd->end, 0), waitText(status.cableEnd->in));
     }
@@ -81,7 +81,7 @@ CableWords widestCableWords()
 {
     const TravelRange wide{Angle::fromDegrees(-888.0), Angle::fromDegrees(888.0)};
     return {.place = CableText::tr("cable %1").arg(angleText(wide.min, 0)),
-            .travel = widest(fonts::label(), {travelText(wide), endText(wide.min, waitText(Seconds(99.0))),
+            .travel = widest(fonts::label(), {travelText(wide), endText(wide.max, waitText(Seconds(99.0))),
                                               CableText::tr("wrap unknown")}),
             .sentence = {}};
 }

@@ -126,14 +126,27 @@ QString linesOf(QStringList sentences)
     return sentences.join(QLatin1Char('\n'));
 }
 
-// The seconds that the two choices at the end of the cable lose, if they are known.
-QString costOf(const StationStatus& status)
+// What the choice to unwrap loses, for a card that leaves out the sentence of the alarm about it.
+QString unwrapCost(const StationStatus& status)
 {
     const std::optional<CableEnd>& end = status.cableEnd;
     return end && end->turningBack && end->lostByHolding
-               ? AlarmCard::tr("Unwrapping loses the target for %1. Holding at the end loses it for %2.")
-                     .arg(durationText(*end->turningBack), durationText(*end->lostByHolding))
+               ? AlarmCard::tr("Unwrapping loses the target for %1.").arg(durationText(*end->turningBack))
                : QString();
+}
+
+// What the other choice loses. The way of a target that Boresight does not compute itself is an estimate.
+QString holdCost(const StationStatus& status)
+{
+    const std::optional<CableEnd>& end = status.cableEnd;
+    if (!end || !end->turningBack || !end->lostByHolding) {
+        return {};
+    }
+    const QString sentence = status.tracked ? AlarmCard::tr("Holding at the end loses the target for %1.")
+                                            : AlarmCard::tr(
+                                                  "Holding at the end loses the target for about %1 if it keeps its "
+                                                  "azimuth rate.");
+    return sentence.arg(durationText(*end->lostByHolding));
 }
 
 QString listOf(const std::vector<Alarm>& alarms)
@@ -236,7 +249,8 @@ QString AlarmCard::adviceIn(AlarmForm form) const
     const bool isRead = alarm.acknowledged;
     const bool asks = alarm.active || (alarm.help == AlarmHelp::Rearm && m_recovery == AlarmHelp::Rearm);
     const QString did = isRead || !asks || form == AlarmForm::Remedy ? QString() : alarm.action;
-    const QString lines = linesOf({did, isRead || !asks ? QString() : alarm.remedy, m_cost});
+    const QString remedy = isRead || !asks ? QString() : alarm.remedy;
+    const QString lines = linesOf({did, remedy, did.isEmpty() ? m_unwrapCost : QString(), m_holdCost});
     return form == AlarmForm::Lines ? lines : QString(lines).replace(QLatin1Char('\n'), QLatin1Char(' '));
 }
 
@@ -293,7 +307,9 @@ void AlarmCard::showAlarm(const StationStatus& status)
     }
     const Alarm& alarm = *m_shown;
     m_what->setValue(alarm.active ? alarm.what : tr("Cleared: %1").arg(alarm.what));
-    m_cost = alarm.active && alarm.help == AlarmHelp::Unwind ? costOf(status) : QString();
+    const bool mayChoose = alarm.active && alarm.help == AlarmHelp::Unwind;
+    m_unwrapCost = mayChoose ? unwrapCost(status) : QString();
+    m_holdCost = mayChoose ? holdCost(status) : QString();
     m_advice->setValue(adviceIn(m_form));
     m_advice->setVisible(!m_advice->text().isEmpty());
     m_what->setToolTip(listOf(status.alarms));

@@ -88,7 +88,8 @@ private:
     QPushButton* m_count;
     QPushButton* m_more;
     std::optional<Alarm> m_shown;
-    QString m_cost;  // cost of the choices at the end of the cable
+    QString m_unwrapCost;  // what the choices at the cable end lose
+    QString m_holdCost;
     AlarmForm m_form = AlarmForm::Lines;
     AlarmHelp m_recovery = AlarmHelp::None;
     bool m_flashing = false;

@@ -58,6 +58,7 @@ constexpr std::chrono::milliseconds kBeat{100};
 constexpr int kBeatsPerSecond = 10;
 constexpr int kWidthWithCharts = 1600;
 constexpr int kColumnOfLowWindow = 520;  // px: in a window of 1024x700 the disc of the sky beside it has 440 px
+constexpr int kFootOfSky = 48;           // px: prompts leave legend and cable free
 constexpr int kColumn = 576;             // px: at least 590 px in a window of 1280x800, where the numbers are larger
 
 // Must come before the first widget: its size depends on the style, and its description for screen readers is created
@@ -174,7 +175,7 @@ void MainWindow::build()
     grid->setRowStretch(2, 1);
     grid->setColumnStretch(0, 4);
     grid->setColumnStretch(1, 3);
-    m_plotCell->addWidget(m_plot, 0, 0);
+    m_plotCell->addWidget(m_plot, 0, 0, 2, 1);
     addPrompts();
     new QVBoxLayout(m_strip);
     m_strip->hide();
@@ -201,6 +202,8 @@ QWidget* MainWindow::makeSide(QWidget& ground)
 
 void MainWindow::addPrompts()
 {
+    m_plotCell->setRowStretch(0, 1);
+    m_plotCell->setRowMinimumHeight(1, kFootOfSky);
     m_plotCell->addWidget(m_pickBar, 0, 0, Qt::AlignHCenter | Qt::AlignBottom);
     m_plotCell->addWidget(m_controlBar, 0, 0, Qt::AlignLeft | Qt::AlignBottom);
     m_plotCell->addWidget(m_handBackBar, 0, 0, Qt::AlignHCenter | Qt::AlignBottom);
@@ -355,7 +358,7 @@ void MainWindow::placeLastCommand()
         return;
     }
     if (below) {
-        m_plotCell->addWidget(m_lastCommand, 1, 0);
+        m_plotCell->addWidget(m_lastCommand, 2, 0);
         m_lastCommand->setAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     } else {
         column->addWidget(m_lastCommand);

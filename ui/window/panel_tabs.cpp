@@ -24,6 +24,8 @@
 #include "ui/tuning/tuning_panel.h"
 
 #include <QEvent>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QShortcut>
 #include <QStyle>
 #include <QTabBar>
@@ -34,6 +36,7 @@ namespace boresight::ui {
 
 namespace {
 constexpr int kLeastTabSpace = 4;  // px beside the words of a tab, on both sides together
+constexpr int kLeastSpaceWithIcons = kTabSpace - 4;
 }  // namespace
 
 PanelTabs::PanelTabs(const Clock& clock, RequestDesk& desk, HostDesk& host, ProfileDraft& draft,
@@ -101,19 +104,36 @@ void PanelTabs::spaceTabs(int space)
     setIconSize({size, size});  // this lays the tabs out
 }
 
+// The room beside a scroll bar, whether the bar is there or not. Otherwise the tabs would move when it comes and goes.
+int PanelTabs::roomForTabs() const
+{
+    for (QWidget* above = parentWidget(); above != nullptr; above = above->parentWidget()) {
+        if (const auto* const scroll = qobject_cast<QScrollArea*>(above)) {
+            const int most = scroll->width() - scroll->verticalScrollBar()->sizeHint().width();
+            return std::min(width(), std::max(most, 0));
+        }
+    }
+    return width();
+}
+
+bool PanelTabs::fitTabsWith(bool icons, int leastSpace)
+{
+    showIcons(icons);
+    const int room = roomForTabs();
+    for (int space = kTabSpace; space >= leastSpace; space -= 2) {
+        spaceTabs(space);
+        if (tabBar()->sizeHint().width() <= room) {
+            return true;
+        }
+    }
+    return false;
+}
+
 // In a narrow window only words without symbols, and long words closer to each other, so that all tabs stay visible.
 void PanelTabs::fitTabs()
 {
-    const auto fit = [this] { return tabBar()->sizeHint().width() <= width(); };
-    showIcons(true);
-    spaceTabs(kTabSpace);
-    if (fit()) {
-        return;
-    }
-    showIcons(false);
-    for (int space = kTabSpace; space > kLeastTabSpace && !fit();) {
-        space -= 2;
-        spaceTabs(space);
+    if (!fitTabsWith(true, kLeastSpaceWithIcons)) {
+        (void)fitTabsWith(false, kLeastTabSpace);
     }
 }
 

@@ -70,6 +70,8 @@ protected:
 private:
     void showIcons(bool on);
     void spaceTabs(int space);
+    [[nodiscard]] int roomForTabs() const;
+    bool fitTabsWith(bool icons, int leastSpace);
     void fitTabs();
     void addPanel(QTabWidget& tabs, QWidget& panel, const QString& text, const QString& help, Qt::Key key);
     void bringUpByKey(QWidget& panel);

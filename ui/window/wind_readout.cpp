@@ -17,8 +17,8 @@ bool isLive(const WindStatus& wind)
 
 QString windText(const WindStatus& wind)
 {
-    return isLive(wind) ? WindReadout::tr("Wind %1 m/s").arg(*wind.speed, 0, 'f', 1)
-                        : WindReadout::tr("Wind %1").arg(noValue());
+    return WindReadout::tr("Wind %1 m/s")
+        .arg(isLive(wind) ? QString::number(*wind.speed, 'f', 1) : QStringLiteral("--.-"));
 }
 
 // The obstacle by the wind, or else the reason why there is no reading.

@@ -370,7 +370,7 @@ TEST_F(StationSatelliteNorth, ThePassTellsWhatHoldingAtTheCableEndLoses)
 }
 
 // REQ-CONTROL-31c
-TEST_F(StationSatelliteNorth, OfAStreamNobodyKnowsWhatHoldingLoses)
+TEST_F(StationSatelliteNorth, OfAStreamHoldingIsJudgedByItsAzimuthRate)
 {
     ASSERT_TRUE(rig.ask(request::PointAxes{{.azimuth = 330_deg, .elevation = 30_deg}}));
     rig.settle();
@@ -381,7 +381,9 @@ TEST_F(StationSatelliteNorth, OfAStreamNobodyKnowsWhatHoldingLoses)
     }
     ASSERT_TRUE(rig.control.status().cableEnd);
     EXPECT_TRUE(rig.control.status().cableEnd->turningBack);
-    EXPECT_FALSE(rig.control.status().cableEnd->lostByHolding);
+    // Half a turn at 1°/s, then half a turn of the mount at 10°/s.
+    ASSERT_TRUE(rig.control.status().cableEnd->lostByHolding);
+    EXPECT_EQ(rig.control.status().cableEnd->lostByHolding->count(), 200.0);
 }
 
 TEST(SteeredUtc, TakesUpSmallCorrectionsSlowlyAndASetClockAtOnce)

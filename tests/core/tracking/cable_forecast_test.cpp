@@ -55,8 +55,9 @@ TEST(CableForecast, ATargetThatSetsBeforeOrStandsIsNotTold)
     EXPECT_FALSE(forecastCableEnd(moving(451_deg, 10_deg, 1_deg_s), kRange).has_value()) << "it is there already";
 }
 
-// REQ-CONTROL-31c: If the path of the target is known, the operator sees before the choice how many seconds each choice
-// loses: unwrapping, and holding at the end. If it is not known, no time is shown.
+// REQ-CONTROL-31c: The operator sees before the choice how long each choice loses the target: unwrapping, and holding
+// at the end. If the path of the target is not known, the second time is an estimate by its present azimuth rate, and
+// the text names this condition.
 TEST(TimeBeyond, CountsWhatIsPastTheEndAndNothingElse)
 {
     const std::vector<PathMoment> path{{.in = Seconds(0.0), .azimuth = 430_deg},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/window_fixture.h"
 #include "ui/clients/hand_back_prompt.h"
+#include "ui/kit/value_label.h"
 #include "ui/window/progress_line.h"
 
 #include <QPushButton>
@@ -37,6 +38,25 @@ TEST_F(HandBackTest, IsOfferedWhileClientsWaitAndGivesTheControl)
     EXPECT_TRUE(prompt().isVisible());
     press(QStringLiteral("Hand back"));
     EXPECT_EQ(asked<request::GiveAuthority>().size(), 1U);
+}
+
+// Story: at 1024×700 the question covered half of the words about the cable, and the legend.
+// REQ-UI-1772: No prompt over the sky covers the cable in numbers.
+TEST_F(HandBackTest, LeavesTheCableFree)
+{
+    for (const QSize size : {QSize(1024, 700), QSize(1280, 800), QSize(1920, 1080)}) {
+        window.resize(size);
+        giveTaken(true);
+        QCoreApplication::sendPostedEvents();
+        QCoreApplication::processEvents();
+        ASSERT_TRUE(prompt().isVisible());
+        const QRect bar(prompt().mapTo(&window, QPoint()), prompt().size());
+        for (const char* const name : {"Azimuth cable", "Travel of the azimuth cable"}) {
+            const auto* const words = named<ValueLabel>(name);
+            const QRect place(words->mapTo(&window, QPoint()), words->size());
+            EXPECT_FALSE(bar.intersects(place)) << size.width() << " " << name;
+        }
+    }
 }
 
 // REQ-UI-601: "Keep control" applies until control is taken again.

@@ -263,7 +263,7 @@ TEST_F(SkyLook, AnUnknownWrapShowsNoUsedPart)
     status.azimuth.actual = 397_deg;
     status.cableEnd = CableEnd{.end = 450_deg, .in = Seconds(27.0)};
     show(status);
-    EXPECT_EQ(words("Travel of the azimuth cable"), QStringLiteral("end 450° in 27 s"));
+    EXPECT_EQ(words("Travel of the azimuth cable"), QStringLiteral("end in 53°, 27 s"));
     plot.describe(status);
     EXPECT_TRUE(plot.accessibleDescription().endsWith(
         QStringLiteral("The azimuth cable is at 397°. Its travel is from -90° to 450°. The nearer end is 53° away. It "

@@ -11,6 +11,7 @@
 #include "ui/window/sensor_readout.h"
 
 #include <QPushButton>
+#include <QTabBar>
 
 namespace boresight::ui {
 namespace {
@@ -115,6 +116,34 @@ TEST_F(PortugueseColumnHeadTest, NoAlarmMovesTheTabs)
         window.resize(size);
         EXPECT_EQ(movers(withSensor).join(u", ").toStdString(), "") << size.width();
         EXPECT_EQ(movers({}).join(u", ").toStdString(), "") << size.width();
+    }
+}
+
+// Story: at 1024×700 a refused Go made the page Limits scroll. The tabs lost their icons, and a click on Jog met
+// Passes.
+// REQ-UI-1773: The tabs do not move when a refusal is shown, on no page.
+TEST_F(ColumnHeadTest, ARefusalDoesNotMoveTheTabs)
+{
+    window.resize(1024, 700);
+    give(samples::update(samples::idle()));
+    auto* const tabs = window.findChild<PanelTabs*>();
+    auto* const refusal = named<ValueLabel>("Refused direction");
+    const auto places = [&](const QString& refused) {
+        refusal->setValue(refused, Tone::Warning);
+        QCoreApplication::sendPostedEvents();
+        QCoreApplication::processEvents();
+        QList<QRect> found;
+        for (int tab = 0; tab < tabs->count(); ++tab) {
+            found << tabs->tabBar()->tabRect(tab);
+        }
+        return found;
+    };
+    const QString refused =
+        QStringLiteral("Go: 315.0° / 10.0° lies in keep-out \"roof\". Nearest allowed: 300.0° / 25.0°. ");
+    for (int page = 0; page < tabs->count(); ++page) {
+        tabs->setCurrentIndex(page);
+        const QList<QRect> before = places({});
+        EXPECT_EQ(places(refused.repeated(3)), before) << page;
     }
 }
 
