@@ -15002,6 +15002,18 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
         <source>Trim: X %1 Y %2</source>
         <translation>Correção: X %1 Y %2</translation>
     </message>
+    <message>
+        <source>X %1
+Y %2</source>
+        <translation>X %1
+Y %2</translation>
+    </message>
+    <message>
+        <source>AZ %1
+EL %2</source>
+        <translation>AZ %1
+EL %2</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::LandmarkBox</name>
