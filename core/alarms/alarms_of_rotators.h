@@ -112,7 +112,7 @@ inline constexpr std::array kRotatorAlarms{
         .source = "%1",
         .severity = Severity::Warning,
         .what = QT_TRANSLATE_NOOP("Text", "The %1 is %2 away from its target, more than half the beam width"),
-        .action = QT_TRANSLATE_NOOP("Text", "Boresight waits, because the motor may start %3 times a minute"),
+        .action = QT_TRANSLATE_NOOP("Text", "Boresight waits, because the motor may start only %3 times a minute"),
         .remedy = QT_TRANSLATE_NOOP(
             "Text", "Permit more starts on the page Profile (rotator.max_starts_per_min), or point less exactly."),
         .help = AlarmHelp::OpenProfile,

@@ -68,7 +68,7 @@ inline constexpr std::array kDriveCheckAlarms{
                .source = "third axis",
                .severity = Severity::Alarm,
                .what = QT_TRANSLATE_NOOP("Text", "The drive of the third axis (%1) reports fault %2"),
-               .action = QT_TRANSLATE_NOOP("Text", "Boresight does not move this axis, and the mount goes on"),
+               .action = QT_TRANSLATE_NOOP("Text", "Boresight does not move this axis. The other axes go on"),
                .remedy = QT_TRANSLATE_NOOP("Text", "Remove the cause, then press Re-arm."),
                .help = AlarmHelp::Rearm,
                .examples = {"polarisation", "over temperature (38)"}},
@@ -76,7 +76,7 @@ inline constexpr std::array kDriveCheckAlarms{
                .source = "third axis",
                .severity = Severity::Warning,
                .what = QT_TRANSLATE_NOOP("Text", "The drive of the third axis (%1) does not reply"),
-               .action = QT_TRANSLATE_NOOP("Text", "Boresight does not move this axis, and the mount goes on"),
+               .action = QT_TRANSLATE_NOOP("Text", "Boresight does not move this axis. The other axes go on"),
                .remedy = QT_TRANSLATE_NOOP("Text",
                                            "Check the power and the plugs of the board with the id %2. If there is no "
                                            "such axis, set third_axis.id to 0."),

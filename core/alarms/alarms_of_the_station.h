@@ -267,17 +267,17 @@ inline constexpr std::array kStationAlarms{
         .examples = {"the upper end of the azimuth", "board 1 does not reply", "moteus:1:aux1.0"},
         .identifying = 1,
         .placeOf = "switch.unread"},
-    AlarmEntry{
-        .id = "wind.parks",
-        .source = "wind",
-        .severity = Severity::Warning,
-        .what = "%1",
-        .action = QT_TRANSLATE_NOOP("Text", "The mount parks. Boresight refuses every other motion"),
-        .remedy = QT_TRANSLATE_NOOP(
-            "Text", "Wait until the wind was below %2 m/s for %3 min. If the mount must move, press Move anyway"),
-        .help = AlarmHelp::OverrideWind,
-        .examples = {"The wind reached 17.0 m/s. The limit is 15.0 m/s", "10.0", "10"},
-        .identifying = 0},
+    AlarmEntry{.id = "wind.parks",
+               .source = "wind",
+               .severity = Severity::Warning,
+               .what = "%1",
+               .action = QT_TRANSLATE_NOOP("Text", "The mount parks. Boresight refuses every other motion"),
+               .remedy = QT_TRANSLATE_NOOP(
+                   "Text",
+                   "Wait until the wind has stayed below %2 m/s for %3 min. If the mount must move, press Move anyway"),
+               .help = AlarmHelp::OverrideWind,
+               .examples = {"The wind reached 17.0 m/s. The limit is 15.0 m/s", "10.0", "10"},
+               .identifying = 0},
     AlarmEntry{
         .id = "wind.not-parked",
         .source = "wind",

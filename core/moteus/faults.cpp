@@ -25,7 +25,7 @@ constexpr std::string_view kWhileDemanded =
 constexpr std::string_view kBlocked =
     QT_TRANSLATE_NOOP("Text", "A blocked axis, wrong gains, or a trajectory too fast for the torque allowed");
 constexpr std::string_view kUnblock =
-    QT_TRANSLATE_NOOP("Text", "Free the axis, lower speed and acceleration or correct the gains, then re-arm");
+    QT_TRANSLATE_NOOP("Text", "Free the axis. Reduce speed and acceleration, or correct the gains. Then re-arm");
 
 // moteus register map version 5, firmware 1.1.0.
 constexpr std::array kRows{

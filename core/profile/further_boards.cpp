@@ -151,7 +151,8 @@ void addMotion(std::vector<Setting>& list)
         "third_axis.max_jerk_deg_s3", "°/s³", {0.01, 360000.0}, Applies::Now,
         {QT_TRANSLATE_NOOP("Text", "Jerk"),
          QT_TRANSLATE_NOOP("Text",
-                           "Largest change of acceleration. Every stop takes 2 × acceleration / jerk seconds longer.")},
+                           "Largest jerk: how fast the acceleration may change. It makes every stop longer by "
+                           "2 × acceleration / jerk seconds.")},
         [](auto& p) -> auto& { return p.thirdAxis.axis.limits.jerk; }));
     list.push_back(number(
         "third_axis.max_torque_nm", "Nm", {0.01, 10000.0}, Applies::Now,

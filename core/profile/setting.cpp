@@ -163,7 +163,8 @@ void addLimits(std::vector<Setting>& list, const std::string& table, AxisSetting
         table + ".max_jerk_deg_s3", "°/s³", {0.01, 360000.0}, Applies::Now,
         {QT_TRANSLATE_NOOP("Text", "Jerk"),
          QT_TRANSLATE_NOOP("Text",
-                           "Largest change of acceleration. Every stop takes 2 × acceleration / jerk seconds longer.")},
+                           "Largest jerk: how fast the acceleration may change. It makes every stop longer by "
+                           "2 × acceleration / jerk seconds.")},
         [axis](auto& p) -> auto& { return (p.*axis).limits.jerk; }));
     list.push_back(number(
         table + ".max_torque_nm", "Nm", {0.01, 10000.0}, Applies::Now,

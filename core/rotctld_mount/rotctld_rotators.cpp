@@ -71,8 +71,8 @@ RotatorOffer hamlibOffer()
             .onSerialPort = true,
             .network = "hamlib",
             .promise = {Text::tr("Boresight starts rotctld for this model, and ends it."),
-                        Text::tr("Connect asks for the limits and for the position. Boresight moves nothing. Some "
-                                 "models send their box a greeting."),
+                        Text::tr("Connect asks rotctld for the limits and for the position. Boresight moves nothing. "
+                                 "For some models rotctld sends a greeting to the box."),
                         Text::tr("Choose exactly the model that is on the port. Hamlib does not check it.")},
             .checks = {Text::tr("Check the power of the rotator, and the cable."),
                        Text::tr("Compare the model and the speed with the manual of the rotator."),

@@ -146,7 +146,8 @@ void Station::tellDirections()
     if (m_profile->mount.directions == profile::Directions::Unconfirmed) {
         m_log.add(Severity::Warning, QStringLiteral("station"),
                   Text::tr("Nobody has confirmed the directions of the axes. Boresight moves the mount at most 2° at "
-                           "5°/s, by a jog or by M of a client. Check that each axis turns in the direction of the "
+                           "5°/s, and only by a jog or by the command M of a client. Check that each axis turns in the "
+                           "direction of the "
                            "profile. Then confirm the directions in the guide of the window, or run boresightctl "
                            "confirm-directions PROFILE and start again."));
     }

@@ -175,19 +175,19 @@
     </message>
     <message>
         <source>The azimuth axis leans by %1 ± %2 towards %3. At 0° of the elevation axis the sensor reports %4.</source>
-        <translation>O eixo de azimute inclina-se %1 ± %2 para %3. Onde o eixo de elevação mostra 0° o sensor diz %4.</translation>
+        <translation>O eixo de azimute inclina-se %1 ± %2 para %3. A 0° do eixo de elevação o sensor indica %4.</translation>
     </message>
     <message>
         <source>No points yet. Take them in step 3</source>
-        <translation>Ainda não há pontos: o passo 3 toma-os</translation>
+        <translation>Ainda não há pontos. Tome-os no passo 3</translation>
     </message>
     <message>
         <source>Turning clockwise, the sensor reads %1 more than turning back.</source>
-        <translation>No sentido horário o sensor diz mais %1 do que na volta.</translation>
+        <translation>No sentido horário o sensor indica mais %1 do que na volta.</translation>
     </message>
     <message>
         <source>Never look into the Sun or along a sight tube. The Sun can burn the feed of a dish. Use the shadow and be quick.</source>
-        <translation>Nunca olhe para o Sol, nem por um tubo de mira. Um prato queima o alimentador: siga a sombra, seja rápido.</translation>
+        <translation>Nunca olhe para o Sol nem por um tubo de mira. O Sol pode queimar o alimentador de um prato. Use a sombra e seja rápido.</translation>
     </message>
     <message>
         <source>North %1. The readings cause %2 of the uncertainty. A swing cannot measure the other %3.</source>
@@ -281,7 +281,7 @@
     </message>
     <message>
         <source>writing the drives</source>
-        <translation>escrevendo nos acionamentos</translation>
+        <translation>a escrever nos acionamentos</translation>
     </message>
     <message>
         <source>The drives have been read</source>
@@ -297,7 +297,7 @@
     </message>
     <message>
         <source>Nothing moves until you take it back. Then Boresight reads the drives again</source>
-        <translation>Nada se move até ele ser retomado; então os acionamentos são lidos de novo</translation>
+        <translation>Nada se move até o retomar. Depois o Boresight lê de novo os acionamentos</translation>
     </message>
     <message>
         <source>Ready to move, drives switched on</source>
@@ -381,7 +381,7 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
     <name>GuideWords</name>
     <message>
         <source>Connect</source>
-        <translation>Conexão</translation>
+        <translation>Ligação</translation>
     </message>
     <message>
         <source>Protect</source>
@@ -529,7 +529,7 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
     </message>
     <message>
         <source>Connect: what turns the mount?</source>
-        <translation>Conexão: o que move a montagem?</translation>
+        <translation>Ligação: o que move a montagem?</translation>
     </message>
     <message>
         <source>Boresight is reading the drives.</source>
@@ -544,11 +544,11 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
     </message>
     <message>
         <source>The file is too long for a horizon.</source>
-        <translation>o arquivo é longo demais para um horizonte</translation>
+        <translation>O ficheiro é longo demais para um horizonte.</translation>
     </message>
     <message>
         <source>%1 points read. %2 lower points at the same azimuth were left out</source>
-        <translation>%1 pontos lidos, mais %2 omitidos num azimute que tem outro mais alto</translation>
+        <translation>%1 pontos lidos. %2 pontos mais baixos no mesmo azimute foram omitidos</translation>
     </message>
 </context>
 <context>
@@ -682,7 +682,7 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
         <translation>A saída %1 está ligada enquanto o travão está aberto. Nada se move antes de o travão estar aberto.</translation>
     </message>
     <message>
-        <source>%1 at end</source>
+        <source>%1 switch</source>
         <translation>%1 no fim</translation>
     </message>
 </context>
@@ -957,7 +957,7 @@ até %1</translation>
     </message>
     <message>
         <source>Control</source>
-        <translation>Controle</translation>
+        <translation>Controlo</translation>
     </message>
     <message>
         <source>Limits of operation</source>
@@ -1338,7 +1338,7 @@ até %1</translation>
     </message>
     <message>
         <source>The simulated drives do not answer. Either a fault is simulated, or their ids differ from those in the profile.</source>
-        <translation>Os acionamentos simulados não respondem. Ou uma falha está sendo simulada, ou os seus ids são diferentes dos do perfil.</translation>
+        <translation>Os acionamentos simulados não respondem. Ou uma falha está a ser simulada, ou os seus ids são diferentes dos do perfil.</translation>
     </message>
     <message>
         <source>Do the ids in the profile belong to these drives? Release the bus, then `boresightctl scan %1` shows which drives answer.</source>
@@ -1469,10 +1469,6 @@ até %1</translation>
         <translation>Eixo bloqueado, ganhos errados ou trajetória rápida demais para o torque permitido</translation>
     </message>
     <message>
-        <source>Free the axis, lower speed and acceleration or correct the gains, then re-arm</source>
-        <translation>Solte o eixo, reduza velocidade e aceleração ou corrija os ganhos e depois rearme</translation>
-    </message>
-    <message>
         <source>No fault</source>
         <translation>Nenhuma falha</translation>
     </message>
@@ -1558,7 +1554,7 @@ até %1</translation>
     </message>
     <message>
         <source>The drive&apos;s control loop did not finish in time</source>
-        <translation>O ciclo de controle do acionamento não terminou a tempo</translation>
+        <translation>O ciclo de controlo do acionamento não terminou a tempo</translation>
     </message>
     <message>
         <source>An error of the drive&apos;s firmware</source>
@@ -1710,7 +1706,7 @@ até %1</translation>
     </message>
     <message>
         <source>The drive reports a code that register map 5 does not define</source>
-        <translation>O acionamento relata um código que o mapa de registros 5 não define</translation>
+        <translation>O acionamento relata um código que o mapa de registos 5 não define</translation>
     </message>
     <message>
         <source>stopped</source>
@@ -1722,11 +1718,11 @@ até %1</translation>
     </message>
     <message>
         <source>enabling</source>
-        <translation>ativando</translation>
+        <translation>a ativar</translation>
     </message>
     <message>
         <source>calibrating current sense</source>
-        <translation>calibrando a medição de corrente</translation>
+        <translation>a calibrar a medição de corrente</translation>
     </message>
     <message>
         <source>calibration complete</source>
@@ -1770,7 +1766,7 @@ até %1</translation>
     </message>
     <message>
         <source>measuring inductance</source>
-        <translation>medindo a indutância</translation>
+        <translation>a medir a indutância</translation>
     </message>
     <message>
         <source>brake</source>
@@ -1854,7 +1850,7 @@ até %1</translation>
     </message>
     <message>
         <source>HOST:PORT with a port of 0…65535 is expected</source>
-        <translation>espera-se HOST:PORTA com uma porta de 0…65535</translation>
+        <translation>Espera-se HOST:PORTA com uma porta de 0…65535</translation>
     </message>
     <message>
         <source>a host name or address is expected before the port, IPv6 in brackets</source>
@@ -2074,7 +2070,7 @@ até %1</translation>
     </message>
     <message>
         <source>closed the connection</source>
-        <translation>fechou a conexão</translation>
+        <translation>fechou a ligação</translation>
     </message>
     <message>
         <source>&quot;%1&quot; refused: %2</source>
@@ -2118,7 +2114,7 @@ até %1</translation>
     </message>
     <message>
         <source>Boresight is closing</source>
-        <translation>o Boresight está encerrando</translation>
+        <translation>O Boresight está a encerrar</translation>
     </message>
     <message>
         <source>STOP is not latched</source>
@@ -2162,11 +2158,11 @@ até %1</translation>
     </message>
     <message>
         <source>moving the %1 up to speed</source>
-        <translation>levando o eixo de %1 à velocidade</translation>
+        <translation>a levar o eixo de %1 à velocidade</translation>
     </message>
     <message>
         <source>holding the %1 again</source>
-        <translation>mantendo de novo o eixo de %1</translation>
+        <translation>a manter de novo o eixo de %1</translation>
     </message>
     <message>
         <source>The %1 switched itself off</source>
@@ -2222,11 +2218,11 @@ até %1</translation>
     </message>
     <message>
         <source>gives control back to the clients</source>
-        <translation>devolve o controle aos clientes</translation>
+        <translation>devolve o controlo aos clientes</translation>
     </message>
     <message>
         <source>gives control to %1</source>
-        <translation>dá o controle a %1</translation>
+        <translation>dá o controlo a %1</translation>
     </message>
     <message>
         <source>lets %1 only read and stop</source>
@@ -2346,12 +2342,12 @@ até %1</translation>
     </message>
     <message>
         <source>log</source>
-        <translation>registro</translation>
+        <translation>registo</translation>
     </message>
     <message>
         <source>DISCONNECTED</source>
         <comment>station state</comment>
-        <translation>SEM CONEXÃO</translation>
+        <translation>SEM LIGAÇÃO</translation>
     </message>
     <message>
         <source>STANDBY</source>
@@ -2516,15 +2512,15 @@ até %1</translation>
     </message>
     <message>
         <source>asking %1</source>
-        <translation>consultando o acionamento de %1</translation>
+        <translation>a consultar o acionamento de %1</translation>
     </message>
     <message>
         <source>storing %1 of %2</source>
-        <translation>guardando %1 do acionamento de %2</translation>
+        <translation>a guardar %1 do acionamento de %2</translation>
     </message>
     <message>
         <source>writing %1 of %2</source>
-        <translation>escrevendo %1 do acionamento de %2</translation>
+        <translation>a escrever %1 do acionamento de %2</translation>
     </message>
     <message>
         <source>reading %1 of %2</source>
@@ -2548,7 +2544,7 @@ até %1</translation>
     </message>
     <message>
         <source>looking for the drives</source>
-        <translation>procurando os acionamentos</translation>
+        <translation>à procura dos acionamentos</translation>
     </message>
     <message>
         <source>the settings were written, read back and stored</source>
@@ -2560,7 +2556,7 @@ até %1</translation>
     </message>
     <message>
         <source>Install firmware with the register map %1 in the board (moteus_tool --flash), or a newer Boresight.</source>
-        <translation>Instale na placa firmware com o mapa de registros %1 (moteus_tool --flash), ou um Boresight mais novo.</translation>
+        <translation>Instale na placa firmware com o mapa de registos %1 (moteus_tool --flash), ou um Boresight mais novo.</translation>
     </message>
     <message>
         <source>no drive answers on the bus</source>
@@ -2640,7 +2636,7 @@ até %1</translation>
     </message>
     <message>
         <source>The journal file %1 is missing</source>
-        <translation>Falta o arquivo do diário %1</translation>
+        <translation>Falta o ficheiro do diário %1</translation>
     </message>
     <message>
         <source>%1 is not finite</source>
@@ -2804,7 +2800,7 @@ até %1</translation>
     </message>
     <message>
         <source>MQTT broker %1: %2</source>
-        <translation>broker MQTT %1: %2</translation>
+        <translation>Broker MQTT %1: %2</translation>
     </message>
     <message>
         <source>closed by the broker</source>
@@ -2820,7 +2816,7 @@ até %1</translation>
     </message>
     <message>
         <source>is needed with a password</source>
-        <translation>é preciso junto com uma senha</translation>
+        <translation>é preciso junto com uma palavra-passe</translation>
     </message>
     <message>
         <source>(hidden)</source>
@@ -2844,7 +2840,7 @@ até %1</translation>
     </message>
     <message>
         <source>a text in quotes is expected, without control characters</source>
-        <translation>espera-se um texto entre aspas, sem caracteres de controle</translation>
+        <translation>espera-se um texto entre aspas, sem caracteres de controlo</translation>
     </message>
     <message>
         <source>true or false is expected</source>
@@ -2864,7 +2860,7 @@ até %1</translation>
     </message>
     <message>
         <source>its compass is not calibrated (magnetometer %1, system %2 of 3)</source>
-        <translation>a sua bússola não está calibrada (magnetômetro %1, sistema %2 de 3)</translation>
+        <translation>a sua bússola não está calibrada (magnetómetro %1, sistema %2 de 3)</translation>
     </message>
     <message>
         <source>The orientation sensor and the axes differ by %1 in azimuth</source>
@@ -2884,7 +2880,7 @@ até %1</translation>
     </message>
     <message>
         <source>How much lower the beam hangs at the horizon than at the zenith.</source>
-        <translation>Quanto o feixe pende mais baixo no horizonte do que no zênite.</translation>
+        <translation>Quanto o feixe pende mais baixo no horizonte do que no zénite.</translation>
     </message>
     <message>
         <source>a path from / on is expected</source>
@@ -2900,7 +2896,7 @@ até %1</translation>
     </message>
     <message>
         <source>Use the hard-wired emergency stop if the mount moves</source>
-        <translation>Use a parada de emergência por cabo se a montagem se mover</translation>
+        <translation>Use a paragem de emergência por cabo se a montagem se mover</translation>
     </message>
     <message>
         <source>The beam is less than %1° from the Sun</source>
@@ -3032,11 +3028,11 @@ até %1</translation>
     </message>
     <message>
         <source>turning clockwise</source>
-        <translation>girando no sentido horário</translation>
+        <translation>a girar no sentido horário</translation>
     </message>
     <message>
         <source>turning counter-clockwise</source>
-        <translation>girando no sentido anti-horário</translation>
+        <translation>a girar no sentido anti-horário</translation>
     </message>
     <message>
         <source>a host name or address is expected, without port, brackets or ://</source>
@@ -3104,7 +3100,7 @@ até %1</translation>
     </message>
     <message>
         <source>turning faster than %1°/s</source>
-        <translation>girando a mais de %1°/s</translation>
+        <translation>a girar a mais de %1°/s</translation>
     </message>
     <message>
         <source>%1, %2 to %3</source>
@@ -3132,7 +3128,7 @@ até %1</translation>
     </message>
     <message>
         <source>from a file</source>
-        <translation>de um arquivo</translation>
+        <translation>de um ficheiro</translation>
     </message>
     <message>
         <source>discards &quot;%1&quot;</source>
@@ -3152,7 +3148,7 @@ até %1</translation>
     </message>
     <message>
         <source>it is not a regular file</source>
-        <translation>não é um arquivo comum</translation>
+        <translation>não é um ficheiro comum</translation>
     </message>
     <message>
         <source>Sun at any time: the clock is not synchronised</source>
@@ -3184,7 +3180,7 @@ até %1</translation>
     </message>
     <message>
         <source>%1 holds a password, and every user of this computer can read the file. Remove that right: chmod o-r %1</source>
-        <translation>%1 contém uma senha, e qualquer usuário deste computador pode ler o arquivo. Retire essa permissão: chmod o-r %1</translation>
+        <translation>%1 contém uma palavra-passe, e qualquer utilizador deste computador pode ler o ficheiro. Retire essa permissão: chmod o-r %1</translation>
     </message>
     <message>
         <source>azimuth %1° is outside -3600°…3600°</source>
@@ -3260,7 +3256,7 @@ até %1</translation>
     </message>
     <message>
         <source>%1 cannot be locked (%2). A program of another user may control this mount. Start Boresight as that user, or with another --state-dir</source>
-        <translation>%1 não pode ser bloqueado (%2). Um programa de outro usuário talvez controle esta montagem. Inicie o Boresight como esse usuário, ou com outro --state-dir</translation>
+        <translation>%1 não pode ser bloqueado (%2). Um programa de outro utilizador talvez controlo esta montagem. Inicie o Boresight como esse utilizador, ou com outro --state-dir</translation>
     </message>
     <message>
         <source>at the upper limit %1</source>
@@ -3309,7 +3305,7 @@ até %1</translation>
     </message>
     <message>
         <source>The declination of this site is not known. Enter it, or enter the site and the file of the magnetic model.</source>
-        <translation>A declinação deste local não é conhecida. Introduza-a, ou introduza o local e o arquivo do modelo magnético.</translation>
+        <translation>A declinação deste local não é conhecida. Introduza-a, ou introduza o local e o ficheiro do modelo magnético.</translation>
     </message>
     <message>
         <source>The sensor applies the declination (%1). Boresight adds nothing.</source>
@@ -3453,15 +3449,15 @@ até %1</translation>
     </message>
     <message>
         <source>Boresight moves nothing</source>
-        <translation>o Boresight não move nada</translation>
+        <translation>O Boresight não move nada</translation>
     </message>
     <message>
         <source>Boresight moves nothing, because commands would reach the wrong axis</source>
-        <translation>o Boresight não move nada, porque os comandos chegariam ao eixo errado</translation>
+        <translation>O Boresight não move nada, porque os comandos chegariam ao eixo errado</translation>
     </message>
     <message>
         <source>Boresight read the settings again</source>
-        <translation>o Boresight leu de novo as configurações</translation>
+        <translation>O Boresight leu de novo as configurações</translation>
     </message>
     <message>
         <source>The window hides the old numbers</source>
@@ -4944,10 +4940,6 @@ até %1</translation>
         <translation>Jerk</translation>
     </message>
     <message>
-        <source>Largest change of acceleration. Every stop takes 2 × acceleration / jerk seconds longer.</source>
-        <translation>Maior variação da aceleração. Cada paragem demora mais 2 × aceleração / jerk segundos.</translation>
-    </message>
-    <message>
         <source>Largest torque</source>
         <translation>Torque máximo</translation>
     </message>
@@ -5589,7 +5581,7 @@ até %1</translation>
     </message>
     <message>
         <source>%1 more accepted in %2 s. The last: %3</source>
-        <translation>mais %1 aceites em %2 s, o último %3</translation>
+        <translation>mais %1 aceites em %2 s. O último: %3</translation>
     </message>
     <message>
         <source>A tuning run moves the mount. End it first.</source>
@@ -5601,7 +5593,7 @@ até %1</translation>
     </message>
     <message>
         <source>Two boards have the id %1. Switch the power off. Disconnect one board. Switch the power on again.</source>
-        <translation>Duas placas têm o id %1. Desligue a alimentação, desligue uma delas e volte a ligar a alimentação.</translation>
+        <translation>Duas placas têm o id %1. Desligue a alimentação. Desligue uma placa. Volte a ligar a alimentação.</translation>
     </message>
     <message>
         <source>Boresight is reading the drives. Wait a moment.</source>
@@ -5617,7 +5609,7 @@ até %1</translation>
     </message>
     <message>
         <source>The board %1 has the id %2 now. Boresight read it back and stored it. Switch the power off. Connect the other board. Switch the power on.</source>
-        <translation>A placa %1 tem agora o id %2. Foi relido e guardado. Desligue a alimentação, volte a ligar a outra placa e ligue a alimentação.</translation>
+        <translation>A placa %1 tem agora o id %2. O Boresight releu-o e guardou-o. Desligue a alimentação. Ligue a outra placa. Ligue a alimentação.</translation>
     </message>
     <message>
         <source>The gear ratio of the %1 drive is %2 now. Boresight read it back and stored it, with the gains that depend on it. Press Fix next to write limits and speeds. Then check the tuning.</source>
@@ -5637,7 +5629,7 @@ até %1</translation>
     </message>
     <message>
         <source>No gains are on trial. The drive has stored what it uses.</source>
-        <translation>Não há ganhos à experiência: o acionamento guardou os que usa.</translation>
+        <translation>Não há ganhos à experiência. O acionamento guardou os que usa.</translation>
     </message>
     <message>
         <source>counts from a new zero, so Boresight checks its cable wrap again</source>
@@ -5717,7 +5709,7 @@ até %1</translation>
     </message>
     <message>
         <source>Exchange the ids in the profile. If you exchanged the boards, end Boresight. Move the .memory.json files of the mount out of the state folder. Start Boresight again.</source>
-        <translation>Troque os ids no perfil. Se as placas foram trocadas, termine o Boresight, tire os ficheiros .memory.json da montagem da pasta de estado e inicie de novo.</translation>
+        <translation>Troque os ids no perfil. Se trocou as placas, termine o Boresight. Tire os ficheiros .memory.json da montagem da pasta de estado. Inicie o Boresight de novo.</translation>
     </message>
     <message>
         <source>The drive reported no torque, so there is no result.</source>
@@ -5845,71 +5837,71 @@ até %1</translation>
     </message>
     <message>
         <source>Boresight is scanning another bus. Wait a moment.</source>
-        <translation>outro barramento está sendo examinado: espere um momento</translation>
+        <translation>O Boresight está a examinar outro barramento. Espere um momento.</translation>
     </message>
     <message>
         <source>A reading is not a number.</source>
-        <translation>uma leitura não é um número</translation>
+        <translation>Uma leitura não é um número.</translation>
     </message>
     <message>
         <source>The tilt is measured with the boom between %1 and %2.</source>
-        <translation>a inclinação lê-se com a lança entre %1 e %2</translation>
+        <translation>A inclinação mede-se com a lança entre %1 e %2.</translation>
     </message>
     <message>
         <source>The tilt needs readings over at least %1 of azimuth.</source>
-        <translation>a inclinação precisa de leituras em pelo menos %1 de azimute</translation>
+        <translation>A inclinação precisa de leituras em pelo menos %1 de azimute.</translation>
     </message>
     <message>
         <source>%1 readings are not enough for the tilt.</source>
-        <translation>%1 leituras são poucas para a inclinação</translation>
+        <translation>%1 leituras não bastam para a inclinação.</translation>
     </message>
     <message>
         <source>The readings do not determine the tilt. Take readings at more azimuths.</source>
-        <translation>as leituras não determinam a inclinação: leia-a em mais azimutes</translation>
+        <translation>As leituras não determinam a inclinação. Faça leituras em mais azimutes.</translation>
     </message>
     <message>
         <source>Only %1 samples can be used. That is not enough for a swing.</source>
-        <translation>só %1 amostras serviram: poucas para a volta da bússola</translation>
+        <translation>Só se podem usar %1 amostras. Não bastam para um giro.</translation>
     </message>
     <message>
         <source>The position of the mount at sample %1 is unknown.</source>
-        <translation>não se sabe onde estava a montagem na amostra %1</translation>
+        <translation>A posição da montagem na amostra %1 é desconhecida.</translation>
     </message>
     <message>
         <source>The heading of the sensor does not follow the mount in either direction.</source>
-        <translation>o rumo do sensor não acompanha a montagem, nem no sentido horário nem no anti-horário</translation>
+        <translation>O rumo do sensor não acompanha a montagem em nenhum dos sentidos.</translation>
     </message>
     <message>
         <source>%1 readings are not enough. A peak needs %2.</source>
-        <translation>%1 leituras são poucas: um pico precisa de %2</translation>
+        <translation>%1 leituras não bastam. Um pico precisa de %2.</translation>
     </message>
     <message>
         <source>The power has no peak along this line.</source>
-        <translation>a potência não tem pico ao longo desta linha</translation>
+        <translation>A potência não tem pico ao longo desta linha.</translation>
     </message>
     <message>
         <source>The peak is outside this line. Move the middle of the scan by at least %1 and scan again.</source>
-        <translation>o pico não está dentro desta linha: desloque o meio dela em %1 ou mais e varra de novo</translation>
+        <translation>O pico está fora desta linha. Desloque o meio da varredura em pelo menos %1 e varra de novo.</translation>
     </message>
     <message>
         <source>The peak is narrower than the steps. Scan a smaller width.</source>
-        <translation>o pico é mais estreito que os passos: faça uma varredura menos larga</translation>
+        <translation>O pico é mais estreito do que os passos. Varra uma largura menor.</translation>
     </message>
     <message>
         <source>The peak is uncertain by %1, because the readings scatter too much.</source>
-        <translation>o pico é incerto em %1: as leituras dispersam-se demais</translation>
+        <translation>O pico é incerto em %1, porque as leituras se dispersam demasiado.</translation>
     </message>
     <message>
         <source>The power changes by only %1 dB along this line.</source>
-        <translation>a potência varia apenas %1 dB ao longo desta linha</translation>
+        <translation>A potência varia apenas %1 dB ao longo desta linha.</translation>
     </message>
     <message>
         <source>The beam is too near to the zenith. The azimuth has no meaning there.</source>
-        <translation>perto demais do zênite: ali o azimute nada diz</translation>
+        <translation>O feixe está perto demais do zénite. Ali o azimute não tem significado.</translation>
     </message>
     <message>
         <source>Point %1 is not a number or has no sigma.</source>
-        <translation>o ponto %1 não é um número, ou não tem sigma</translation>
+        <translation>O ponto %1 não é um número ou não tem sigma.</translation>
     </message>
     <message>
         <source>kept near its known value until there are %1 points</source>
@@ -5925,59 +5917,59 @@ até %1</translation>
     </message>
     <message>
         <source>The points scatter %1 times more than their sigmas.</source>
-        <translation>os pontos dispersam-se %1 vezes mais do que dizem os seus sigmas</translation>
+        <translation>Os pontos dispersam-se %1 vezes mais do que os seus sigmas.</translation>
     </message>
     <message>
         <source>All points lie within %1 of azimuth. They show the tilt from one side only.</source>
-        <translation>todos os pontos cabem em %1 de azimute: a inclinação só é vista de um lado</translation>
+        <translation>Todos os pontos estão dentro de %1 de azimute. Mostram a inclinação só de um lado.</translation>
     </message>
     <message>
         <source>The points do not determine the azimuth offset.</source>
-        <translation>os pontos não determinam o desvio do azimute</translation>
+        <translation>Os pontos não determinam o desvio de azimute.</translation>
     </message>
     <message>
         <source>No model fits these points. Check the direction of each point.</source>
-        <translation>nenhuma montagem se ajusta a estes pontos: cada um diz a direção daquilo para que o feixe apontava?</translation>
+        <translation>Nenhum modelo se ajusta a estes pontos. Verifique a direção de cada ponto.</translation>
     </message>
     <message>
         <source>Magnetometer calibration is %1 of 3, but %2 is needed. Move the sensor in figures of eight, away from iron.</source>
-        <translation>a calibração do magnetômetro é %1 de 3, e é preciso %2: mova o sensor em forma de oito, longe de ferro</translation>
+        <translation>A calibração do magnetómetro é %1 de 3, mas é preciso %2. Mova o sensor em forma de oito, longe de ferro.</translation>
     </message>
     <message>
         <source>The sensor repeats one value to the last digit. Switch it off and on.</source>
-        <translation>o sensor repete um valor até o último dígito: desligue-o e ligue-o</translation>
+        <translation>O sensor repete um valor até ao último dígito. Desligue-o e ligue-o.</translation>
     </message>
     <message>
         <source>Motor current %1 A disturbs the compass (limit %2 A, sensor.still_current_a). Wait a moment and try again.</source>
-        <translation>um motor consome %1 A, e acima de %2 A (sensor.still_current_a) desviaria a agulha: deixe a montagem em repouso</translation>
+        <translation>A corrente do motor, %1 A, perturba a bússola (limite %2 A, sensor.still_current_a). Espere um momento e tente de novo.</translation>
     </message>
     <message>
         <source>The mount is moving. It must stand still.</source>
-        <translation>a montagem move-se: tem de estar parada</translation>
+        <translation>A montagem move-se. Tem de estar parada.</translation>
     </message>
     <message>
         <source>The position of the mount is unknown.</source>
-        <translation>não se sabe onde está a montagem</translation>
+        <translation>A posição da montagem é desconhecida.</translation>
     </message>
     <message>
         <source>There are %1 readings, but %2 are needed.</source>
-        <translation>há %1 leituras, e são precisas %2</translation>
+        <translation>Há %1 leituras, mas são precisas %2.</translation>
     </message>
     <message>
         <source>%1 readings are not enough, or they disagree. Take more.</source>
-        <translation>%1 leituras são poucas, ou não concordam: faça mais</translation>
+        <translation>%1 leituras não bastam, ou não concordam. Faça mais.</translation>
     </message>
     <message>
         <source>The readings drift. Take readings for a longer time.</source>
-        <translation>as leituras derivam juntas: recolha-as por mais tempo</translation>
+        <translation>As leituras derivam. Faça leituras durante mais tempo.</translation>
     </message>
     <message>
         <source>The readings disagree. They scatter by %1, and %2 of %3 are far off.</source>
-        <translation>as leituras discordam: dispersam-se em %1, e %2 de %3 estão muito longe</translation>
+        <translation>As leituras discordam. Dispersam-se em %1, e %2 de %3 estão muito longe.</translation>
     </message>
     <message>
         <source>with magnetometer calibration below %1</source>
-        <translation>com a calibração do magnetômetro abaixo de %1</translation>
+        <translation>com a calibração do magnetómetro abaixo de %1</translation>
     </message>
     <message>
         <source>at a motor current above %1 A (sensor.swing_current_a)</source>
@@ -5985,163 +5977,163 @@ até %1</translation>
     </message>
     <message>
         <source>The readings scatter by %1 about the curve.</source>
-        <translation>as leituras dispersam-se em %1 em torno da curva</translation>
+        <translation>As leituras dispersam-se em %1 em torno da curva.</translation>
     </message>
     <message>
         <source>Iron near the sensor deflects the compass by %1. It is nearly as strong as the field of the Earth.</source>
-        <translation>ferro perto do sensor desvia a agulha em %1: é quase tão forte quanto o campo da Terra</translation>
+        <translation>O ferro perto do sensor desvia a bússola em %1. É quase tão forte como o campo da Terra.</translation>
     </message>
     <message>
         <source>The compass error is so steep that different directions give nearly the same reading.</source>
-        <translation>o desvio é tão íngreme que direções diferentes dão a mesma leitura, ou quase</translation>
+        <translation>O erro da bússola é tão íngreme que direções diferentes dão quase a mesma leitura.</translation>
     </message>
     <message>
         <source>%1 of %2 readings are far off the curve.</source>
-        <translation>%1 de %2 leituras estão muito longe da curva</translation>
+        <translation>%1 de %2 leituras estão muito longe da curva.</translation>
     </message>
     <message>
         <source>%1 of the circle is unreliable.</source>
-        <translation>%1 do círculo não são de confiança</translation>
+        <translation>%1 do círculo não são de confiança.</translation>
     </message>
     <message>
         <source>%1 of %2 readings were left out: %3.</source>
-        <translation>%1 de %2 leituras ficaram de fora: %3</translation>
+        <translation>%1 de %2 leituras foram omitidas: %3.</translation>
     </message>
     <message>
         <source>Only %1 of 12 sectors have readings, with a gap of %2. Soft iron could not be determined.</source>
-        <translation>só foram vistos %1 de 12 setores, com uma lacuna de %2: não se pôde reconhecer o ferro doce (duas vezes por volta)</translation>
+        <translation>Só %1 de 12 setores têm leituras, com uma lacuna de %2. O ferro doce não pôde ser determinado.</translation>
     </message>
     <message>
         <source>Some sectors have few readings.</source>
-        <translation>os azimutes estão desigualmente preenchidos: alguns setores têm poucas leituras</translation>
+        <translation>Alguns setores têm poucas leituras.</translation>
     </message>
     <message>
         <source>The mount turned in one direction only. Latency and hysteresis are unknown.</source>
-        <translation>girou só para um lado: não se veem a latência nem a histerese</translation>
+        <translation>A montagem girou só num sentido. A latência e a histerese são desconhecidas.</translation>
     </message>
     <message>
         <source>The two directions of turning differ by %1. Either sensor.latency_s is wrong or the mount has play. North is the mean of both.</source>
-        <translation>os dois sentidos de giro diferem em %1: sensor.latency_s não está certo, ou algo tem folga; o norte é a média dos dois</translation>
+        <translation>Os dois sentidos de giro diferem em %1. Ou sensor.latency_s está errado, ou a montagem tem folga. O norte é a média dos dois.</translation>
     </message>
     <message>
         <source>The curve is valid with the boom at %1. At %2 higher or lower it is uncertain by %3.</source>
-        <translation>a curva vale com a lança a %1: %2 acima ou abaixo ela é incerta em %3</translation>
+        <translation>A curva vale com a lança a %1. A mais ou menos %2 é incerta em %3.</translation>
     </message>
     <message>
         <source>From %1 to %2 the compass is off by %3. It is unreliable there.</source>
-        <translation>de %1 a %2 a bússola erra em %3: ali não é de confiança</translation>
+        <translation>De %1 a %2 a bússola erra em %3. Ali não é de confiança.</translation>
     </message>
     <message>
         <source>The motor current turns the compass by %1.</source>
-        <translation>a bússola segue a corrente dos motores em %1</translation>
+        <translation>A corrente dos motores desvia a bússola em %1.</translation>
     </message>
     <message>
         <source>In %1 of %2 readings the magnetometer calibration is below %3. Move the sensor in figures of eight, away from iron. Then swing again.</source>
-        <translation>em %1 de %2 leituras a calibração do magnetômetro está abaixo de %3: mova o sensor em forma de oito, longe de ferro, e dê a volta outra vez</translation>
+        <translation>Em %1 de %2 leituras a calibração do magnetómetro está abaixo de %3. Mova o sensor em forma de oito, longe de ferro. Depois repita o giro.</translation>
     </message>
     <message>
         <source>In %1 of %2 readings the motor current is above %3 A (sensor.swing_current_a). Look for what blocks the mount, or raise this limit.</source>
-        <translation>em %1 de %2 leituras um motor consome mais de %3 A (sensor.swing_current_a): veja o que prende a montagem, ou aumente esse limite</translation>
+        <translation>Em %1 de %2 leituras a corrente do motor está acima de %3 A (sensor.swing_current_a). Veja o que bloqueia a montagem, ou aumente esse limite.</translation>
     </message>
     <message>
         <source>%1 of 12 sectors have readings, with a gap of %2. A swing needs more of the circle. Find north with the mount standing still instead.</source>
-        <translation>foram vistos %1 de 12 setores, com uma lacuna de %2: a volta tem de ver mais do círculo; tome antes o norte com a montagem parada</translation>
+        <translation>%1 de 12 setores têm leituras, com uma lacuna de %2. Um giro precisa de mais do círculo. Ache antes o norte com a montagem parada.</translation>
     </message>
     <message>
         <source>The points do not determine the azimuth offset. Take a point away from the zenith.</source>
-        <translation>os pontos não determinam o desvio do azimute: tome um longe do zênite</translation>
+        <translation>Os pontos não determinam o desvio de azimute. Tome um ponto longe do zénite.</translation>
     </message>
     <message>
         <source>%1 is missing. Write every term, also a term that is 0.</source>
-        <translation>falta %1: espera-se cada termo, também os que são 0</translation>
+        <translation>Falta %1. Escreva cada termo, também um termo que é 0.</translation>
     </message>
     <message>
         <source>%1 is not a date like 2026-11-21T21:34:00Z.</source>
-        <translation>%1 não é uma data como 2026-11-21T21:34:00Z</translation>
+        <translation>%1 não é uma data como 2026-11-21T21:34:00Z.</translation>
     </message>
     <message>
         <source>%1 is not a site. Write latitude, longitude and height, like 48.2 16.37 200.</source>
-        <translation>%1 não é um local: espera-se latitude, longitude e altura, como 48.2 16.37 200</translation>
+        <translation>%1 não é um local. Escreva latitude, longitude e altura, como 48.2 16.37 200.</translation>
     </message>
     <message>
         <source>%1 is not a known term.</source>
-        <translation>termo desconhecido %1</translation>
+        <translation>%1 não é um termo conhecido.</translation>
     </message>
     <message>
         <source>%1 is already in line %2.</source>
-        <translation>%1 já está na linha %2</translation>
+        <translation>%1 já está na linha %2.</translation>
     </message>
     <message>
         <source>The value of %1 is missing.</source>
-        <translation>falta o valor de %1</translation>
+        <translation>Falta o valor de %1.</translation>
     </message>
     <message>
         <source>%1 is not a number.</source>
-        <translation>%1 não é um número</translation>
+        <translation>%1 não é um número.</translation>
     </message>
     <message>
         <source>The unit of %1 is missing. Write deg, arcmin or arcsec.</source>
-        <translation>falta a unidade de %1: deg, arcmin ou arcsec</translation>
+        <translation>Falta a unidade de %1. Escreva deg, arcmin ou arcsec.</translation>
     </message>
     <message>
         <source>%1 is not a known unit. Write deg, arcmin or arcsec.</source>
-        <translation>unidade desconhecida %1: espera-se deg, arcmin ou arcsec</translation>
+        <translation>%1 não é uma unidade conhecida. Escreva deg, arcmin ou arcsec.</translation>
     </message>
     <message>
         <source>%1 is one value too many. A line has name, value, unit and sigma.</source>
-        <translation>%1 está a mais: espera-se nome, valor, unidade e sigma</translation>
+        <translation>%1 é um valor a mais. Uma linha tem nome, valor, unidade e sigma.</translation>
     </message>
     <message>
         <source>%1 is not a sigma. Write a number above 0, or - for an unknown one.</source>
-        <translation>%1 não é um sigma: espera-se um número acima de 0, ou - onde não é conhecido</translation>
+        <translation>%1 não é um sigma. Escreva um número acima de 0, ou - se for desconhecido.</translation>
     </message>
     <message>
         <source>%1 is too long to be the terms of a pointing model.</source>
-        <translation>%1 é longo demais para os termos de um modelo de apontamento</translation>
+        <translation>%1 é longo demais para os termos de um modelo de apontamento.</translation>
     </message>
     <message>
         <source>%1 is too large for a World Magnetic Model.</source>
-        <translation>%1 é grande demais para os coeficientes de um World Magnetic Model</translation>
+        <translation>%1 é grande demais para um World Magnetic Model.</translation>
     </message>
     <message>
         <source>The term n = %1, m = %2 is missing.</source>
-        <translation>falta o termo n = %1, m = %2</translation>
+        <translation>Falta o termo n = %1, m = %2.</translation>
     </message>
     <message>
         <source>A line of nines must follow degree %1.</source>
-        <translation>depois do grau %1 espera-se uma linha de noves</translation>
+        <translation>Depois do grau %1 tem de vir uma linha de noves.</translation>
     </message>
     <message>
         <source>The file ends without a line of nines.</source>
-        <translation>o arquivo termina sem a sua linha de noves</translation>
+        <translation>O ficheiro termina sem uma linha de noves.</translation>
     </message>
     <message>
         <source>This is not the header of a magnetic model. A header has an epoch, a name and a date.</source>
-        <translation>isto não é o cabeçalho de um modelo magnético, que é uma época, um nome e uma data</translation>
+        <translation>Isto não é o cabeçalho de um modelo magnético. Um cabeçalho tem uma época, um nome e uma data.</translation>
     </message>
     <message>
         <source>The line has %1 numbers instead of 6: n, m, g, h and the changes of g and h.</source>
-        <translation>%1 números em vez de 6: n m g h e as variações de g e h</translation>
+        <translation>A linha tem %1 números em vez de 6: n, m, g, h e as variações de g e h.</translation>
     </message>
     <message>
         <source>The term n = %1, m = %2 must come here.</source>
-        <translation>espera-se o termo n = %1, m = %2</translation>
+        <translation>Aqui tem de vir o termo n = %1, m = %2.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not a number.</source>
-        <translation>&quot;%1&quot; não é um número</translation>
+        <translation>&quot;%1&quot; não é um número.</translation>
     </message>
     <message>
         <source>In a term with m = 0, h must be 0.</source>
-        <translation>h de um termo com m = 0 não é 0</translation>
+        <translation>Num termo com m = 0, h tem de ser 0.</translation>
     </message>
     <message>
         <source>The magnetic model %1 is valid from %2 to %3, not in %4. Get the present World Magnetic Model (.COF), or enter the declination.</source>
-        <translation>o modelo magnético %1 vale de %2 a %3, não em %4: é preciso um arquivo do atual (World Magnetic Model, .COF); enquanto isso, digite a declinação</translation>
+        <translation>O modelo magnético %1 vale de %2 a %3, não em %4. Obtenha o World Magnetic Model atual (.COF), ou escreva a declinação.</translation>
     </message>
     <message>
         <source>The sensor followed the axis since the cable wrap was known. It shows %1 (± %2).</source>
-        <translation>O sensor foi ouvido o tempo todo desde que a volta era conhecida, e viu-o girar até cerca de %1 (± %2)</translation>
+        <translation>O sensor acompanhou o eixo desde que a volta do cabo era conhecida. Mostra %1 (± %2).</translation>
     </message>
     <message>
         <source> This contradicts %1, so Boresight proposes nothing. Look at the cable.</source>
@@ -6157,15 +6149,15 @@ até %1</translation>
     </message>
     <message>
         <source>The journal file %1 cannot be used: %2. Boresight keeps it as %3</source>
-        <translation>O arquivo do diário %1 não pode ser usado: %2; fica guardado como %3</translation>
+        <translation>O ficheiro do diário %1 não pode ser usado: %2. O Boresight guarda-o como %3</translation>
     </message>
     <message>
         <source>The journal file %1 cannot be used: %2. Boresight could not rename it</source>
-        <translation>O arquivo do diário %1 não pode ser usado: %2; não foi possível pô-lo de lado</translation>
+        <translation>O ficheiro do diário %1 não pode ser usado: %2. O Boresight não pôde mudar-lhe o nome</translation>
     </message>
     <message>
         <source>%1 already controls this mount. Its journal %2 is in use</source>
-        <translation>%1 já controla esta montagem: o diário %2 desta está em uso</translation>
+        <translation>%1 já controla esta montagem. O seu diário %2 está em uso</translation>
     </message>
     <message>
         <source>it is damaged at byte %1: %2</source>
@@ -6173,7 +6165,7 @@ até %1</translation>
     </message>
     <message>
         <source>it is not a position journal</source>
-        <translation>não é a memória de uma montagem</translation>
+        <translation>não é um diário de posições</translation>
     </message>
     <message>
         <source>it has version %1, but this program reads version %2</source>
@@ -6185,27 +6177,27 @@ até %1</translation>
     </message>
     <message>
         <source>The journal is dated %1 in the future. The clock of this computer was set back</source>
-        <translation>O diário tem data de %1 no futuro: o relógio deste computador foi atrasado</translation>
+        <translation>O diário tem data de %1 no futuro. O relógio deste computador foi atrasado</translation>
     </message>
     <message>
         <source>This computer restarted, and its clock is not synchronised. It is unknown whether the drive kept its power</source>
-        <translation>Este computador foi reiniciado desde então, e nenhum servidor de tempo responde pelo seu relógio: não se pode dizer se o acionamento manteve a alimentação</translation>
+        <translation>Este computador foi reiniciado, e o seu relógio não está sincronizado. Não se sabe se o acionamento manteve a alimentação</translation>
     </message>
     <message>
         <source>The clock of the drive restarts every 49.7 days. It is unknown whether the drive kept its power</source>
-        <translation>O relógio do acionamento recomeça a cada 49.7 dias: não se pode dizer se o acionamento manteve a alimentação</translation>
+        <translation>O relógio do acionamento recomeça a cada 49.7 dias. Não se sabe se o acionamento manteve a alimentação</translation>
     </message>
     <message>
         <source>The clocks of the drive and of this computer disagree about the time since the journal. It is unknown whether the drive kept its power</source>
-        <translation>Os relógios do acionamento e deste computador não concordam sobre o tempo desde o diário: não se pode dizer se o acionamento manteve a alimentação</translation>
+        <translation>Os relógios do acionamento e deste computador discordam sobre o tempo desde o diário. Não se sabe se o acionamento manteve a alimentação</translation>
     </message>
     <message>
         <source>The encoder settings of the drive were changed. It counts from a new zero</source>
-        <translation>Os parâmetros do encoder do acionamento foram alterados desde então: ele conta de novo</translation>
+        <translation>As definições do encoder do acionamento foram alteradas. Ele conta de um novo zero</translation>
     </message>
     <message>
         <source>The position of the drive was set by a command. The change is not a motion</source>
-        <translation>A posição do acionamento foi definida desde então: o que ele relata não é movimento</translation>
+        <translation>A posição do acionamento foi definida por um comando. A mudança não é um movimento</translation>
     </message>
     <message>
         <source>The zero of the drive was set or lost after the journal was written</source>
@@ -6217,147 +6209,147 @@ até %1</translation>
     </message>
     <message>
         <source>The drive does not know the position of the axis. Enter the angle</source>
-        <translation>O acionamento não sabe onde está o eixo: escreva o ângulo</translation>
+        <translation>O acionamento não sabe a posição do eixo. Escreva o ângulo</translation>
     </message>
     <message>
         <source>The angle is known only to a multiple of %1. %2 places from %3 to %4 are possible</source>
-        <translation>O ângulo só se conhece a menos de um múltiplo de %1: são possíveis %2 lugares de %3 a %4</translation>
+        <translation>O ângulo só se conhece a menos de um múltiplo de %1. São possíveis %2 lugares de %3 a %4</translation>
     </message>
     <message>
         <source>Direction %1 is known, but not the cable wrap. %2 are possible</source>
-        <translation>A direção %1 é conhecida, a volta não: são possíveis %2</translation>
+        <translation>A direção %1 é conhecida, mas a volta do cabo não. São possíveis %2</translation>
     </message>
     <message>
         <source>The angle is known only to a multiple of %1. %2 are possible</source>
-        <translation>O ângulo só se conhece a menos de um múltiplo de %1: são possíveis %2</translation>
+        <translation>O ângulo só se conhece a menos de um múltiplo de %1. São possíveis %2</translation>
     </message>
     <message>
         <source>The journal has no entry for this axis</source>
-        <translation>O diário não diz nada sobre este eixo</translation>
+        <translation>O diário não tem registo deste eixo</translation>
     </message>
     <message>
         <source>The journal has %1, written in motion</source>
-        <translation>O diário diz %1, escrito em movimento</translation>
+        <translation>O diário tem %1, escrito em movimento</translation>
     </message>
     <message>
         <source>The journal has %1, written at standstill</source>
-        <translation>O diário diz %1, escrito em repouso</translation>
+        <translation>O diário tem %1, escrito em repouso</translation>
     </message>
     <message>
         <source>The journal has %1, %2 old, written in motion</source>
-        <translation>O diário diz %1, escrito em movimento há %2</translation>
+        <translation>O diário tem %1, escrito em movimento há %2</translation>
     </message>
     <message>
         <source>The journal has %1, %2 old, written at standstill</source>
-        <translation>O diário diz %1, escrito em repouso há %2</translation>
+        <translation>O diário tem %1, escrito em repouso há %2</translation>
     </message>
     <message>
         <source>The sensor reports %1</source>
-        <translation>O sensor diz %1</translation>
+        <translation>O sensor indica %1</translation>
     </message>
     <message>
         <source>The station has not reported yet.</source>
-        <translation>ainda não se sabe nada da estação</translation>
+        <translation>A estação ainda não comunicou nada.</translation>
     </message>
     <message>
         <source>The console of the drive sends without end. Send &quot;tel stop&quot;.</source>
-        <translation>o console do acionamento não para de falar; envie &quot;tel stop&quot;</translation>
+        <translation>A consola do acionamento envia sem parar. Envie &quot;tel stop&quot;.</translation>
     </message>
     <message>
         <source>The console of the drive did not answer the command.</source>
-        <translation>o console do acionamento não respondeu ao comando</translation>
+        <translation>A consola do acionamento não respondeu ao comando.</translation>
     </message>
     <message>
         <source>The drive answers: %1</source>
-        <translation>o acionamento diz: %1</translation>
+        <translation>O acionamento responde: %1</translation>
     </message>
     <message>
         <source>Drive %1 does not answer on its console.</source>
-        <translation>o acionamento %1 não responde no seu console</translation>
+        <translation>O acionamento %1 não responde na sua consola.</translation>
     </message>
     <message>
         <source>Part of the answer was lost. Repeat the command.</source>
-        <translation>perdeu-se uma parte da resposta; repita o comando</translation>
+        <translation>Perdeu-se uma parte da resposta. Repita o comando.</translation>
     </message>
     <message>
         <source>A user name and a password are required. Set mqtt.user and mqtt.password</source>
-        <translation>exige nome de usuário e senha: defina mqtt.user e mqtt.password</translation>
+        <translation>São precisos um nome de utilizador e uma palavra-passe. Defina mqtt.user e mqtt.password</translation>
     </message>
     <message>
         <source>The broker refuses the user &quot;%1&quot; or the password. Check mqtt.user and mqtt.password</source>
-        <translation>recusa o usuário &quot;%1&quot; ou a senha: verifique mqtt.user e mqtt.password</translation>
+        <translation>O broker recusa o utilizador &quot;%1&quot; ou a palavra-passe. Verifique mqtt.user e mqtt.password</translation>
     </message>
     <message>
         <source>Is mqtt.port the TLS port of the broker?</source>
-        <translation>mqtt.port é a porta TLS do broker?</translation>
+        <translation>A porta mqtt.port é a porta TLS do broker?</translation>
     </message>
     <message>
         <source>Is mqtt.port right? Does this port need TLS?</source>
-        <translation>mqtt.port está certa, e esta porta exige TLS?</translation>
+        <translation>A porta mqtt.port está certa? Esta porta exige TLS?</translation>
     </message>
     <message>
         <source>The encryption failed (%1). %2</source>
-        <translation>não houve acordo sobre a cifra (%1): %2</translation>
+        <translation>A cifra falhou (%1). %2</translation>
     </message>
     <message>
         <source>Boresight does not trust the broker: %1</source>
-        <translation>não merece confiança: %1</translation>
+        <translation>O Boresight não confia no broker: %1</translation>
     </message>
     <message>
         <source>The broker refuses MQTT 3.1.1. Use a newer broker</source>
-        <translation>recusa MQTT 3.1.1: é preciso um broker mais novo</translation>
+        <translation>O broker recusa MQTT 3.1.1. Use um broker mais novo</translation>
     </message>
     <message>
         <source>The broker refuses the client id &quot;%1&quot;. Change mqtt.client_id</source>
-        <translation>recusa o identificador de cliente &quot;%1&quot;: mude mqtt.client_id</translation>
+        <translation>O broker recusa o identificador de cliente &quot;%1&quot;. Mude mqtt.client_id</translation>
     </message>
     <message>
         <source>The broker reports that it is not available</source>
-        <translation>diz que não atende no momento</translation>
+        <translation>O broker comunica que não está disponível</translation>
     </message>
     <message>
         <source>The name cannot be resolved (%1). Check mqtt.host and the network</source>
-        <translation>não se encontra o nome (%1): verifique mqtt.host e a rede</translation>
+        <translation>O nome não foi encontrado (%1). Verifique mqtt.host e a rede</translation>
     </message>
     <message>
         <source>No connection (%1). Is the broker running there?</source>
-        <translation>sem conexão (%1): o broker funciona ali?</translation>
+        <translation>Sem ligação (%1). O broker está a correr ali?</translation>
     </message>
     <message>
         <source>No answer. Check mqtt.host, the network and the firewall</source>
-        <translation>sem resposta: verifique mqtt.host, a rede e o firewall</translation>
+        <translation>Sem resposta. Verifique mqtt.host, a rede e a firewall</translation>
     </message>
     <message>
         <source>The port accepts the connection but does not answer. %1</source>
-        <translation>aceita a conexão e não diz nada: %1</translation>
+        <translation>A porta aceita a ligação, mas não responde. %1</translation>
     </message>
     <message>
         <source>The port closes the connection before it answers. %1</source>
-        <translation>fecha a conexão antes de dizer algo: %1</translation>
+        <translation>A porta fecha a ligação antes de responder. %1</translation>
     </message>
     <message>
         <source>The connection is lost (%1)</source>
-        <translation>a conexão foi perdida (%1)</translation>
+        <translation>A ligação perdeu-se (%1)</translation>
     </message>
     <message>
         <source>The broker closes the connection soon after the login. Was the broker stopped? Does another program use the client id &quot;%1&quot;?</source>
-        <translation>deixa entrar e desliga logo depois: foi parado, ou outro programa usa o identificador de cliente &quot;%1&quot;?</translation>
+        <translation>O broker fecha a ligação pouco depois do início de sessão. O broker foi parado? Outro programa usa o identificador de cliente &quot;%1&quot;?</translation>
     </message>
     <message>
         <source>The connection is lost (no more data)</source>
-        <translation>a conexão foi perdida (não se ouviu mais nada)</translation>
+        <translation>A ligação perdeu-se (sem mais dados)</translation>
     </message>
     <message>
         <source>The answer is not MQTT. %1</source>
-        <translation>diz algo que não é MQTT: %1</translation>
+        <translation>A resposta não é MQTT. %1</translation>
     </message>
     <message>
         <source>Encryption cannot be set up: %1</source>
-        <translation>não se pode preparar a cifra: %1</translation>
+        <translation>A cifra não pode ser preparada: %1</translation>
     </message>
     <message>
         <source>No certificate of an authority can be read from %1 (%2). Check mqtt.ca_file</source>
-        <translation>não se pode ler de %1 nenhum certificado de autoridade (%2): verifique mqtt.ca_file</translation>
+        <translation>Não se pode ler de %1 nenhum certificado de uma autoridade (%2). Verifique mqtt.ca_file</translation>
     </message>
     <message>
         <source>its certificate has expired, or the clock of this computer is wrong</source>
@@ -6369,15 +6361,15 @@ até %1</translation>
     </message>
     <message>
         <source>its certificate is not for &quot;%1&quot;. Check mqtt.host</source>
-        <translation>o seu certificado não é para &quot;%1&quot;: verifique mqtt.host</translation>
+        <translation>o seu certificado não é para &quot;%1&quot;. Verifique mqtt.host</translation>
     </message>
     <message>
         <source>its certificate is not from the authority in %1. Check mqtt.ca_file</source>
-        <translation>o seu certificado não é assinado pela autoridade em %1: verifique mqtt.ca_file</translation>
+        <translation>o seu certificado não é da autoridade em %1. Verifique mqtt.ca_file</translation>
     </message>
     <message>
         <source>The %1 is below the horizon.</source>
-        <translation>%1 está abaixo do horizonte</translation>
+        <translation>%1 está abaixo do horizonte.</translation>
     </message>
     <message>
         <source>stopped tracking the %1, because the mount got another command</source>
@@ -6389,139 +6381,139 @@ até %1</translation>
     </message>
     <message>
         <source>The terms or the sensor in the profile were changed.</source>
-        <translation>os termos ou o sensor no perfil foram mudados</translation>
+        <translation>Os termos ou o sensor no perfil foram alterados.</translation>
     </message>
     <message>
         <source>There are no points.</source>
-        <translation>não há pontos</translation>
+        <translation>Não há pontos.</translation>
     </message>
     <message>
         <source>The calibrations could not be written: %1</source>
-        <translation>não foi possível gravar as calibrações: %1</translation>
+        <translation>As calibrações não puderam ser gravadas: %1</translation>
     </message>
     <message>
         <source>A calibration is running. End it first.</source>
-        <translation>há uma calibração em curso: termine-a primeiro</translation>
+        <translation>Há uma calibração em curso. Termine-a primeiro.</translation>
     </message>
     <message>
         <source>The position of the %1 is unknown.</source>
-        <translation>não se sabe onde está: %1</translation>
+        <translation>A posição é desconhecida: %1.</translation>
     </message>
     <message>
         <source>Track the %1 first.</source>
-        <translation>primeiro é preciso seguir: %1</translation>
+        <translation>Siga primeiro o astro: %1.</translation>
     </message>
     <message>
         <source>Nothing is proposed yet.</source>
-        <translation>ainda não há nada proposto</translation>
+        <translation>Ainda não há nada proposto.</translation>
     </message>
     <message>
         <source>There is no calibration to undo.</source>
-        <translation>não há calibração para desfazer</translation>
+        <translation>Não há calibração para anular.</translation>
     </message>
     <message>
         <source>There is no calibration to redo.</source>
-        <translation>não há calibração para refazer</translation>
+        <translation>Não há calibração para refazer.</translation>
     </message>
     <message>
         <source>No scan waits for a power value.</source>
-        <translation>nenhuma varredura espera agora por uma potência</translation>
+        <translation>Nenhuma varredura espera por uma potência.</translation>
     </message>
     <message>
         <source>The azimuth axis shows 0° at a true azimuth of %1 ± %2</source>
-        <translation>o eixo de azimute mostra 0° num azimute verdadeiro de %1 ± %2</translation>
+        <translation>O eixo de azimute mostra 0° num azimute verdadeiro de %1 ± %2</translation>
     </message>
     <message>
         <source>North is known only to %1. Use the Sun or the Moon for a better value.</source>
-        <translation>o norte só se conhece a %1: o Sol ou a Lua dizem-no melhor</translation>
+        <translation>O norte só se conhece a %1. Use o Sol ou a Lua para um valor melhor.</translation>
     </message>
     <message>
         <source>North stays unchanged. It is known to %1, by compass only to %2.</source>
-        <translation>o norte mantém-se: conhece-se a %1, por uma bússola a %2</translation>
+        <translation>O norte não muda. Conhece-se a %1, pela bússola só a %2.</translation>
     </message>
     <message>
         <source>The tilt stays unchanged. It is known to %1, by a swing only to %2.</source>
-        <translation>a inclinação mantém-se: conhece-se a %1, por um giro a %2</translation>
+        <translation>A inclinação não muda. Conhece-se a %1, por um giro só a %2.</translation>
     </message>
     <message>
         <source>The tilt of the mast differs by %1 from the tilt in force. Check that the mast is firm.</source>
-        <translation>o mastro inclina-se de outro modo do que diz a inclinação em vigor, em %1: veja se está firme</translation>
+        <translation>A inclinação do mastro difere em %1 da inclinação em vigor. Verifique se o mastro está firme.</translation>
     </message>
     <message>
         <source>. The azimuth axis leans by %1 ± %2 towards %3</source>
-        <translation>; o eixo de azimute inclina-se %1 ± %2 para %3</translation>
+        <translation>. O eixo de azimute inclina-se %1 ± %2 para %3</translation>
     </message>
     <message>
         <source>This is too much to correct. Check how the sensor sits on the boom and what the elevation axis shows.</source>
-        <translation>demais para corrigir: veja como a caixa está no braço e o que o eixo de elevação mostra</translation>
+        <translation>É demasiado para corrigir. Verifique como o sensor está na lança e o que o eixo de elevação mostra.</translation>
     </message>
     <message>
         <source>Sensor and elevation axis differ by %1.</source>
-        <translation>sensor e eixo de elevação diferem %1</translation>
+        <translation>O sensor e o eixo de elevação diferem em %1.</translation>
     </message>
     <message>
         <source>This is more than a tilted sensor. The zero of the elevation axis is wrong.</source>
-        <translation>mais do que uma caixa fica torta: o zero do eixo de elevação está errado</translation>
+        <translation>É mais do que um sensor inclinado. O zero do eixo de elevação está errado.</translation>
     </message>
     <message>
         <source>The zero of elevation moves by %1. First check that the sensor lies along the boom.</source>
-        <translation>o zero da elevação muda %1: veja antes se a caixa está alinhada com o braço</translation>
+        <translation>O zero da elevação muda %1. Verifique antes se o sensor está alinhado com a lança.</translation>
     </message>
     <message>
         <source>. At 0° of the elevation axis the sensor reports %1 ± %2. %3</source>
-        <translation>; onde o eixo de elevação mostra 0° o sensor diz %1 ± %2: %3</translation>
+        <translation>. A 0° do eixo de elevação o sensor indica %1 ± %2. %3</translation>
     </message>
     <message>
         <source>The sensor will agree at this heading only. A new swing corrects all headings.</source>
-        <translation>o sensor é posto de acordo só neste rumo: um novo giro fá-lo em todos</translation>
+        <translation>O sensor vai concordar só neste rumo. Um novo giro corrige todos os rumos.</translation>
     </message>
     <message>
         <source>The sensor keeps the north of its swing. Sensor and axes will then differ by %1.</source>
-        <translation>o sensor mantém o norte do seu giro: sensor e eixos vão então diferir em cerca de %1</translation>
+        <translation>O sensor mantém o norte do seu giro. O sensor e os eixos vão então diferir em %1.</translation>
     </message>
     <message>
         <source>The text belongs to another mount: &quot;%1&quot;.</source>
-        <translation>o texto é de outra montagem: &quot;%1&quot;</translation>
+        <translation>O texto é de outra montagem: &quot;%1&quot;.</translation>
     </message>
     <message>
         <source>The text belongs to another azimuth drive. The zero of its axis may differ.</source>
-        <translation>o texto é de outro acionamento de azimute: onde o eixo mostra 0° pode diferir</translation>
+        <translation>O texto é de outro acionamento de azimute. O zero do seu eixo pode ser outro.</translation>
     </message>
     <message>
         <source>The text belongs to another elevation drive. The zero of its axis may differ.</source>
-        <translation>o texto é de outro acionamento de elevação: onde o eixo mostra 0° pode diferir</translation>
+        <translation>O texto é de outro acionamento de elevação. O zero do seu eixo pode ser outro.</translation>
     </message>
     <message>
         <source>The text belongs to another site. North and tilt may differ.</source>
-        <translation>o texto é de outro local: norte e inclinação podem diferir</translation>
+        <translation>O texto é de outro local. O norte e a inclinação podem ser outros.</translation>
     </message>
     <message>
         <source>The mount tracks the %1. Press Hold first.</source>
-        <translation>a montagem segue: %1; retenha-a primeiro</translation>
+        <translation>A montagem segue um astro: %1. Prima primeiro Manter.</translation>
     </message>
     <message>
         <source>There are already %1 points. Drop some.</source>
-        <translation>já há %1 pontos: descarte alguns</translation>
+        <translation>Já há %1 pontos. Retire alguns.</translation>
     </message>
     <message>
         <source>The orientation sensor has sent nothing for %1 s.</source>
-        <translation>o sensor de orientação não diz nada há %1 s</translation>
+        <translation>O sensor de orientação não envia nada há %1 s.</translation>
     </message>
     <message>
         <source>The orientation sensor has sent nothing yet.</source>
-        <translation>o sensor de orientação ainda não disse nada</translation>
+        <translation>O sensor de orientação ainda não enviou nada.</translation>
     </message>
     <message>
         <source>The profile has no orientation sensor.</source>
-        <translation>o perfil não indica nenhum sensor de orientação</translation>
+        <translation>O perfil não tem sensor de orientação.</translation>
     </message>
     <message>
         <source>Magnetometer calibration is only %1 of 3, but %2 is needed. Move the sensor in figures of eight.</source>
-        <translation>o magnetômetro só está calibrado a %1 de 3, precisa de %2: mova o sensor em forma de oito</translation>
+        <translation>A calibração do magnetómetro é só %1 de 3, mas é preciso %2. Mova o sensor em forma de oito.</translation>
     </message>
     <message>
         <source>The park position would then be forbidden: %1. Set another one first (tab Mount, Profile, &quot;park&quot;). Then apply.</source>
-        <translation>o lugar de estacionar ficaria então proibido, %1: defina outro primeiro (separador Montagem, Perfil, &quot;park&quot;), depois aplique</translation>
+        <translation>A posição de estacionar seria então proibida: %1. Defina outra primeiro (separador Montagem, Perfil, &quot;park&quot;). Depois aplique.</translation>
     </message>
     <message>
         <source>undoes &quot;%1&quot;</source>
@@ -6529,59 +6521,59 @@ até %1</translation>
     </message>
     <message>
         <source>The pointing model was changed after that: %1. This change would be lost. Undo it on the page Profile first, or type the terms.</source>
-        <translation>o modelo de apontamento foi alterado desde então, %1, e isso perder-se-ia: anule-o primeiro na página Perfil, ou escreva os termos que quer</translation>
+        <translation>O modelo de apontamento foi alterado depois disso: %1. Essa alteração perder-se-ia. Anule-a primeiro na página Perfil, ou escreva os termos.</translation>
     </message>
     <message>
         <source>The mounting or the compass error of the sensor was changed after that. This change would be lost. Undo it on the page Profile first.</source>
-        <translation>a montagem do sensor ou o desvio foi alterado desde então, e isso perder-se-ia: anule-o primeiro na página Perfil</translation>
+        <translation>A posição de montagem ou o erro de bússola do sensor foi alterado depois disso. Essa alteração perder-se-ia. Anule-a primeiro na página Perfil.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; was applied with another drive or at another site. Check north before you rely on it</source>
-        <translation>&quot;%1&quot; foi aplicado com outro acionamento ou noutro local: veja onde fica o norte antes de confiar no que entra em vigor</translation>
+        <translation>&quot;%1&quot; foi aplicada com outro acionamento ou noutro local. Verifique o norte antes de confiar nela</translation>
     </message>
     <message>
         <source>There is no point %1.</source>
-        <translation>não há ponto %1</translation>
+        <translation>Não há ponto %1.</translation>
     </message>
     <message>
         <source>These points wait until every drive has reported its identity.</source>
-        <translation>estes pontos esperam até que todos os acionamentos tenham indicado a sua identidade</translation>
+        <translation>Estes pontos esperam até que todos os acionamentos tenham indicado a sua identidade.</translation>
     </message>
     <message>
         <source>Track the Sun or the Moon first and centre it.</source>
-        <translation>siga primeiro o Sol ou a Lua, e centre-o</translation>
+        <translation>Siga primeiro o Sol ou a Lua e centre-o.</translation>
     </message>
     <message>
         <source>The azimuth must be within 360° and the elevation within 90°.</source>
-        <translation>espera-se um azimute até 360° e uma elevação até 90°</translation>
+        <translation>O azimute tem de estar dentro de 360° e a elevação dentro de 90°.</translation>
     </message>
     <message>
         <source>These terms are already in force.</source>
-        <translation>estes são os termos que já estão em vigor</translation>
+        <translation>Estes termos já estão em vigor.</translation>
     </message>
     <message>
         <source>The settings of the sensor or the declination changed, so the proposal is dropped. Measure again</source>
-        <translation>as definições do sensor ou a declinação mudaram: o que se encontrou com as anteriores já não é proposto; meça de novo</translation>
+        <translation>As definições do sensor ou a declinação mudaram, por isso a proposta foi retirada. Meça de novo</translation>
     </message>
     <message>
         <source>The proposal has changed. Read it again first.</source>
-        <translation>já não é isto que se propõe: veja-o primeiro de novo</translation>
+        <translation>A proposta mudou. Leia-a primeiro de novo.</translation>
     </message>
     <message>
         <source>The width of a scan must be %1° to %2°.</source>
-        <translation>uma varredura tem de %1° a %2° de largura</translation>
+        <translation>A largura de uma varredura tem de ser de %1° a %2°.</translation>
     </message>
     <message>
         <source>This is not a power in dB.</source>
-        <translation>isto não é uma potência em dB</translation>
+        <translation>Isto não é uma potência em dB.</translation>
     </message>
     <message>
         <source>The beam was trimmed by hand during the scan.</source>
-        <translation>o feixe foi deslocado à mão no meio da varredura</translation>
+        <translation>O feixe foi compensado à mão durante a varredura.</translation>
     </message>
     <message>
         <source>The beam cannot reach a place of the scan: %1</source>
-        <translation>o feixe não chega a um lugar da varredura: %1</translation>
+        <translation>O feixe não chega a um lugar da varredura: %1</translation>
     </message>
     <message>
         <source>done, and the peak is a point now</source>
@@ -6589,23 +6581,23 @@ até %1</translation>
     </message>
     <message>
         <source>No power reading received.</source>
-        <translation>ninguém indicou a potência</translation>
+        <translation>Não foi recebida nenhuma leitura de potência.</translation>
     </message>
     <message>
         <source>The mount does not stand still.</source>
-        <translation>a montagem não chega ao repouso</translation>
+        <translation>A montagem não está parada.</translation>
     </message>
     <message>
         <source>Clients have control. Take control before the swing.</source>
-        <translation>os clientes têm o controle: assuma-o antes de girar a montagem</translation>
+        <translation>Os clientes têm o controlo. Assuma o controlo antes do giro.</translation>
     </message>
     <message>
         <source>The sensor restarted during the swing. Its compass may have another zero now.</source>
-        <translation>o sensor foi reiniciado entretanto: a sua bússola pode agora contar de outro modo</translation>
+        <translation>O sensor reiniciou durante o giro. A sua bússola pode ter agora outro zero.</translation>
     </message>
     <message>
         <source>The mount is not moving. Something is blocking it.</source>
-        <translation>a montagem não avança: algo a retém</translation>
+        <translation>A montagem não se move. Algo a bloqueia.</translation>
     </message>
     <message>
         <source>sensor data is back, and the swing continues</source>
@@ -6617,23 +6609,23 @@ até %1</translation>
     </message>
     <message>
         <source>The sensor was silent and does not report its calibration. If it restarted, repeat the swing.</source>
-        <translation>o sensor esteve em silêncio entretanto e não diz como está calibrado: se foi reiniciado, repita o giro</translation>
+        <translation>O sensor esteve em silêncio e não comunica a sua calibração. Se reiniciou, repita o giro.</translation>
     </message>
     <message>
         <source>A compass does not work here. %1</source>
-        <translation>aqui uma bússola não serve: %1</translation>
+        <translation>Aqui uma bússola não funciona. %1</translation>
     </message>
     <message>
         <source>The rate of a swing must be %1 to %2°/s.</source>
-        <translation>um giro faz-se a %1 até %2°/s</translation>
+        <translation>A velocidade de um giro tem de ser de %1 a %2°/s.</translation>
     </message>
     <message>
         <source>A swing has %1 to %2 stops, or none.</source>
-        <translation>um giro para em %1 a %2 rumos, ou em nenhum</translation>
+        <translation>Um giro tem de %1 a %2 paragens, ou nenhuma.</translation>
     </message>
     <message>
         <source>Only %1 of azimuth is free at this elevation. A swing needs %2. Raise the boom.</source>
-        <translation>só há %1 de azimute livres nesta elevação, um giro precisa de %2: levante a lança</translation>
+        <translation>Só %1 de azimute estão livres nesta elevação. Um giro precisa de %2. Levante a lança.</translation>
     </message>
     <message>
         <source>no tilt at this elevation (it is measured between %1 and %2, best at 30°)</source>
@@ -6645,11 +6637,11 @@ até %1</translation>
     </message>
     <message>
         <source>With the boom at %1 the compass does not work. Lower it to %2 or less, best to 30°.</source>
-        <translation>com a lança a %1 a bússola nada diz: baixe-a a %2 ou menos, o melhor é 30°</translation>
+        <translation>Com a lança a %1 a bússola não funciona. Baixe-a a %2 ou menos, de preferência a 30°.</translation>
     </message>
     <message>
         <source>The mount is outside the permitted region. Jog it back inside first.</source>
-        <translation>a lança está no que é proibido: tire-a primeiro de lá</translation>
+        <translation>A montagem está fora da região permitida. Leve-a primeiro para dentro, à mão.</translation>
     </message>
     <message>
         <source>waiting for sensor data, for at most %1 s more</source>
@@ -6661,15 +6653,15 @@ até %1</translation>
     </message>
     <message>
         <source>%1: The broker does not permit reading %2. Permit it in the access list (ACL) of the broker, or set mqtt.user and mqtt.password</source>
-        <translation>%1: o broker não nos deixa ler %2: permita-o na lista de acesso (ACL) do broker ou defina mqtt.user e mqtt.password</translation>
+        <translation>%1: O broker não permite ler %2. Permita-o na lista de acesso (ACL) do broker, ou defina mqtt.user e mqtt.password</translation>
     </message>
     <message>
         <source>%1: The broker does not permit reading %2. Permit it in the access list (ACL) of the broker for the user &quot;%3&quot;</source>
-        <translation>%1: o broker não nos deixa ler %2: permita-o na lista de acesso (ACL) do broker ao usuário &quot;%3&quot;</translation>
+        <translation>%1: O broker não permite ler %2. Permita-o na lista de acesso (ACL) do broker ao utilizador &quot;%3&quot;</translation>
     </message>
     <message>
         <source>%1: On %2 the broker has only an old stored value. Does the sensor have power and WiFi?</source>
-        <translation>%1: em %2 só há o que o broker guardou de antes, nada ao vivo: o sensor tem energia e WiFi?</translation>
+        <translation>%1: Em %2 o broker só tem um valor antigo guardado. O sensor tem energia e WiFi?</translation>
     </message>
     <message>
         <source>%1: The messages on %2 are not from the sensor (%3)</source>
@@ -6677,27 +6669,27 @@ até %1</translation>
     </message>
     <message>
         <source>%1: No data on %2. Does the sensor have power and WiFi? Is this its topic? Does the access list of the broker permit reading it?</source>
-        <translation>%1: não chega nada em %2: o sensor tem energia e WiFi, este é o tópico dele e a lista de acesso do broker nos deixa lê-lo?</translation>
+        <translation>%1: Sem dados em %2. O sensor tem energia e WiFi? Este é o seu tópico? A lista de acesso do broker permite lê-lo?</translation>
     </message>
     <message>
         <source>%1: No data. Does the sensor have power and WiFi? Without WiFi it sends nothing</source>
-        <translation>%1: não chega nada: o sensor tem energia e a sua rede WiFi (sem ela, fica em silêncio)?</translation>
+        <translation>%1: Sem dados. O sensor tem energia e WiFi? Sem WiFi não envia nada</translation>
     </message>
     <message>
         <source>%1: The data is damaged or not from the sensor. Is sensor.baud (%2) right?</source>
-        <translation>%1: o que chega está danificado ou não é sentença do sensor: sensor.baud (%2) está certo?</translation>
+        <translation>%1: Os dados estão danificados ou não são do sensor. sensor.baud (%2) está certo?</translation>
     </message>
     <message>
         <source>%1: The data is not from the sensor: &quot;%2&quot;</source>
-        <translation>%1: o que chega não é sentença do sensor, mas: &quot;%2&quot;</translation>
+        <translation>%1: Os dados não são do sensor: &quot;%2&quot;</translation>
     </message>
     <message>
         <source>%1 is gone. Plug the sensor in again</source>
-        <translation>%1 desapareceu: volte a conectar o sensor</translation>
+        <translation>%1 desapareceu. Volte a ligar o sensor</translation>
     </message>
     <message>
         <source>%1 is gone. Plug the sensor in again, in any socket. Boresight finds it as %2</source>
-        <translation>%1 desapareceu: volte a conectar o sensor; é encontrado em qualquer tomada como %2</translation>
+        <translation>%1 desapareceu. Volte a ligar o sensor, em qualquer tomada. O Boresight encontra-o como %2</translation>
     </message>
     <message>
         <source>a forbidden region</source>
@@ -6705,15 +6697,15 @@ até %1</translation>
     </message>
     <message>
         <source>Boresight found no way from %1 to %2 in time. There are too many keep-outs.</source>
-        <translation>não se achou a tempo um caminho de %1 para %2: há zonas proibidas a mais</translation>
+        <translation>O Boresight não achou a tempo um caminho de %1 para %2. Há zonas proibidas a mais.</translation>
     </message>
     <message>
         <source>There is no way from %1 to %2. Between them is %3.</source>
-        <translation>não há caminho de %1 para %2: no meio está %3</translation>
+        <translation>Não há caminho de %1 para %2. No meio está %3.</translation>
     </message>
     <message>
         <source>%1: No data. Is the program of the receiver running? Does it send to this address?</source>
-        <translation>%1: nada chega: o programa do receptor está em execução, e envia para cá?</translation>
+        <translation>%1: Sem dados. O programa do recetor está a correr? Envia para este endereço?</translation>
     </message>
     <message>
         <source>%1: The data is not a power in dB: %2</source>
@@ -6721,11 +6713,11 @@ até %1</translation>
     </message>
     <message>
         <source>Boresight cannot listen on %1: %2</source>
-        <translation>não é possível escutar em %1: %2</translation>
+        <translation>O Boresight não pode escutar em %1: %2</translation>
     </message>
     <message>
         <source>%1: No connection to the program of the receiver: %2</source>
-        <translation>%1: sem conexão com o programa do receptor: %2</translation>
+        <translation>%1: Sem ligação ao programa do recetor: %2</translation>
     </message>
     <message>
         <source>it contains no number</source>
@@ -6745,7 +6737,7 @@ até %1</translation>
     </message>
     <message>
         <source>%1 must reach %2°/s within %3 s. The permitted %4 Nm are enough for a moment of inertia of at most %5 kg·m², without friction and wind</source>
-        <translation>o %1 deve atingir %2°/s em %3 s: os %4 Nm permitidos chegam no máximo para um momento de inércia de %5 kg·m², sem atrito nem vento</translation>
+        <translation>%1 tem de atingir %2°/s em %3 s. Os %4 Nm permitidos chegam para um momento de inércia de no máximo %5 kg·m², sem atrito nem vento</translation>
     </message>
     <message>
         <source>a latitude or longitude is out of range</source>
@@ -6773,7 +6765,7 @@ até %1</translation>
     </message>
     <message>
         <source>A trim can be at most %1°.</source>
-        <translation>uma compensação acima de %1° já não é uma correção</translation>
+        <translation>Uma compensação pode ser no máximo de %1°.</translation>
     </message>
     <message>
         <source>the profile was not applied, so the previous profile stays in force: %1</source>
@@ -6781,11 +6773,11 @@ até %1</translation>
     </message>
     <message>
         <source>the profile was read again. These settings wait for a restart: %1</source>
-        <translation>o perfil foi lido de novo; estes parâmetros esperam por um reinício: %1</translation>
+        <translation>o perfil foi lido de novo. Estas definições esperam por um reinício: %1</translation>
     </message>
     <message>
         <source>MQTT broker %1: a message of %2 kB was dropped. The limit is %3 kB</source>
-        <translation>broker MQTT %1: foi descartada uma mensagem de %2 kB; o limite é %3 kB</translation>
+        <translation>Broker MQTT %1: foi descartada uma mensagem de %2 kB. O limite é %3 kB</translation>
     </message>
     <message>
         <source>disconnected: %1</source>
@@ -6793,35 +6785,35 @@ até %1</translation>
     </message>
     <message>
         <source>The motor is still at %1 °C. It must cool down to %2 °C.</source>
-        <translation>o motor ainda está a %1 °C; tem de esfriar até %2 °C</translation>
+        <translation>O motor ainda está a %1 °C. Tem de arrefecer até %2 °C.</translation>
     </message>
     <message>
         <source>The drive board is still at %1 °C. It must cool down to %2 °C.</source>
-        <translation>a placa do acionamento ainda está a %1 °C; tem de esfriar até %2 °C</translation>
+        <translation>A placa do acionamento ainda está a %1 °C. Tem de arrefecer até %2 °C.</translation>
     </message>
     <message>
         <source>The supply is still at %1 V. It must reach %2 V.</source>
-        <translation>a alimentação ainda está em %1 V; são precisos %2 V</translation>
+        <translation>A alimentação ainda está em %1 V. Tem de atingir %2 V.</translation>
     </message>
     <message>
         <source>The supply is still at %1 V. It must fall to %2 V.</source>
-        <translation>a alimentação ainda está em %1 V; são permitidos no máximo %2 V</translation>
+        <translation>A alimentação ainda está em %1 V. Tem de descer até %2 V.</translation>
     </message>
     <message>
         <source>The drive does not report its supply voltage.</source>
-        <translation>o acionamento não informa a tensão de alimentação</translation>
+        <translation>O acionamento não comunica a tensão de alimentação.</translation>
     </message>
     <message>
         <source>The drive does not report its temperature.</source>
-        <translation>o acionamento não informa a temperatura</translation>
+        <translation>O acionamento não comunica a temperatura.</translation>
     </message>
     <message>
         <source>The motor was at %1 °C and no longer reports its temperature. Repair its sensor, or let the motor cool down and restart Boresight.</source>
-        <translation>o motor estava a %1 °C e não informa mais a temperatura: repare o sensor, ou deixe-o esfriar e inicie o Boresight de novo</translation>
+        <translation>O motor estava a %1 °C e já não comunica a temperatura. Repare o sensor, ou deixe o motor arrefecer e reinicie o Boresight.</translation>
     </message>
     <message>
         <source>the sensor does not report the calibration of its compass</source>
-        <translation>o sensor não diz quão bem a sua bússola está calibrada</translation>
+        <translation>o sensor não comunica a calibração da sua bússola</translation>
     </message>
     <message>
         <source>the orientation sensor sends data: %1</source>
@@ -7341,7 +7333,7 @@ até %1</translation>
     </message>
     <message>
         <source>The stored night report cannot be read: %1. The new report is kept in memory only.</source>
-        <translation>O relatório da noite guardado não se lê: %1. O novo relatório fica só na memória.</translation>
+        <translation>O relatório da noite guardado não pode ser lido: %1. O novo relatório fica só na memória.</translation>
     </message>
     <message>
         <source>The stored calibrations cannot be read: %1</source>
@@ -8645,7 +8637,7 @@ até %1</translation>
     </message>
     <message>
         <source>closed the connection during the pause it asked for</source>
-        <translation>fechou a conexão durante a pausa que pediu</translation>
+        <translation>fechou a ligação durante a pausa que pediu</translation>
     </message>
     <message>
         <source>the new position is %1 from the last position</source>
@@ -8705,7 +8697,7 @@ até %1</translation>
     </message>
     <message>
         <source>a GS-232 rotator</source>
-        <translation>um rotador GS-232</translation>
+        <translation>um rotor GS-232</translation>
     </message>
     <message>
         <source>the value is outside the limits of rotctld</source>
@@ -8717,27 +8709,27 @@ até %1</translation>
     </message>
     <message>
         <source>this rotator does not have the function</source>
-        <translation>este rotador não tem esta função</translation>
+        <translation>este rotor não tem esta função</translation>
     </message>
     <message>
         <source>the rotator did not answer rotctld in time</source>
-        <translation>o rotador não respondeu ao rotctld a tempo</translation>
+        <translation>o rotor não respondeu ao rotctld a tempo</translation>
     </message>
     <message>
         <source>rotctld cannot use the port of the rotator</source>
-        <translation>o rotctld não consegue usar a porta do rotador</translation>
+        <translation>o rotctld não consegue usar a porta do rotor</translation>
     </message>
     <message>
         <source>rotctld did not understand the answer of the rotator</source>
-        <translation>o rotctld não compreendeu a resposta do rotador</translation>
+        <translation>o rotctld não compreendeu a resposta do rotor</translation>
     </message>
     <message>
         <source>the rotator rejected the command</source>
-        <translation>o rotador rejeitou o comando</translation>
+        <translation>o rotor rejeitou o comando</translation>
     </message>
     <message>
         <source>the rotator is switched off</source>
-        <translation>o rotador está desligado</translation>
+        <translation>o rotor está desligado</translation>
     </message>
     <message>
         <source>the position is outside the limits of rotctld</source>
@@ -8757,11 +8749,11 @@ até %1</translation>
     </message>
     <message>
         <source>The rotator refused its target: %1</source>
-        <translation>O rotador recusou o seu alvo: %1</translation>
+        <translation>O rotor recusou o seu alvo: %1</translation>
     </message>
     <message>
         <source>Compare the travel of the profile with the limits of the rotator, and check its power.</source>
-        <translation>Compare o curso do perfil com os limites do rotador e verifique a sua alimentação.</translation>
+        <translation>Compare o curso do perfil com os limites do rotor e verifique a sua alimentação.</translation>
     </message>
     <message>
         <source>%1: %2. Check that rotctld runs there. Check its address, its port and the network</source>
@@ -8773,15 +8765,15 @@ até %1</translation>
     </message>
     <message>
         <source>This rotator has no azimuth. Set azimuth.driver to &quot;none&quot; in the profile.</source>
-        <translation>Este rotador não tem azimute. Ponha azimuth.driver em &quot;none&quot; no perfil.</translation>
+        <translation>Este rotor não tem azimute. Ponha azimuth.driver em &quot;none&quot; no perfil.</translation>
     </message>
     <message>
         <source>This rotator has no elevation. Set elevation.driver to &quot;none&quot; in the profile.</source>
-        <translation>Este rotador não tem elevação. Ponha elevation.driver em &quot;none&quot; no perfil.</translation>
+        <translation>Este rotor não tem elevação. Ponha elevation.driver em &quot;none&quot; no perfil.</translation>
     </message>
     <message>
         <source>The travel %1…%2 does not fit this rotator. Its rotctld permits %3…%4. Change %5.travel_min_deg and %5.travel_max_deg in the profile.</source>
-        <translation>O curso %1…%2 não serve a este rotador. O seu rotctld permite %3…%4. Altere %5.travel_min_deg e %5.travel_max_deg no perfil.</translation>
+        <translation>O curso %1…%2 não serve a este rotor. O seu rotctld permite %3…%4. Altere %5.travel_min_deg e %5.travel_max_deg no perfil.</translation>
     </message>
     <message>
         <source>a rotctld</source>
@@ -8789,7 +8781,7 @@ até %1</translation>
     </message>
     <message>
         <source>The answer of rotctld is: %1. Check the rotator, its power, its cable and the options of rotctld</source>
-        <translation>A resposta do rotctld é: %1. Verifique o rotador, a sua alimentação, o seu cabo e as opções do rotctld</translation>
+        <translation>A resposta do rotctld é: %1. Verifique o rotor, a sua alimentação, o seu cabo e as opções do rotctld</translation>
     </message>
     <message>
         <source>%1 was tracked for %2 s. Within 1 dB: %3 s. Within 3 dB: %4 s.</source>
@@ -8853,7 +8845,7 @@ até %1</translation>
     </message>
     <message>
         <source>GS-232 has no number for the azimuth %1</source>
-        <translation>o GS-232 não tem número para o azimute %1</translation>
+        <translation>O GS-232 não tem número para o azimute %1</translation>
     </message>
     <message>
         <source>this command of GS-232 is not supported</source>
@@ -8861,7 +8853,7 @@ até %1</translation>
     </message>
     <message>
         <source>GS-232 has no number for the elevation %1</source>
-        <translation>o GS-232 não tem número para a elevação %1</translation>
+        <translation>O GS-232 não tem número para a elevação %1</translation>
     </message>
     <message>
         <source>protocol, rights and place are expected, like &quot;gs232b drive tcp:127.0.0.1:4534&quot;</source>
@@ -9262,10 +9254,6 @@ até %1</translation>
     <message>
         <source>Boresight starts rotctld for this model, and ends it.</source>
         <translation>O Boresight inicia o rotctld para este modelo e termina-o.</translation>
-    </message>
-    <message>
-        <source>Connect asks for the limits and for the position. Boresight moves nothing. Some models send their box a greeting.</source>
-        <translation>Ligar pergunta os limites e a posição. O Boresight não move nada. Alguns modelos enviam uma saudação à sua caixa.</translation>
     </message>
     <message>
         <source>Check the power of the rotator, and the cable.</source>
@@ -9929,11 +9917,7 @@ até %1</translation>
     </message>
     <message>
         <source>Boresight connected to the broker again</source>
-        <translation>o Boresight voltou a ligar-se ao broker</translation>
-    </message>
-    <message>
-        <source>Nobody has confirmed the directions of the axes. Boresight moves the mount at most 2° at 5°/s, by a jog or by M of a client. Check that each axis turns in the direction of the profile. Then confirm the directions in the guide of the window, or run boresightctl confirm-directions PROFILE and start again.</source>
-        <translation>Ninguém confirmou os sentidos dos eixos. O Boresight move a montagem no máximo 2° a 5°/s, por movimento manual ou por M de um cliente. Verifique se cada eixo gira no sentido do perfil. Depois confirme os sentidos no guia da janela, ou execute boresightctl confirm-directions PERFIL e inicie de novo.</translation>
+        <translation>O Boresight voltou a ligar-se ao broker</translation>
     </message>
     <message>
         <source>End the other program, or give this mount another name in its profile</source>
@@ -9982,10 +9966,6 @@ até %1</translation>
     <message>
         <source>The %1 is %2 away from its target, more than half the beam width</source>
         <translation>O %1 está a %2 do seu alvo, mais de metade da largura do feixe</translation>
-    </message>
-    <message>
-        <source>Boresight waits, because the motor may start %3 times a minute</source>
-        <translation>O Boresight espera, porque o motor pode arrancar %3 vezes por minuto</translation>
     </message>
     <message>
         <source>Permit more starts on the page Profile (rotator.max_starts_per_min), or point less exactly.</source>
@@ -10201,7 +10181,7 @@ até %1</translation>
     </message>
     <message>
         <source>Remove them, or give them to the rotctld that you start yourself, with its option -C.</source>
-        <translation>Retire-as, ou dê-as ao rotctld que inicia você mesmo, com a opção -C.</translation>
+        <translation>Retire-as, ou dê-as ao rotctld que inicia à parte, com a opção -C.</translation>
     </message>
     <message>
         <source>names %1 twice</source>
@@ -10221,7 +10201,7 @@ até %1</translation>
     </message>
     <message>
         <source>NAME=VALUE without blanks and commas is expected, like &quot;min_az=-90&quot;</source>
-        <translation>espera-se NOME=VALOR sem espaços nem vírgulas, como &quot;min_az=-90&quot;</translation>
+        <translation>Espera-se NOME=VALOR sem espaços nem vírgulas, como &quot;min_az=-90&quot;</translation>
     </message>
     <message>
         <source>Boresight sets %1 itself. Change %2 instead</source>
@@ -10370,10 +10350,6 @@ até %1</translation>
     <message>
         <source>Boresight obeys every datagram with a permitted sender address</source>
         <translation>O Boresight obedece a qualquer datagrama com um endereço de remetente permitido</translation>
-    </message>
-    <message>
-        <source>Wait until the wind was below %2 m/s for %3 min. If the mount must move, press Move anyway</source>
-        <translation>Espere até o vento ter estado abaixo de %2 m/s durante %3 min. Se a montagem tiver de se mover, prima Mover mesmo assim</translation>
     </message>
     <message>
         <source>The mount is not parked. Boresight does not move it by itself and refuses every motion except Park</source>
@@ -10817,27 +10793,27 @@ até %1</translation>
     </message>
     <message>
         <source>X axis %1 below limit %2</source>
-        <translation>eixo X %1 abaixo do limite %2</translation>
+        <translation>Eixo X %1 abaixo do limite %2</translation>
     </message>
     <message>
         <source>X axis %1 above limit %2</source>
-        <translation>eixo X %1 acima do limite %2</translation>
+        <translation>Eixo X %1 acima do limite %2</translation>
     </message>
     <message>
         <source>Y axis %1 below limit %2</source>
-        <translation>eixo Y %1 abaixo do limite %2</translation>
+        <translation>Eixo Y %1 abaixo do limite %2</translation>
     </message>
     <message>
         <source>Y axis %1 above limit %2</source>
-        <translation>eixo Y %1 acima do limite %2</translation>
+        <translation>Eixo Y %1 acima do limite %2</translation>
     </message>
     <message>
         <source>X axis %1 outside limits %2…%3</source>
-        <translation>eixo X %1 fora dos limites %2…%3</translation>
+        <translation>Eixo X %1 fora dos limites %2…%3</translation>
     </message>
     <message>
         <source>Y axis %1 outside limits %2…%3</source>
-        <translation>eixo Y %1 fora dos limites %2…%3</translation>
+        <translation>Eixo Y %1 fora dos limites %2…%3</translation>
     </message>
     <message>
         <source>%1 lies too close to the horizon (%2)</source>
@@ -10914,10 +10890,6 @@ até %1</translation>
     <message>
         <source>The drive of the third axis (%1) reports fault %2</source>
         <translation>O acionamento do terceiro eixo (%1) indica a falha %2</translation>
-    </message>
-    <message>
-        <source>Boresight does not move this axis, and the mount goes on</source>
-        <translation>O Boresight não move este eixo, e a montagem continua</translation>
     </message>
     <message>
         <source>Remove the cause, then press Re-arm.</source>
@@ -11242,6 +11214,34 @@ até %1</translation>
     <message>
         <source>plans the pass of %1 near the zenith, where the azimuth is too slow: off by up to %2. It is off by more than half of the beam width for %3</source>
         <translation>planeia a passagem de %1 perto do zénite, onde o azimute é demasiado lento: desvio até %2. O desvio é maior do que metade da largura do feixe durante %3</translation>
+    </message>
+    <message>
+        <source>Free the axis. Reduce speed and acceleration, or correct the gains. Then re-arm</source>
+        <translation>Solte o eixo. Reduza a velocidade e a aceleração, ou corrija os ganhos. Depois rearme</translation>
+    </message>
+    <message>
+        <source>Largest jerk: how fast the acceleration may change. It makes every stop longer by 2 × acceleration / jerk seconds.</source>
+        <translation>Maior solavanco (jerk): a rapidez com que a aceleração pode mudar. Torna cada paragem mais longa em 2 × aceleração / jerk segundos.</translation>
+    </message>
+    <message>
+        <source>Connect asks rotctld for the limits and for the position. Boresight moves nothing. For some models rotctld sends a greeting to the box.</source>
+        <translation>Conectar pergunta ao rotctld os limites e a posição. O Boresight não move nada. Em alguns modelos o rotctld envia uma saudação à caixa.</translation>
+    </message>
+    <message>
+        <source>Nobody has confirmed the directions of the axes. Boresight moves the mount at most 2° at 5°/s, and only by a jog or by the command M of a client. Check that each axis turns in the direction of the profile. Then confirm the directions in the guide of the window, or run boresightctl confirm-directions PROFILE and start again.</source>
+        <translation>Ninguém confirmou os sentidos dos eixos. O Boresight move a montagem no máximo 2° a 5°/s, e só por movimento manual ou pelo comando M de um cliente. Verifique se cada eixo gira no sentido do perfil. Depois confirme os sentidos no guia da janela, ou execute boresightctl confirm-directions PERFIL e inicie de novo.</translation>
+    </message>
+    <message>
+        <source>Boresight waits, because the motor may start only %3 times a minute</source>
+        <translation>O Boresight espera, porque o motor só pode arrancar %3 vezes por minuto</translation>
+    </message>
+    <message>
+        <source>Boresight does not move this axis. The other axes go on</source>
+        <translation>O Boresight não move este eixo. Os outros eixos continuam</translation>
+    </message>
+    <message>
+        <source>Wait until the wind has stayed below %2 m/s for %3 min. If the mount must move, press Move anyway</source>
+        <translation>Espere até o vento ficar abaixo de %2 m/s durante %3 min. Se a montagem tiver de se mover, prima Mover mesmo assim</translation>
     </message>
 </context>
 <context>
@@ -11617,19 +11617,19 @@ SDL 2, toml++</translation>
     </message>
     <message>
         <source>All alarms are acknowledged.</source>
-        <translation>todos estão reconhecidos</translation>
+        <translation>Todos os alarmes estão reconhecidos.</translation>
     </message>
     <message>
         <source>No alarm is selected.</source>
-        <translation>nenhum alarme está selecionado</translation>
+        <translation>Nenhum alarme está selecionado.</translation>
     </message>
     <message>
         <source>This alarm is acknowledged.</source>
-        <translation>está reconhecido</translation>
+        <translation>Este alarme está reconhecido.</translation>
     </message>
     <message>
         <source>This alarm is over.</source>
-        <translation>terminou</translation>
+        <translation>Este alarme terminou.</translation>
     </message>
 </context>
 <context>
@@ -11792,7 +11792,7 @@ SDL 2, toml++</translation>
     </message>
     <message>
         <source>Keep control for the operator. Boresight refuses motion commands of clients</source>
-        <translation>Reservar a montagem para o operador: os comandos de movimento dos clientes são recusados</translation>
+        <translation>Reservar o controlo para o operador. O Boresight recusa os comandos de movimento dos clientes</translation>
     </message>
     <message>
         <source>Hand over</source>
@@ -11986,7 +11986,7 @@ velocidade %1</translation>
     </message>
     <message>
         <source>End tracking. The mount holds</source>
-        <translation>Termina; a montagem mantém a posição</translation>
+        <translation>Termina o seguimento. A montagem mantém a posição</translation>
     </message>
     <message>
         <source>Hold and stop tracking the Moon of WSJT-X</source>
@@ -12088,7 +12088,7 @@ velocidade %1</translation>
     </message>
     <message>
         <source>Over the top</source>
-        <translation>Pelo outro lado do zênite</translation>
+        <translation>Pelo outro lado do zénite</translation>
     </message>
     <message>
         <source>Position of the body</source>
@@ -12100,7 +12100,7 @@ velocidade %1</translation>
     </message>
     <message>
         <source>The target is centred now. Store the position of the axes</source>
-        <translation>Está centrado agora: guarda onde estão os eixos</translation>
+        <translation>O alvo está centrado agora. Guarda a posição dos eixos</translation>
     </message>
     <message>
         <source>Refraction of the air: optical for a shadow, radio for the power</source>
@@ -12124,11 +12124,11 @@ velocidade %1</translation>
     </message>
     <message>
         <source>End tracking. The mount holds</source>
-        <translation>Termina; a montagem mantém a posição</translation>
+        <translation>Termina o seguimento. A montagem mantém a posição</translation>
     </message>
     <message>
         <source>Move the mount to the %1 and track it. The pad trims</source>
-        <translation>A montagem move-se e fica a seguir (%1); o painel de passos compensa</translation>
+        <translation>Move a montagem até ao astro (%1) e segue-o. O painel de passos compensa</translation>
     </message>
     <message>
         <source>Hold and stop tracking the %1</source>
@@ -12233,10 +12233,6 @@ velocidade %1</translation>
         <translation>Um comando nas palavras da caixa de controlo. As linhas que movem o rotor são recusadas.</translation>
     </message>
     <message>
-        <source>Home run…</source>
-        <translation>Procurar referência…</translation>
-    </message>
-    <message>
         <source>The rotator drives its axes to its own switches, and counts from there again.</source>
         <translation>O rotor leva os eixos aos seus próprios interruptores e volta a contar a partir daí.</translation>
     </message>
@@ -12255,6 +12251,10 @@ O Boresight retoma o rotor quando este tiver estado parado alguns segundos. Depo
     <message>
         <source>Make the home run</source>
         <translation>Procurar a referência</translation>
+    </message>
+    <message>
+        <source>Home run …</source>
+        <translation>Procurar referência …</translation>
     </message>
 </context>
 <context>
@@ -12336,7 +12336,7 @@ O Boresight retoma o rotor quando este tiver estado parado alguns segundos. Depo
     </message>
     <message>
         <source>Drop the proposal. Nothing changes, and the points stay</source>
-        <translation>A proposta desaparece; nada muda, e os pontos ficam</translation>
+        <translation>Retira a proposta. Nada muda, e os pontos ficam</translation>
     </message>
     <message>
         <source>Discard the proposal</source>
@@ -12399,11 +12399,11 @@ Depois a montagem aponta por este resultado. O registo anota que o aplicou mesmo
     </message>
     <message>
         <source>Calibration: system %1, gyro %2, accelerometer %3, magnetometer %4 of 3</source>
-        <translation>Calibração: sistema %1, giroscópio %2, acelerômetro %3, magnetômetro %4 de 3</translation>
+        <translation>Calibração: sistema %1, giroscópio %2, acelerómetro %3, magnetómetro %4 de 3</translation>
     </message>
     <message>
         <source>Magnetometer: move the sensor in figures of eight, away from iron and motors. On the mast, turn the mount through its range.</source>
-        <translation>Magnetômetro: mova o sensor em forma de oito, longe de ferro e motores; no mastro, gire a montagem por todo o seu curso.</translation>
+        <translation>Magnetómetro: mova o sensor em forma de oito, longe de ferro e motores. No mastro, gire a montagem por todo o seu curso.</translation>
     </message>
     <message>
         <source>Calibration: not reported</source>
@@ -12501,7 +12501,7 @@ Depois a montagem aponta por este resultado. O registo anota que o aplicou mesmo
     </message>
     <message>
         <source>Control</source>
-        <translation>Controle</translation>
+        <translation>Controlo</translation>
     </message>
     <message>
         <source>● in control</source>
@@ -12557,7 +12557,7 @@ Depois a montagem aponta por este resultado. O registo anota que o aplicou mesmo
     </message>
     <message>
         <source>Give control</source>
-        <translation>Dar controle</translation>
+        <translation>Dar controlo</translation>
     </message>
     <message>
         <source>The selected client moves the mount from now on</source>
@@ -12639,7 +12639,7 @@ Depois a montagem aponta por este resultado. O registo anota que o aplicou mesmo
     </message>
     <message>
         <source>Select a client first.</source>
-        <translation>selecione primeiro um cliente</translation>
+        <translation>Selecione primeiro um cliente.</translation>
     </message>
     <message>
         <source>The first client moves the mount until it disconnects or commands no motion for 10 s</source>
@@ -12655,7 +12655,7 @@ Depois a montagem aponta por este resultado. O registo anota que o aplicou mesmo
     </message>
     <message>
         <source>Close the connection. The program may connect again</source>
-        <translation>Desliga; o seu programa pode conectar-se de novo</translation>
+        <translation>Fecha a ligação. O programa pode ligar-se de novo</translation>
     </message>
     <message>
         <source>Control goes to:</source>
@@ -12667,7 +12667,7 @@ Depois a montagem aponta por este resultado. O registo anota que o aplicou mesmo
     </message>
     <message>
         <source>rotctld does not listen. No program can connect</source>
-        <translation>o rotctld não escuta: nenhum programa pode conectar-se</translation>
+        <translation>O rotctld não escuta. Nenhum programa pode ligar-se</translation>
     </message>
     <message>
         <source>Every computer that reaches %1 may connect</source>
@@ -12679,19 +12679,19 @@ Depois a montagem aponta por este resultado. O registo anota que o aplicou mesmo
     </message>
     <message>
         <source>You have control. Boresight refuses motion commands of clients</source>
-        <translation>O controle é seu: os movimentos dos clientes são recusados até o devolver</translation>
+        <translation>O controlo é seu. O Boresight recusa os comandos de movimento dos clientes</translation>
     </message>
     <message>
         <source>No program is connected. Gpredict disconnects after a refusal. Press Engage there again</source>
-        <translation>Nenhum programa está conectado. O Gpredict sai quando é recusado: prima lá Engage de novo</translation>
+        <translation>Nenhum programa está ligado. O Gpredict desliga-se depois de uma recusa. Prima lá Engage de novo</translation>
     </message>
     <message>
         <source>Select a client to give it control or to make it read-only</source>
-        <translation>Selecione um cliente para lhe dar o controle ou para o manter fora</translation>
+        <translation>Selecione um cliente para lhe dar o controlo ou para o deixar só ler</translation>
     </message>
     <message>
         <source>Apply or revert the edits of the profile first (Ctrl+3).</source>
-        <translation>aplique ou reverta primeiro as alterações do perfil (Ctrl+3)</translation>
+        <translation>Aplique ou reverta primeiro as alterações do perfil (Ctrl+3).</translation>
     </message>
     <message>
         <source>Control goes to: %1</source>
@@ -12706,7 +12706,7 @@ Depois a montagem aponta por este resultado. O registo anota que o aplicou mesmo
     </message>
     <message>
         <source>Stopping and closing …</source>
-        <translation>Parando e fechando …</translation>
+        <translation>A parar e a fechar …</translation>
     </message>
     <message>
         <source>Close</source>
@@ -12771,7 +12771,7 @@ Depois a montagem aponta por este resultado. O registo anota que o aplicou mesmo
     </message>
     <message>
         <source>Boresight does not ask again while this client stays connected</source>
-        <translation>Não se pergunta de novo enquanto ele estiver conectado</translation>
+        <translation>O Boresight não pergunta de novo enquanto este cliente estiver conectado</translation>
     </message>
 </context>
 <context>
@@ -12809,16 +12809,16 @@ Depois a montagem aponta por este resultado. O registo anota que o aplicou mesmo
         <translation>O sensor aplica a declinação deste local?</translation>
     </message>
     <message>
-        <source>Change…</source>
-        <translation>Alterar…</translation>
-    </message>
-    <message>
         <source>Change the declination</source>
         <translation>Alterar a declinação</translation>
     </message>
     <message>
         <source>Open the settings of the declination on the page Profile</source>
         <translation>Abrir as definições da declinação na página Perfil</translation>
+    </message>
+    <message>
+        <source>Change …</source>
+        <translation>Alterar …</translation>
     </message>
 </context>
 <context>
@@ -13016,7 +13016,7 @@ Depois a montagem aponta por este resultado. O registo anota que o aplicou mesmo
     </message>
     <message>
         <source>Register map</source>
-        <translation>Mapa de registros</translation>
+        <translation>Mapa de registos</translation>
     </message>
     <message>
         <source>Rate</source>
@@ -13131,7 +13131,7 @@ Mantenha pessoas e cordas afastadas da antena. STOP termina o ensaio.</translati
     <name>boresight::ui::ElementsButton</name>
     <message>
         <source>File …</source>
-        <translation>Arquivo …</translation>
+        <translation>Ficheiro …</translation>
     </message>
     <message>
         <source>Amateur radio (CelesTrak)</source>
@@ -13175,7 +13175,7 @@ Mantenha pessoas e cordas afastadas da antena. STOP termina o ensaio.</translati
     </message>
     <message>
         <source>All files (*)</source>
-        <translation>Todos os arquivos (*)</translation>
+        <translation>Todos os ficheiros (*)</translation>
     </message>
     <message>
         <source>Elements: %1</source>
@@ -13464,7 +13464,7 @@ O acionamento mantém estes ganhos depois de desligado e ligado. Guarda também 
     </message>
     <message>
         <source>Give the only connected board the id of the azimuth. Asks first</source>
-        <translation>Dar à única placa ligada o id do azimute; pergunta antes</translation>
+        <translation>Dar à única placa ligada o id do azimute. Pergunta antes</translation>
     </message>
     <message>
         <source>Assign to elevation …</source>
@@ -13472,11 +13472,11 @@ O acionamento mantém estes ganhos depois de desligado e ligado. Guarda também 
     </message>
     <message>
         <source>Give the only connected board the id of the elevation. Asks first</source>
-        <translation>Dar à única placa ligada o id da elevação; pergunta antes</translation>
+        <translation>Dar à única placa ligada o id da elevação. Pergunta antes</translation>
     </message>
     <message>
         <source>Two boards have the same id, as from the factory. Their replies collide. Switch the power off. Disconnect one board. Leave the board connected that needs another id. Switch the power on. This page continues when that board answers.</source>
-        <translation>Duas placas têm o mesmo id, como vêm de fábrica. As respostas colidem. Desligue a alimentação, desligue uma placa e ligue a alimentação. Deixe ligada a placa que deve receber outro id. A página continua quando ela responder.</translation>
+        <translation>Duas placas têm o mesmo id, como vêm de fábrica. As respostas colidem. Desligue a alimentação. Desligue uma placa. Deixe ligada a placa que precisa de outro id. Ligue a alimentação. Esta página continua quando essa placa responder.</translation>
     </message>
     <message>
         <source>One board replies: %1. If the other board is connected, check its power and plugs. If both boards had the same id, choose the axis of this board. Boresight then sets the id of that axis.</source>
@@ -13592,7 +13592,7 @@ O Boresight define o id. Verifica se responde a mesma placa. Volta a ler o id e 
     </message>
     <message>
         <source>Boresight is scanning %1. Wait a moment.</source>
-        <translation>O Boresight está examinando %1. Aguarde um momento.</translation>
+        <translation>O Boresight está a examinar %1. Aguarde um momento.</translation>
     </message>
     <message>
         <source>The mount is already connected by this adapter.</source>
@@ -13608,7 +13608,7 @@ O Boresight define o id. Verifica se responde a mesma placa. Volta a ler o id e 
     </message>
     <message>
         <source>Scanning …</source>
-        <translation>Procurando …</translation>
+        <translation>A procurar …</translation>
     </message>
     <message>
         <source>Press Scan to list the drives on this bus. Scanning moves nothing.</source>
@@ -13807,10 +13807,6 @@ trocar os motores</translation>
         <translation>Move o eixo de %1 devagar enquanto premido</translation>
     </message>
     <message>
-        <source>the antenna looks up: lower it first</source>
-        <translation>a antena olha para cima: baixe-a primeiro</translation>
-    </message>
-    <message>
         <source>North is known: azimuth offset %1, from &quot;%2&quot; of %3.</source>
         <translation>O norte é conhecido: desvio de azimute %1, de &quot;%2&quot; de %3.</translation>
     </message>
@@ -13828,7 +13824,7 @@ trocar os motores</translation>
     </message>
     <message>
         <source>Press Confirm to keep it. To replace it, type the true azimuth of the antenna.</source>
-        <translation>Prima Confirmar para o manter. Para o substituir, escreva para onde a antena aponta realmente.</translation>
+        <translation>Prima Confirmar para o manter. Para o substituir, escreva o azimute verdadeiro da antena.</translation>
     </message>
     <message>
         <source>Set the azimuth offset of the pointing model. Nothing moves.</source>
@@ -13841,18 +13837,6 @@ trocar os motores</translation>
     <message>
         <source>The mount reports %1</source>
         <translation>A montagem indica %1</translation>
-    </message>
-    <message>
-        <source>type the true azimuth first</source>
-        <translation>escreva primeiro o azimute verdadeiro</translation>
-    </message>
-    <message>
-        <source>north is known: first tick &quot;Replace the known north&quot;</source>
-        <translation>o norte é conhecido: marque primeiro &quot;Substituir o norte conhecido&quot;</translation>
-    </message>
-    <message>
-        <source>antenna &quot;%1&quot; is in use: choose &quot;main&quot; first</source>
-        <translation>a antena &quot;%1&quot; está em uso: escolha primeiro &quot;main&quot;</translation>
     </message>
     <message>
         <source>Point the antenna at a landmark with a known bearing, and type the bearing. Or use the Sun or the Moon. This mount has no sensor. To find north later, press Next. Everything else works without north.</source>
@@ -13875,8 +13859,24 @@ trocar os motores</translation>
         <translation>Uma montagem X/Y não precisa de norte. O perfil tem a direção do eixo X (mount.x_axis_deg). Prima Seguinte.</translation>
     </message>
     <message>
-        <source>an X/Y mount has the direction of its X axis in the profile</source>
-        <translation>uma montagem X/Y tem a direção do eixo X no perfil</translation>
+        <source>The direction of the X axis of an X/Y mount is a setting of the profile.</source>
+        <translation>A direção do eixo X de uma montagem X/Y é uma definição do perfil.</translation>
+    </message>
+    <message>
+        <source>The antenna points up. Lower it first.</source>
+        <translation>A antena aponta para cima. Baixe-a primeiro.</translation>
+    </message>
+    <message>
+        <source>Antenna &quot;%1&quot; is in use. Choose &quot;main&quot; first.</source>
+        <translation>A antena &quot;%1&quot; está em uso. Escolha primeiro &quot;main&quot;.</translation>
+    </message>
+    <message>
+        <source>Type the true azimuth first.</source>
+        <translation>Escreva primeiro o azimute verdadeiro.</translation>
+    </message>
+    <message>
+        <source>North is known. Tick &quot;Replace the known north&quot; first.</source>
+        <translation>O norte é conhecido. Marque primeiro &quot;Substituir o norte conhecido&quot;.</translation>
     </message>
 </context>
 <context>
@@ -14026,7 +14026,7 @@ trocar os motores</translation>
     </message>
     <message>
         <source>Open Antenna Control in Gpredict. Choose the satellite. Press Track, then Engage. The state becomes TRACK.</source>
-        <translation>No Gpredict abra Antenna Control, escolha o satélite, prima Track e depois Engage. O estado passa a RASTREIO.</translation>
+        <translation>No Gpredict abra Antenna Control. Escolha o satélite. Prima Track e depois Engage. O estado passa a RASTREIO.</translation>
     </message>
 </context>
 <context>
@@ -14125,11 +14125,11 @@ trocar os motores</translation>
     </message>
     <message>
         <source>Where Gpredict keeps its files, if not at the usual place</source>
-        <translation>Onde o Gpredict guarda seus arquivos, se não for no lugar habitual</translation>
+        <translation>Onde o Gpredict guarda os seus ficheiros, se não for no lugar habitual</translation>
     </message>
     <message>
         <source>Where Gpredict keeps its files</source>
-        <translation>Onde o Gpredict guarda seus arquivos</translation>
+        <translation>Onde o Gpredict guarda os seus ficheiros</translation>
     </message>
     <message>
         <source>4 to 10 characters, for example JN58td. The place is the middle of this square.</source>
@@ -14409,7 +14409,7 @@ trocar os motores</translation>
     </message>
     <message>
         <source>you</source>
-        <translation>você</translation>
+        <translation>operador</translation>
     </message>
     <message>
         <source>Control: %1</source>
@@ -14462,12 +14462,12 @@ trocar os motores</translation>
     <message>
         <source>The target is outside the limits. The mount goes to the nearest permitted point.
 %1</source>
-        <translation>O alvo está fora dos limites: a montagem vai ao ponto permitido mais próximo.
+        <translation>O alvo está fora dos limites. A montagem vai ao ponto permitido mais próximo.
 %1</translation>
     </message>
     <message>
         <source>Boresight was started with --simulate. No mount is real until the program ends.</source>
-        <translation>Iniciado com --simulate: nenhum acionamento real é conectado, qualquer que seja a montagem escolhida, até o fim do programa</translation>
+        <translation>O Boresight foi iniciado com --simulate. Nenhuma montagem é real até ao fim do programa.</translation>
     </message>
     <message>
         <source>AT LIMIT</source>
@@ -14566,7 +14566,7 @@ trocar os motores</translation>
     </message>
     <message>
         <source>full screen</source>
-        <translation>tela cheia</translation>
+        <translation>ecrã inteiro</translation>
     </message>
     <message>
         <source>Keys</source>
@@ -14782,11 +14782,11 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
     </message>
     <message>
         <source>Undone, and another calibration was applied later. Kept for reading only</source>
-        <translation>Desfeita, e outra foi aplicada depois: guardada para ser lida</translation>
+        <translation>Anulada, e outra calibração foi aplicada depois. Guardada só para leitura</translation>
     </message>
     <message>
         <source>▲ %1: may not be valid here</source>
-        <translation>▲ %1: o que diz pode não valer aqui</translation>
+        <translation>▲ %1: pode não valer aqui</translation>
     </message>
     <message>
         <source>No calibration was applied to this mount yet</source>
@@ -14794,11 +14794,11 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
     </message>
     <message>
         <source>The calibration in force is from other drives or another site. Check it</source>
-        <translation>O que está em vigor foi achado com outros acionamentos ou noutro lugar: verifique</translation>
+        <translation>A calibração em vigor é de outros acionamentos ou de outro local. Verifique-a</translation>
     </message>
     <message>
         <source>Apply the undone calibration again. Nothing moves</source>
-        <translation>A calibração que foi desfeita; nada se move</translation>
+        <translation>Aplica de novo a calibração anulada. Nada se move</translation>
     </message>
 </context>
 <context>
@@ -14828,7 +14828,7 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
     <name>boresight::ui::HorizonModel</name>
     <message>
         <source>There is already a point at this azimuth.</source>
-        <translation>já existe um ponto neste azimute</translation>
+        <translation>Já existe um ponto neste azimute.</translation>
     </message>
 </context>
 <context>
@@ -14949,7 +14949,7 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
     </message>
     <message>
         <source>A step trims the target (Ctrl + arrow)</source>
-        <translation>Um passo corrige o alvo (Ctrl + seta)</translation>
+        <translation>Um passo corrige (Ctrl + seta)</translation>
     </message>
     <message>
         <source>Click to arm the arrow keys, or hold LB or RB</source>
@@ -15010,6 +15010,18 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
         <source>Trim: X %1 Y %2</source>
         <translation>Correção: X %1 Y %2</translation>
     </message>
+    <message>
+        <source>X %1
+Y %2</source>
+        <translation>X %1
+Y %2</translation>
+    </message>
+    <message>
+        <source>AZ %1
+EL %2</source>
+        <translation>AZ %1
+EL %2</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::LandmarkBox</name>
@@ -15063,11 +15075,11 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
     </message>
     <message>
         <source>The target is centred now. Store the position of the axes</source>
-        <translation>Está centrado agora: guarda onde estão os eixos</translation>
+        <translation>O alvo está centrado agora. Guarda a posição dos eixos</translation>
     </message>
     <message>
         <source>Type the direction of the landmark first. For 0 and 0 type its name, too.</source>
-        <translation>escreva primeiro a direção do marco, 0 e 0 com o seu nome</translation>
+        <translation>Escreva primeiro a direção do marco. Para 0 e 0 escreva também o nome.</translation>
     </message>
     <message>
         <source>Store the landmark as a point</source>
@@ -15082,7 +15094,7 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
     </message>
     <message>
         <source>not reported</source>
-        <translation>não o diz</translation>
+        <translation>não comunicado</translation>
     </message>
 </context>
 <context>
@@ -15101,7 +15113,7 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
     </message>
     <message>
         <source>Travel of the %1. Hatched: outside the limits. Pointer: present position</source>
-        <translation>Curso de %1, tracejado onde terminam os limites; o ponteiro é onde está agora</translation>
+        <translation>Curso de %1. Tracejado: fora dos limites. Ponteiro: posição atual</translation>
     </message>
 </context>
 <context>
@@ -15128,7 +15140,7 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
     </message>
     <message>
         <source>File</source>
-        <translation>Arquivo</translation>
+        <translation>Fich.</translation>
     </message>
     <message>
         <source>Import …</source>
@@ -15164,7 +15176,7 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
     </message>
     <message>
         <source>All files (*)</source>
-        <translation>Todos os arquivos (*)</translation>
+        <translation>Todos os ficheiros (*)</translation>
     </message>
     <message>
         <source>Export the horizon</source>
@@ -15184,11 +15196,11 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
     </message>
     <message>
         <source>Import or export the horizon (az el)</source>
-        <translation>Horizonte de e para um arquivo (az el)</translation>
+        <translation>Importar ou exportar o horizonte (az el)</translation>
     </message>
     <message>
         <source>Select a row first.</source>
-        <translation>selecione primeiro uma linha</translation>
+        <translation>Selecione primeiro uma linha.</translation>
     </message>
     <message>
         <source>Add a keep-out around the present direction of the mount</source>
@@ -15219,7 +15231,7 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
     </message>
     <message>
         <source>File …</source>
-        <translation>Arquivo …</translation>
+        <translation>Ficheiro …</translation>
     </message>
     <message>
         <source>Save the lines</source>
@@ -15231,7 +15243,7 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
     </message>
     <message>
         <source>All files (*)</source>
-        <translation>Todos os arquivos (*)</translation>
+        <translation>Todos os ficheiros (*)</translation>
     </message>
     <message>
         <source>Lines written: %1</source>
@@ -15336,7 +15348,7 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
     </message>
     <message>
         <source>Every line of the log</source>
-        <translation>Todas as linhas do registro</translation>
+        <translation>Todas as linhas do registo</translation>
     </message>
     <message>
         <source>Alarms (%1)</source>
@@ -15352,11 +15364,11 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
     </message>
     <message>
         <source>Save diagnostics for a bug report: profile, logs, drives, the last minutes (Ctrl+B)</source>
-        <translation>Gravar diagnóstico para um relato de erro: perfil, registros, acionamentos, os últimos minutos (Ctrl+B)</translation>
+        <translation>Gravar diagnóstico para um relato de erro: perfil, registos, acionamentos, os últimos minutos (Ctrl+B)</translation>
     </message>
     <message>
         <source>Control ticks: 99 % are late by at most %1 ms, the worst by %2 ms. %3</source>
-        <translation>Ciclos de controle: 99 % atrasam no máximo %1 ms, o pior %2 ms. %3</translation>
+        <translation>Ciclos de controlo: 99 % atrasam no máximo %1 ms, o pior %2 ms. %3</translation>
     </message>
     <message>
         <source>Active alarms, and all alarms since the start of the window</source>
@@ -15422,7 +15434,7 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
     <name>boresight::ui::MainWindow</name>
     <message>
         <source>Last line of the log</source>
-        <translation>Última linha do registro</translation>
+        <translation>Última linha do registo</translation>
     </message>
     <message>
         <source>Boresight</source>
@@ -15658,7 +15670,7 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
     </message>
     <message>
         <source>Type the terms, or exchange them with a file</source>
-        <translation>Digitar os termos, ou trocá-los com um arquivo</translation>
+        <translation>Digitar os termos, ou trocá-los com um ficheiro</translation>
     </message>
     <message>
         <source>Delete the selected point</source>
@@ -15666,7 +15678,7 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
     </message>
     <message>
         <source>Select a point first.</source>
-        <translation>selecione primeiro um ponto</translation>
+        <translation>Selecione primeiro um ponto.</translation>
     </message>
     <message>
         <source>1 point finds the azimuth offset. 2 points also find the elevation offset. With 3 points or more the fit finds other terms.</source>
@@ -15755,11 +15767,11 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
     </message>
     <message>
         <source>Log</source>
-        <translation>Registro</translation>
+        <translation>Registo</translation>
     </message>
     <message>
         <source>Log panel (Ctrl+5)</source>
-        <translation>Painel do registro (Ctrl+5)</translation>
+        <translation>Painel do registo (Ctrl+5)</translation>
     </message>
     <message>
         <source>Mount</source>
@@ -15811,7 +15823,7 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
     </message>
     <message>
         <source>rotctld clients, and which of them has control (Ctrl+4)</source>
-        <translation>Clientes rotctld, e quem deles move a montagem (Ctrl+4)</translation>
+        <translation>Clientes rotctld, e qual deles tem o controlo (Ctrl+4)</translation>
     </message>
     <message>
         <source>▲ Wrap?</source>
@@ -16163,16 +16175,16 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
         <translation>O local não está definido. As passagens dependem dele.</translation>
     </message>
     <message>
-        <source>No pass matches the filter. It leaves out %1.</source>
-        <translation>Nenhuma passagem corresponde ao filtro. Deixa de fora %1.</translation>
-    </message>
-    <message>
         <source>%1 of %2 passes within a day, of %3 satellites</source>
         <translation>%1 de %2 passagens num dia, de %3 satélites</translation>
     </message>
     <message>
         <source>No satellite rises within a day.</source>
         <translation>Nenhum satélite nasce dentro de um dia.</translation>
+    </message>
+    <message>
+        <source>No pass matches the filter. The filter leaves out %1.</source>
+        <translation>Nenhuma passagem corresponde ao filtro. O filtro deixa de fora %1.</translation>
     </message>
 </context>
 <context>
@@ -16326,15 +16338,15 @@ el %2</translation>
     </message>
     <message>
         <source>The station does not answer.</source>
-        <translation>a estação não responde</translation>
+        <translation>A estação não responde.</translation>
     </message>
     <message>
         <source>The horizon has %1 points. More are not possible.</source>
-        <translation>o horizonte tem %1 pontos, que é o máximo</translation>
+        <translation>O horizonte tem %1 pontos. Não são possíveis mais.</translation>
     </message>
     <message>
         <source>There are %1 keep-outs. More are not possible.</source>
-        <translation>há %1 zonas proibidas, que é o máximo</translation>
+        <translation>Há %1 zonas proibidas. Não são possíveis mais.</translation>
     </message>
 </context>
 <context>
@@ -16471,7 +16483,7 @@ el %2</translation>
     <name>boresight::ui::PolarPlot</name>
     <message>
         <source>FLIP %1</source>
-        <translation>ALÉM DO ZÊNITE %1</translation>
+        <translation>ALÉM DO ZÉNITE %1</translation>
     </message>
     <message>
         <source>Sky plot</source>
@@ -16566,7 +16578,7 @@ el %2</translation>
     </message>
     <message>
         <source>End tracking. The mount holds</source>
-        <translation>Terminar o seguimento. A montagem mantém</translation>
+        <translation>Termina o seguimento. A montagem mantém a posição</translation>
     </message>
     <message>
         <source>Track the balloon or rocket that reports its position</source>
@@ -16652,15 +16664,15 @@ el %2</translation>
     </message>
     <message>
         <source>The station has not answered yet.</source>
-        <translation>a estação ainda não respondeu</translation>
+        <translation>A estação ainda não respondeu.</translation>
     </message>
     <message>
         <source>Nothing has been changed.</source>
-        <translation>nada foi alterado</translation>
+        <translation>Nada foi alterado.</translation>
     </message>
     <message>
         <source>The profile was changed elsewhere. Keep or revert these edits first.</source>
-        <translation>entretanto o perfil foi alterado de outro lado: guarde estas alterações ou reverta primeiro</translation>
+        <translation>O perfil foi alterado noutro lado. Mantenha ou reverta primeiro estas alterações.</translation>
     </message>
     <message>
         <source>Apply or revert the edits first.</source>
@@ -16668,11 +16680,11 @@ el %2</translation>
     </message>
     <message>
         <source>No change has been applied here.</source>
-        <translation>nenhuma alteração foi aplicada aqui</translation>
+        <translation>Nenhuma alteração foi aplicada aqui.</translation>
     </message>
     <message>
         <source>Nothing waits for a reconnect.</source>
-        <translation>nada espera por uma reconexão</translation>
+        <translation>Nada espera por uma nova ligação.</translation>
     </message>
     <message>
         <source>This list has edits on the page Profile that are not applied. Apply or revert them first.</source>
@@ -16723,7 +16735,7 @@ el %2</translation>
     </message>
     <message>
         <source>Waits for a reconnect: %1</source>
-        <translation>Espera por reconexão: %1</translation>
+        <translation>Espera por religação: %1</translation>
     </message>
     <message>
         <source>All changes are applied</source>
@@ -16747,7 +16759,7 @@ el %2</translation>
     </message>
     <message>
         <source>Connect to the drives again. The mount must stand still</source>
-        <translation>Começar de novo com os acionamentos; a montagem tem de estar parada</translation>
+        <translation>Ligar de novo aos acionamentos. A montagem tem de estar parada</translation>
     </message>
     <message>
         <source>Changed elsewhere: %1</source>
@@ -16810,7 +16822,7 @@ el %2</translation>
     </message>
     <message>
         <source>All files (*)</source>
-        <translation>Todos os arquivos (*)</translation>
+        <translation>Todos os ficheiros (*)</translation>
     </message>
     <message>
         <source>Export the profile of &quot;%1&quot;</source>
@@ -16985,7 +16997,7 @@ el %2</translation>
     </message>
     <message>
         <source>OK</source>
-        <translation>certo</translation>
+        <translation>OK</translation>
     </message>
     <message>
         <source>unsafe</source>
@@ -17068,7 +17080,7 @@ el %2</translation>
     </message>
     <message>
         <source>Write the gear ratio of the profile. Asks first</source>
-        <translation>Escrever a redução do perfil; pergunta antes</translation>
+        <translation>Escrever a redução do perfil. Pergunta antes</translation>
     </message>
     <message>
         <source>Switch off the azimuth alone. The elevation stays as it is. Asks first</source>
@@ -17355,7 +17367,7 @@ O Boresight escreve-as, lê-as de volta e guarda-as nos acionamentos. Nada se mo
     <name>boresight::ui::RequestDesk</name>
     <message>
         <source>The station does not answer.</source>
-        <translation>a estação não responde</translation>
+        <translation>A estação não responde.</translation>
     </message>
 </context>
 <context>
@@ -17435,10 +17447,6 @@ O Boresight escreve-as, lê-as de volta e guarda-as nos acionamentos. Nada se mo
         <translation>Velocidade da porta série</translation>
     </message>
     <message>
-        <source>As the switches of the box are set</source>
-        <translation>Como estão os interruptores da caixa</translation>
-    </message>
-    <message>
         <source>%1, for example %2</source>
         <translation>%1, por exemplo %2</translation>
     </message>
@@ -17473,6 +17481,10 @@ O Boresight escreve-as, lê-as de volta e guarda-as nos acionamentos. Nada se mo
     <message>
         <source>Not connected. Boresight tries again each second.</source>
         <translation>Sem ligação. O Boresight tenta de novo a cada segundo.</translation>
+    </message>
+    <message>
+        <source>The speed to which the switches of the box are set</source>
+        <translation>A velocidade para que estão postos os interruptores da caixa</translation>
     </message>
 </context>
 <context>
@@ -17549,7 +17561,7 @@ O Boresight escreve-as, lê-as de volta e guarda-as nos acionamentos. Nada se mo
     </message>
     <message>
         <source>Power of the receiver</source>
-        <translation>Potência do receptor</translation>
+        <translation>Potência do recetor</translation>
     </message>
     <message>
         <source>Peak: across %1, elevation %2; beam %3 × %4</source>
@@ -17565,11 +17577,11 @@ O Boresight escreve-as, lê-as de volta e guarda-as nos acionamentos. Nada se mo
     </message>
     <message>
         <source>The scan goes across, then in elevation. Type the power at each place</source>
-        <translation>Varre de lado e depois em elevação; escreva a potência em cada lugar</translation>
+        <translation>A varredura vai de través, depois em elevação. Escreva a potência em cada lugar</translation>
     </message>
     <message>
         <source>The scan goes across, then in elevation. The receiver reports the power</source>
-        <translation>Varre de través e depois em elevação; o receptor diz a potência</translation>
+        <translation>A varredura vai de través, depois em elevação. O recetor comunica a potência</translation>
     </message>
     <message>
         <source>%1: no data yet</source>
@@ -17581,15 +17593,15 @@ O Boresight escreve-as, lê-as de volta e guarda-as nos acionamentos. Nada se mo
     </message>
     <message>
         <source>Enter the power at this place. The mount goes to the next place (Enter)</source>
-        <translation>A potência neste lugar; a montagem segue para o próximo (Enter)</translation>
+        <translation>Escreva a potência neste lugar. A montagem vai para o próximo lugar (Enter)</translation>
     </message>
     <message>
         <source>e.g. -73.2</source>
-        <translation>como -73.2</translation>
+        <translation>p. ex. -73.2</translation>
     </message>
     <message>
         <source>End the scan. No point is taken</source>
-        <translation>Nenhum ponto é tomado</translation>
+        <translation>Termina a varredura. Nenhum ponto é tomado</translation>
     </message>
     <message>
         <source>Move the mount across the %1 and take the peak as a point</source>
@@ -17597,7 +17609,7 @@ O Boresight escreve-as, lê-as de volta e guarda-as nos acionamentos. Nada se mo
     </message>
     <message>
         <source>Power: Type a number in dB, for example -73.2.</source>
-        <translation>Potência: falta um número de dB, como -73.2</translation>
+        <translation>Potência: Escreva um número em dB, por exemplo -73.2.</translation>
     </message>
     <message>
         <source>%1. The scan did not reach the background.</source>
@@ -17982,7 +17994,7 @@ A menos de 3 dB: %4 s
     </message>
     <message>
         <source>not reported</source>
-        <translation>não enviado</translation>
+        <translation>não comunicado</translation>
     </message>
     <message>
         <source>unknown part</source>
@@ -17998,7 +18010,7 @@ A menos de 3 dB: %4 s
     </message>
     <message>
         <source>WiFi access point</source>
-        <translation>ponto de acesso WiFi</translation>
+        <translation>Ponto de acesso WiFi</translation>
     </message>
     <message>
         <source>messages used</source>
@@ -18089,7 +18101,7 @@ A menos de 3 dB: %4 s
     </message>
     <message>
         <source>not reported</source>
-        <translation>não o diz</translation>
+        <translation>não comunicado</translation>
     </message>
 </context>
 <context>
@@ -18112,15 +18124,15 @@ A menos de 3 dB: %4 s
     </message>
     <message>
         <source>Sensor offsets, saved: %1</source>
-        <translation>Desvios do sensor, guardados: %1</translation>
+        <translation>Desvios guardados: %1</translation>
     </message>
     <message>
         <source>Sensor offsets, not saved: %1</source>
-        <translation>Desvios do sensor, não guardados: %1</translation>
+        <translation>Desvios não guardados: %1</translation>
     </message>
     <message>
         <source>Sensor offsets: %1. Saved: %2</source>
-        <translation>Desvios do sensor: %1. Guardados: %2</translation>
+        <translation>Desvios: %1. Guardados: %2</translation>
     </message>
     <message>
         <source>The box has not reported its offsets.</source>
@@ -18199,11 +18211,11 @@ A menos de 3 dB: %4 s
     </message>
     <message>
         <source>No sensor is set. The simulated mount has one on its boom</source>
-        <translation>Nenhum sensor definido: a montagem simulada tem um na lança</translation>
+        <translation>Nenhum sensor definido. A montagem simulada tem um na lança</translation>
     </message>
     <message>
         <source>Set sensor.source in the profile. Nothing moves</source>
-        <translation>Define sensor.source no perfil; nada se move</translation>
+        <translation>Define sensor.source no perfil. Nada se move</translation>
     </message>
     <message>
         <source>Average the sensor for 20 s while the mount stands still</source>
@@ -18211,7 +18223,7 @@ A menos de 3 dB: %4 s
     </message>
     <message>
         <source>End without a result. Nothing moves</source>
-        <translation>Sem resultado; de todo modo nada se move</translation>
+        <translation>Termina sem resultado. Nada se move</translation>
     </message>
     <message>
         <source>Details of the sensor</source>
@@ -18519,7 +18531,7 @@ A menos de 3 dB: %4 s
     </message>
     <message>
         <source>All files (*)</source>
-        <translation>Todos os arquivos (*)</translation>
+        <translation>Todos os ficheiros (*)</translation>
     </message>
 </context>
 <context>
@@ -18580,7 +18592,7 @@ A menos de 3 dB: %4 s
         <source>STOP (Esc, Pause or F12): the mount slows down and holds until &quot;Reset stop&quot;.
 This is a function of the program. It does not replace the hard-wired emergency stop.</source>
         <translation>STOP (Esc, Pause ou F12): a montagem desacelera e mantém-se até &quot;Liberar STOP&quot;.
-É uma função do programa. Não substitui a parada de emergência por cabo.</translation>
+É uma função do programa. Não substitui a paragem de emergência por cabo.</translation>
     </message>
     <message>
         <source>requested</source>
@@ -18671,7 +18683,7 @@ This is a function of the program. It does not replace the hard-wired emergency 
     </message>
     <message>
         <source>This file is a profile of the simulated mount. It cannot replace the profile of a real mount. To import it, change mount.name in the file.</source>
-        <translation>Este arquivo é um perfil da montagem simulada. Não pode substituir o perfil de uma montagem real. Para o importar, mude mount.name no arquivo.</translation>
+        <translation>Este ficheiro é um perfil da montagem simulada. Não pode substituir o perfil de uma montagem real. Para o importar, mude mount.name no ficheiro.</translation>
     </message>
     <message>
         <source>Bus: simulated, because Boresight was started with --simulate. The bus of this mount, %1, is not used.</source>
@@ -18850,7 +18862,7 @@ Em comparação com a montagem em uso:
     </message>
     <message>
         <source>Freeze the charts. Boresight still records the data (Space in the charts)</source>
-        <translation>Segurar a imagem; os dados continuam a ser recolhidos (Espaço nos gráficos)</translation>
+        <translation>Congela os gráficos. O Boresight continua a registar os dados (Espaço nos gráficos)</translation>
     </message>
     <message>
         <source>Point at a curve to read it, or press Tab and then the arrow keys. Space pauses</source>
@@ -18917,11 +18929,11 @@ Em comparação com a montagem em uso:
     </message>
     <message>
         <source>Stops in each direction. Sweep: no stops, one slow turn each way</source>
-        <translation>Paradas em cada sentido; contínuo: sem parar, uma volta lenta de ida e outra de volta</translation>
+        <translation>Paragens em cada sentido. Contínuo: sem paragens, uma volta lenta em cada sentido</translation>
     </message>
     <message>
         <source>The sensor averages over a second. A slow swing is more exact</source>
-        <translation>O sensor faz a média de um segundo: devagar é exato</translation>
+        <translation>O sensor faz a média de um segundo. Um giro lento é mais exato</translation>
     </message>
     <message>
         <source>Result of the swing</source>
@@ -18929,11 +18941,11 @@ Em comparação com a montagem em uso:
     </message>
     <message>
         <source>End the swing without a result. The mount holds (as with STOP)</source>
-        <translation>A montagem mantém a posição, sem resultado (STOP faz o mesmo)</translation>
+        <translation>Termina o giro sem resultado. A montagem mantém a posição (como com STOP)</translation>
     </message>
     <message>
         <source>Readings around their mean so far. Boresight fits the curve at the end.</source>
-        <translation>As leituras à medida que chegam, em torno da média até agora; a curva, e o que fica longe dela, acham-se no fim.</translation>
+        <translation>Leituras em torno da sua média até agora. O Boresight ajusta a curva no fim.</translation>
     </message>
 </context>
 <context>
@@ -19155,16 +19167,8 @@ Para onde outro rotor aponta, segundo o seu rotctld: rotctld:10.0.0.7:4533</tran
         <translation>Mostrar de novo os termos em vigor</translation>
     </message>
     <message>
-        <source>Import…</source>
-        <translation>Importar…</translation>
-    </message>
-    <message>
-        <source>Export…</source>
-        <translation>Exportar…</translation>
-    </message>
-    <message>
         <source>Write the terms in force to a text file</source>
-        <translation>Escrever os termos em vigor em um arquivo de texto</translation>
+        <translation>Escrever os termos em vigor num ficheiro de texto</translation>
     </message>
     <message>
         <source>Propose the typed terms</source>
@@ -19192,7 +19196,7 @@ Para onde outro rotor aponta, segundo o seu rotctld: rotctld:10.0.0.7:4533</tran
     </message>
     <message>
         <source>All files (*)</source>
-        <translation>Todos os arquivos (*)</translation>
+        <translation>Todos os ficheiros (*)</translation>
     </message>
     <message>
         <source>Export the terms in force</source>
@@ -19208,11 +19212,19 @@ Para onde outro rotor aponta, segundo o seu rotctld: rotctld:10.0.0.7:4533</tran
     </message>
     <message>
         <source>Make the terms of a text file the proposal for Apply</source>
-        <translation>Os termos de um arquivo de texto passam a ser o que Aplicar põe em vigor</translation>
+        <translation>Fazer dos termos de um ficheiro de texto a proposta para Aplicar</translation>
     </message>
     <message>
         <source>The station has not reported its terms yet.</source>
-        <translation>a estação ainda não disse os termos</translation>
+        <translation>A estação ainda não comunicou os seus termos.</translation>
+    </message>
+    <message>
+        <source>Import …</source>
+        <translation>Importar …</translation>
+    </message>
+    <message>
+        <source>Export …</source>
+        <translation>Exportar …</translation>
     </message>
 </context>
 <context>

@@ -23,7 +23,7 @@ BoxConsolePanel::BoxConsolePanel(ProfileDraft& draft, RequestDesk& desk, QWidget
       m_send(new CommandButton(tr("Send line"),
                                tr("Send the line to the control box as it is (Enter). The mount must stand still."),
                                desk, *m_notice, this)),
-      m_homeRun(new CommandButton(tr("Home run…"),
+      m_homeRun(new CommandButton(tr("Home run …"),
                                   tr("The rotator drives its axes to its own switches, and counts from there again."),
                                   desk, *m_notice, this))
 {

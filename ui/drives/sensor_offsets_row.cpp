@@ -9,6 +9,10 @@
 
 namespace boresight::ui {
 
+namespace {
+constexpr int kLinesOfOffsets = 2;
+}
+
 SensorOffsetsRow::SensorOffsetsRow(ProfileDraft& draft, RequestDesk& desk, ValueLabel& notice, QWidget* parent)
     : QWidget(parent),
       m_change(draft, desk),
@@ -19,7 +23,6 @@ SensorOffsetsRow::SensorOffsetsRow(ProfileDraft& draft, RequestDesk& desk, Value
                                desk, notice, this))
 {
     m_text->setStretching(true);
-    m_text->setLines(2);
     auto* const row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(4);
@@ -41,13 +44,16 @@ void SensorOffsetsRow::showStatus(const StationStatus& status)
     setVisible(!m_reported.empty() || !saved.isEmpty());
     const bool isSaved = m_change.isAlready(edit());
     if (m_reported.empty()) {
+        m_text->setLines(kLinesOfOffsets);
         m_text->setValue(tr("Sensor offsets: not reported. The box reports them while all digits are 3."),
                          Tone::Secondary);
     } else if (isSaved || saved.isEmpty()) {
+        m_text->setLines(kLinesOfOffsets);
         m_text->setValue((isSaved ? tr("Sensor offsets, saved: %1") : tr("Sensor offsets, not saved: %1"))
                              .arg(toQString(m_reported)),
                          Tone::Secondary);
     } else {
+        m_text->setLines(2 * kLinesOfOffsets);  // what differs must be readable
         m_text->setValue(tr("Sensor offsets: %1. Saved: %2").arg(toQString(m_reported), saved), Tone::Warning,
                          Symbol::Warning);
     }

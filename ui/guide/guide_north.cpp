@@ -207,7 +207,7 @@ AxisPosition GuideNorth::axes() const
 QString GuideNorth::whyNot() const
 {
     if (hasXY(m_status)) {
-        return tr("an X/Y mount has the direction of its X axis in the profile");
+        return tr("The direction of the X axis of an X/Y mount is a setting of the profile.");
     }
     for (const Axis axis : kAxes) {
         const QString reason = m_status.permissions.reason(setAction(axis));
@@ -216,16 +216,16 @@ QString GuideNorth::whyNot() const
         }
     }
     if (abs(axes().elevation - 90_deg) < kNearZenith) {
-        return tr("the antenna looks up: lower it first");
+        return tr("The antenna points up. Lower it first.");
     }
     if (m_status.antenna != pointing::kMainAntenna) {
-        return tr("antenna \"%1\" is in use: choose \"main\" first").arg(QString::fromStdString(m_status.antenna));
+        return tr("Antenna \"%1\" is in use. Choose \"main\" first.").arg(QString::fromStdString(m_status.antenna));
     }
     if (!m_typed) {
-        return tr("type the true azimuth first");
+        return tr("Type the true azimuth first.");
     }
     if (m_known && !m_replace->isChecked()) {
-        return tr("north is known: first tick \"Replace the known north\"");
+        return tr("North is known. Tick \"Replace the known north\" first.");
     }
     return m_change.whyNot(m_status, edit());
 }

@@ -76,7 +76,8 @@ RotatorChoice::RotatorChoice(const std::vector<RotatorOffer>& offers, QWidget* p
       m_model(new ModelChoice(this)),
       m_fields(new QWidget(this)),
       m_place(new TouchCombo(tr("Port or address of the rotator"), {}, m_fields)),
-      m_baud(new TouchCombo(tr("Speed of the serial port"), tr("As the switches of the box are set"), m_fields))
+      m_baud(new TouchCombo(tr("Speed of the serial port"), tr("The speed to which the switches of the box are set"),
+                            m_fields))
 {
     build();
     choose(0);

@@ -71,11 +71,16 @@ void JogPanel::showStatus(const StationStatus& status)
 void JogPanel::showTrim()
 {
     const SkyPointing trim = m_status.trim.value_or(SkyPointing{});
-    const QString words = hasXY(m_status) ? tr("Trim: X %1 Y %2") : tr("Trim: AZ %1 EL %2");
-    const QString text = words.arg(signedAngleText(trim.azimuth), signedAngleText(trim.elevation));
-    m_trim->setValue(m_status.trim ? text : tr("No trim"), m_status.trim ? Tone::Normal : Tone::Secondary);
+    const auto filled = [&trim](const QString& words) {
+        return words.arg(signedAngleText(trim.azimuth), signedAngleText(trim.elevation));
+    };
+    const bool isXY = hasXY(m_status);
+    // One axis a line, because both beside "Clear trim" are too wide for a small window.
+    m_trim->setValue(m_status.trim ? filled(isXY ? tr("X %1\nY %2") : tr("AZ %1\nEL %2")) : tr("No trim"),
+                     m_status.trim ? Tone::Normal : Tone::Secondary);
     m_clearTrim->setBlocked(m_status.permissions.reason(Action::ClearTrim));
-    m_clearTrim->setCommand(tr("Clear trim"), tr("%1. Your steps are added to the targets of the clients.").arg(text));
+    m_clearTrim->setCommand(tr("Clear trim"), tr("%1. Your steps are added to the targets of the clients.")
+                                                  .arg(filled(isXY ? tr("Trim: X %1 Y %2") : tr("Trim: AZ %1 EL %2"))));
 }
 
 void JogPanel::hold()

@@ -45,7 +45,7 @@ void DeclinationBox::build()
     question->setWordWrap(true);
     m_effect->setStretching(true);
     m_effect->setLines(3);
-    auto* const settings = makePushButton({.text = tr("Change…"),
+    auto* const settings = makePushButton({.text = tr("Change …"),
                                            .name = tr("Change the declination"),
                                            .help = tr("Open the settings of the declination on the page Profile")},
                                           this);

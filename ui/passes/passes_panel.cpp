@@ -59,7 +59,7 @@ QString countText(const PassCount& count)
         return PassesPanel::tr("%1 passes of %2 satellites within a day").arg(count.listed).arg(count.satellites);
     }
     if (count.listed == 0) {
-        return PassesPanel::tr("No pass matches the filter. It leaves out %1.").arg(count.coming);
+        return PassesPanel::tr("No pass matches the filter. The filter leaves out %1.").arg(count.coming);
     }
     return PassesPanel::tr("%1 of %2 passes within a day, of %3 satellites")
         .arg(count.listed)

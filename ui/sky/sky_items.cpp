@@ -119,7 +119,7 @@ QRectF RegionItem::nameBox(const SkySector& sector, const SkyProjection& sky) co
         return {};  // the rim would cut the word off, or the word would hide too much
     }
     box.moveCenter(centre);
-    return box;
+    return sky.inside(box);
 }
 
 void LabelsItem::setView(const QRectF& view, bool magnified)

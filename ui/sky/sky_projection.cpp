@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/sky/sky_projection.h"
 
+#include <QLineF>
+
 #include <algorithm>
 #include <cmath>
 
@@ -26,6 +28,21 @@ bool SkyProjection::contains(QPointF pixel) const
 {
     const QPointF offset = pixel - zenith;
     return std::hypot(offset.x(), offset.y()) <= radius;
+}
+
+bool SkyProjection::contains(const QRectF& box) const
+{
+    return contains(box.topLeft()) && contains(box.topRight()) && contains(box.bottomLeft()) &&
+           contains(box.bottomRight());
+}
+
+QRectF SkyProjection::inside(QRectF box) const
+{
+    const QLineF way(box.center(), zenith);
+    for (double moved = 0.0; moved < way.length() && !contains(box); moved += 1.0) {
+        box.moveCenter(way.pointAt(moved / way.length()));
+    }
+    return box;
 }
 
 SkyPointing unflipped(const SkyPointing& direction)

@@ -4,6 +4,7 @@
 #include "core/units/sky.h"
 
 #include <QPointF>
+#include <QRectF>
 
 // The place of a direction on the polar plot: north up, east right, zenith in the centre, horizon at the rim, radius
 // linear in zenith distance. An elevation above 90° is drawn at its equal direction, one below the horizon on the rim.
@@ -18,6 +19,9 @@ struct SkyProjection
     [[nodiscard]] QPointF toPixel(const SkyPointing& direction) const;
     [[nodiscard]] SkyPointing toSky(QPointF pixel) const;  // outside the rim the result is on the horizon
     [[nodiscard]] bool contains(QPointF pixel) const;
+    [[nodiscard]] bool contains(const QRectF& box) const;
+    // The box, moved towards the zenith until the rim cuts nothing off.
+    [[nodiscard]] QRectF inside(QRectF box) const;
 
     bool operator==(const SkyProjection&) const = default;
 };

@@ -66,7 +66,7 @@ Shown driveShown(const QString& name, const AxisStatus& axis, bool released, boo
         return {LinkLabels::tr("%1 fault").arg(name), Tone::Alarm, Symbol::Alarm};
     }
     if (atEnd) {
-        return {LinkLabels::tr("%1 at end").arg(name), Tone::Warning, Symbol::Warning};
+        return {LinkLabels::tr("%1 switch").arg(name), Tone::Warning, Symbol::Warning};
     }
     if (freshness(axis.age) == Freshness::Late) {
         return {LinkLabels::tr("%1 late").arg(name), Tone::Warning, Symbol::Warning};
@@ -204,7 +204,7 @@ QString widestMountLine(const QString& kind)
 QString widestDrive(const QString& name)
 {
     return widest(fonts::label(), {LinkLabels::tr("%1 silent").arg(name), LinkLabels::tr("%1 fault").arg(name),
-                                   LinkLabels::tr("%1 late").arg(name), LinkLabels::tr("%1 at end").arg(name)});
+                                   LinkLabels::tr("%1 late").arg(name), LinkLabels::tr("%1 switch").arg(name)});
 }
 
 void setShown(ValueLabel& label, const Shown& shown)

@@ -61,7 +61,7 @@ TEST_F(DrivesTest, AHomeRunIsAskedFor)
     give(samples::update(status));
     open<BoxConsolePanel>();
     EXPECT_FALSE(named<QLineEdit>("Line for the control box")->isVisible()) << "this rotator has no console";
-    click("Home run…");
+    click("Home run …");
     EXPECT_TRUE(questionText().contains(QLatin1String("limits")));
     EXPECT_TRUE(asked<request::MakeHomeRun>().empty());
     QTest::mouseClick(act("Make the home run"), Qt::LeftButton);
@@ -69,7 +69,7 @@ TEST_F(DrivesTest, AHomeRunIsAskedFor)
     status.console = QStringList();
     status.capabilities.makesHomeRuns = false;
     give(samples::acceptance(status, requests.back().id));
-    EXPECT_FALSE(named<CommandButton>("Home run…")->isVisible());
+    EXPECT_FALSE(named<CommandButton>("Home run …")->isVisible());
     EXPECT_TRUE(named<QLineEdit>("Line for the control box")->isVisible());
 }
 

@@ -139,7 +139,7 @@ TEST_F(GuideTest, ANorthThatIsKnownIsReplacedOnlyOnPurpose)
     EXPECT_FALSE(inGuide<QPushButton>("Set north").isEnabled()) << "nobody has typed anything";
     truth.setValue(0.0);
     EXPECT_FALSE(inGuide<QPushButton>("Set north").isEnabled()) << "not on purpose yet";
-    EXPECT_TRUE(inGuide<QPushButton>("Set north").toolTip().contains(QStringLiteral("north is known")));
+    EXPECT_TRUE(inGuide<QPushButton>("Set north").toolTip().contains(QStringLiteral("North is known")));
     const QString effect = inGuide<ValueLabel>("What the change does").text();
     EXPECT_TRUE(effect.contains(QStringLiteral("from 38.11° to -10.00°"))) << effect.toStdString();
     EXPECT_TRUE(effect.contains(QStringLiteral("press Undo on the page Profile")))
@@ -196,7 +196,7 @@ TEST_F(GuideTest, AnEmptiedNorthIsNotATypedOne)
     give(samples::update(status));
     EXPECT_EQ(truth.cleanText(), QString()) << "somebody is about to type";
     EXPECT_FALSE(inGuide<QPushButton>("Set north").isEnabled());
-    EXPECT_TRUE(inGuide<QPushButton>("Set north").toolTip().contains(QStringLiteral("type the true azimuth first")));
+    EXPECT_TRUE(inGuide<QPushButton>("Set north").toolTip().contains(QStringLiteral("Type the true azimuth first.")));
     QTest::keyClick(&truth, Qt::Key_Tab);
     EXPECT_FALSE(inGuide<QPushButton>("Set north").isEnabled());
     truth.setFocus();

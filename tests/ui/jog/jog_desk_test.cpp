@@ -124,6 +124,9 @@ TEST_F(JogDeskTest, ATrimIsShownByTheReadoutsInEveryPanelAndCleared)
         EXPECT_TRUE(named<ValueLabel>("Detail of azimuth")->isVisible());
     }
     openPanel('1');
+    settle();
+    EXPECT_EQ(text("Trim"), QStringLiteral("AZ +0.30°\nEL -0.10°"));
+    EXPECT_FALSE(named<ValueLabel>("Trim")->isElided()) << "both axes are read at 1024×700";
     auto* const clear = named<CommandButton>("Clear trim");
     EXPECT_TRUE(clear->toolTip().contains(QStringLiteral("Trim: AZ +0.30° EL -0.10°")));
     QTest::mouseClick(clear, Qt::LeftButton);

@@ -13,6 +13,8 @@
 #include <QSet>
 #include <QXmlStreamReader>
 
+#include <optional>
+
 // The languages of the texts. packaging/translations --check shows that no text lacks its translation.
 namespace boresight::ui {
 namespace {
@@ -80,6 +82,42 @@ TEST_P(EveryTranslation, KeepsPlacesMnemonicsEdgesAndStop)
         EXPECT_EQ(edges(pair.source), edges(pair.translation)) << about;
         EXPECT_TRUE(!pair.source.contains(QLatin1String("STOP ")) || pair.translation.contains(QLatin1String("STOP")))
             << about;
+    }
+}
+
+// Whether a text begins with a capital letter. Empty: it begins with no letter, or with a word that has no other form.
+std::optional<bool> beginsLarge(const QString& text)
+{
+    static const QRegularExpression name(QStringLiteral("^(rotctld|moteus|q current)\\b"));
+    if (text.isEmpty() || !text.front().isLetter() || name.match(text).hasMatch()) {
+        return {};
+    }
+    return text.front().isUpper();
+}
+
+// Story: the English of 180 texts was rewritten as sentences, and their Portuguese was not.
+// REQ-BASE-13: A translation is a sentence where the source is one: it begins with a capital letter and ends with a
+// full stop.
+TEST_P(EveryTranslation, IsASentenceWhereTheSourceIsOne)
+{
+    for (const Pair& pair : pairsOf(QLatin1String(GetParam()))) {
+        const std::string about = pair.source.toStdString() + " -> " + pair.translation.toStdString();
+        const auto source = beginsLarge(pair.source);
+        const auto translation = beginsLarge(pair.translation);
+        EXPECT_TRUE(!source || !translation || *source == *translation) << about;
+        EXPECT_TRUE(!pair.source.endsWith(QLatin1Char('.')) || pair.translation.endsWith(QLatin1Char('.'))) << about;
+    }
+}
+
+// REQ-BASE-14: The Portuguese is European everywhere, not Brazilian.
+TEST(PortugueseTexts, AreOfOneVariant)
+{
+    static const QRegularExpression other(
+        QStringLiteral("\\b(arquivos?\\b(?! \\(\\*\\.tar)|usuário|senha|controle|registro|tela|conexão|zênite|"
+                       "magnetômetro|(está|estão) \\w+ndo\\b)"),
+        QRegularExpression::CaseInsensitiveOption | QRegularExpression::UseUnicodePropertiesOption);
+    for (const Pair& pair : pairsOf(QStringLiteral("pt"))) {
+        EXPECT_FALSE(other.match(pair.translation).hasMatch()) << pair.translation.toStdString();
     }
 }
 

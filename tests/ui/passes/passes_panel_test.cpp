@@ -153,7 +153,8 @@ TEST_F(PassesPanelTest, CountsWhatIsListed)
               QStringLiteral("%1 of %2 passes within a day, of 2 satellites").arg(QString::number(rows()), all));
     words->setText(QStringLiteral("no such thing"));
     give(samples::update(status));
-    EXPECT_EQ(text("About the passes"), QStringLiteral("No pass matches the filter. It leaves out %1.").arg(all));
+    EXPECT_EQ(text("About the passes"),
+              QStringLiteral("No pass matches the filter. The filter leaves out %1.").arg(all));
 }
 
 // REQ-PASSES-958: The age of the elements is evaluated: the expected error of the satellite in seconds and degrees, and

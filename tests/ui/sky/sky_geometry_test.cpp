@@ -4,6 +4,7 @@
 #include "ui/sky/sky_projection.h"
 #include "ui/sky/sky_zoom.h"
 
+#include <QLineF>
 #include <QPainterPath>
 
 #include <gtest/gtest.h>
@@ -39,6 +40,23 @@ TEST(SkyProjection, PixelAndSkyRoundTrip)
             EXPECT_NEAR((back.azimuth - there.azimuth).wrapped180().degrees(), 0.0, 1e-6);
             EXPECT_NEAR(back.elevation.degrees(), elevation, 1e-6);
         }
+    }
+}
+
+// Story: the rim cut "X -88°" to "88°", which is the other limit.
+// REQ-UI-1755: The name of a limit or of a keep-out is completely inside the rim.
+TEST(SkyProjection, ANameIsMovedInsideTheRim)
+{
+    const SkyProjection sky{QPointF(300, 300), 295.0};
+    for (double azimuth = 0.0; azimuth < 360.0; azimuth += 7.5) {
+        QRectF box(0.0, 0.0, 46.0, 15.0);
+        box.moveCenter(sky.toPixel({Angle::fromDegrees(azimuth), 1_deg}));
+        EXPECT_FALSE(sky.contains(box)) << azimuth;
+        const QRectF moved = sky.inside(box);
+        EXPECT_TRUE(sky.contains(moved)) << azimuth;
+        EXPECT_EQ(moved.size(), box.size());
+        EXPECT_LE(QLineF(moved.center(), box.center()).length(), 46.0) << "no further than it must";
+        EXPECT_EQ(sky.inside(moved), moved);
     }
 }
 

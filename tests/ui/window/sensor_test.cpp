@@ -201,7 +201,7 @@ TEST(HeaderBar, ShowsTheEndSwitchesOfAnAxis)
     status.endSwitches[1].state = SwitchState::Pressed;
     header.showStatus(status);
     EXPECT_EQ(shown(header, "Azimuth drive"), QStringLiteral("AZ")) << "the alarm tells of a switch that is not read";
-    EXPECT_EQ(shown(header, "Elevation drive"), QStringLiteral("EL at end"));
+    EXPECT_EQ(shown(header, "Elevation drive"), QStringLiteral("EL switch"));
     EXPECT_THAT(findNamed<ValueLabel>(header, "Azimuth drive")->toolTip().toStdString(),
                 testing::HasSubstr("AZ upper end: not read (mqtt:roof/high). no message for 5 s"));
     EXPECT_THAT(findNamed<ValueLabel>(header, "Elevation drive")->toolTip().toStdString(),
