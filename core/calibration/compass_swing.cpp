@@ -92,6 +92,7 @@ private:
     [[nodiscard]] RobustProblem problem()
     {
         std::vector<Angle> offsets;
+        offsets.reserve(m_usable.size());
         for (const SwingSample& sample : m_usable) {
             offsets.push_back(headingOffset(sample, m_swing.curve.sense));
         }

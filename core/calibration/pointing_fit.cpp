@@ -173,6 +173,7 @@ private:
     [[nodiscard]] Angle arc() const
     {
         std::vector<Angle> azimuths;
+        azimuths.reserve(m_used.size());
         for (const CalibrationPoint& point : m_used) {
             azimuths.push_back(pointing::upright(point.truth).azimuth);
         }

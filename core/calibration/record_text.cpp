@@ -16,7 +16,7 @@ Result<std::string> toText(const CalibrationHistory& history)
                              .superseded = history.superseded()};
     records::TomlWriter writer;
     record::historyFields(writer, file);
-    const std::string text =
+    std::string text =
         "# Boresight: calibrations of one mount, the oldest first. Angles are in degrees.\n" + writer.written();
     return parseHistory(text, QStringLiteral("history")).map([&](const CalibrationHistory&) { return text; });
 }

@@ -55,6 +55,7 @@ std::vector<SwingDot> dotsOf(std::span<const SwingSample> samples, const SwingLi
                          [&](const SwingSample& sample) { return fateOf(sample, limits) == SampleFate::Used; });
     const AzimuthSense shown = usable.empty() ? sense : senseOf(usable).value_or(sense);
     std::vector<Angle> offsets;
+    offsets.reserve(usable.size());
     for (const SwingSample& sample : usable) {
         offsets.push_back(headingOffset(sample, shown));
     }

@@ -112,7 +112,7 @@ Result<> DriveCheck::mayFix() const
 
 Result<> DriveCheck::fix(SteadyTime)
 {
-    if (const Result<> may = mayFix(); !may) {
+    if (Result<> may = mayFix(); !may) {
         return may;
     }
     for (Side& side : m_sides) {

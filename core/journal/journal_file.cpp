@@ -65,7 +65,7 @@ Result<> write(const QString& path, const MountJournal& journal)
         return tl::unexpected(ioError(path, qt_error_string()));
     }
     if (QFile::exists(path)) {
-        if (const Result<> kept = replaceByRenaming(path, path + kPrevious); !kept) {
+        if (Result<> kept = replaceByRenaming(path, path + kPrevious); !kept) {
             return kept;
         }
     }

@@ -10,8 +10,12 @@ std::vector<Angle> placesAround(Angle reported, Angle period, const TravelRange&
     std::vector<Angle> places;
     const double first = std::ceil((travel.min - kBeyondTravel - reported) / period);
     const double last = std::floor((travel.max + kBeyondTravel - reported) / period);
-    for (double k = first; k <= last; k += 1.0) {
-        places.push_back(reported + period * k);
+    constexpr double kMost = 1e6;
+    if (!(first <= last && last - first < kMost)) {
+        return places;  // none, or not a number
+    }
+    for (int i = 0; i <= static_cast<int>(last - first); ++i) {
+        places.push_back(reported + period * (first + i));
     }
     return places;
 }

@@ -137,8 +137,8 @@ std::optional<Obstacle> obstacleToCountingOn(const DriveFrame& frame, const Evid
     if (record.drive.isEmpty() || record.drive != frame.drive) {
         return Obstacle{.why = Text::tr("The journal is of another drive (%1)").arg(record.drive)};
     }
-    const auto inTime = obstacleInTime(frame, evidence, record);
-    const auto inOrigin = obstacleInOrigin(frame, record, axis);
+    auto inTime = obstacleInTime(frame, evidence, record);
+    auto inOrigin = obstacleInOrigin(frame, record, axis);
     const bool restarted = (inTime && inTime->restarted) || frame.uptime < record.uptime;
     if (inOrigin && inOrigin->positionSet && !restarted) {
         return inOrigin;  // certain, whatever the clocks show
