@@ -95,9 +95,10 @@ void PermissionReport::judgeDrives(Permissions& may) const
     const Result<> rest = gates.drivesRest();
     judge(may, Action::ReadDrives, gates.mayReadDrives());
     judge(may, Action::FixDrives, gates.mayFixDrives());
+    const Result<> boards = gates.mayChangeBoards();
     for (const Axis axis : kAxes) {
-        judge(may, assignBoardAction(axis), gates.mayChangeBoards());
-        judge(may, setGearAction(axis), gates.mayChangeBoards());
+        judge(may, assignBoardAction(axis), boards);
+        judge(may, setGearAction(axis), boards);
     }
     judge(may, Action::SwitchOff, gates.maySwitchOff());
     judge(may, Action::ReleaseBus, gates.mayLeaveBus());

@@ -136,7 +136,17 @@ Result<> StationControl::request(const Request& request, const Source& source)
 
 StationStatus StationControl::status() const
 {
-    StationStatus status = report().status();
+    return described(report().status());
+}
+
+StationStatus StationControl::briefStatus() const
+{
+    return described(report().brief());
+}
+
+// Adds what the parts of this class know.
+StationStatus StationControl::described(StationStatus status) const
+{
     status.profile = m_profile.shared();
     status.wind = m_wind.status();
     status.brake = m_brake.status();

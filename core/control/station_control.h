@@ -88,6 +88,8 @@ public:
     [[nodiscard]] StationState state() const { return report().state(); }
     // The status of all parts of this class. The Station adds bus, clients and server.
     [[nodiscard]] StationStatus status() const;
+    // The same without permissions and route, for those that look at it in each tick.
+    [[nodiscard]] StationStatus briefStatus() const;
     // The set-points of the last tick and the replies of the drives to them. Empty before the first tick.
     [[nodiscard]] std::optional<TickSample> sample() const { return report().sample(); }
     // Whether the mount still carries out the last motion of this source.
@@ -192,6 +194,7 @@ private:
 
     [[nodiscard]] ControlParts parts() const;
     [[nodiscard]] StatusReport report() const { return StatusReport(parts()); }
+    [[nodiscard]] StationStatus described(StationStatus status) const;
     [[nodiscard]] Gates gates() const { return Gates(parts()); }
     [[nodiscard]] Whereabouts whereabouts() const { return Whereabouts(parts()); }
     [[nodiscard]] bool moves() const { return m_current.moves(); }

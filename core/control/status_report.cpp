@@ -264,6 +264,15 @@ std::optional<DrivesStatus> StatusReport::drivesStatus() const
 
 StationStatus StatusReport::status() const
 {
+    StationStatus status = brief();
+    status.route = route();
+    status.permissions = PermissionReport(m_of).permissions();
+    return status;
+}
+
+StationStatus StatusReport::brief() const
+{
+    const QString limited = limitedReason();
     StationStatus status{
         .state = state(),
         .azimuth = axisStatus(Axis::Azimuth),
@@ -271,9 +280,8 @@ StationStatus StatusReport::status() const
         .targetText = m_of.current.text(),
         .commander = m_of.current.commander(),
         .aimed = aimed(),
-        .limited = !limitedReason().isEmpty(),
-        .limitedReason = limitedReason(),
-        .route = route(),
+        .limited = !limited.isEmpty(),
+        .limitedReason = limited,
         .slew = m_of.slew.progress(m_of.now),
         .cableEnd = m_of.cable.end(),
         .authority = m_of.arming.authority(),
@@ -299,7 +307,6 @@ StationStatus StatusReport::status() const
     if (const AxisPosition& trim = m_of.motion.trim(); trim != AxisPosition{}) {
         status.trim = SkyPointing{.azimuth = trim.azimuth, .elevation = trim.elevation};
     }
-    status.permissions = PermissionReport(m_of).permissions();
     status.capabilities = m_of.mount.capabilities();
     status.sunKeepOuts = m_of.sun.keepOuts();
     if (const auto& asked = m_of.current.limitedDirection()) {

@@ -21,6 +21,8 @@ public:
 
     [[nodiscard]] StationState state() const;
     [[nodiscard]] StationStatus status() const;
+    // The status without permissions and route, which take most of its time.
+    [[nodiscard]] StationStatus brief() const;
     // The set-points of the last tick and the replies of the drives to them. Empty before the first tick.
     [[nodiscard]] std::optional<TickSample> sample() const;
     // Whether both axes are this near to their target.

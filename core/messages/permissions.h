@@ -5,6 +5,7 @@
 #include "core/units/quantity.h"
 #include "core/units/sky.h"
 
+#include <QSharedData>
 #include <QString>
 
 #include <array>
@@ -156,6 +157,7 @@ template <class Which>
     return actionOf(Action::ChooseAzimuthTurn, axis);
 }
 
+// Copies share their reasons, because each status has a copy.
 class Permissions
 {
 public:
@@ -165,23 +167,27 @@ public:
     [[nodiscard]] static Permissions all() { return Permissions(QString()); }
 
     // Why the action is refused; empty: it is allowed.
-    [[nodiscard]] const QString& reason(Action action) const { return m_reasons[static_cast<std::size_t>(action)]; }
+    [[nodiscard]] const QString& reason(Action action) const
+    {
+        return m_reasons ? m_reasons->of[static_cast<std::size_t>(action)] : m_ofAll;
+    }
     [[nodiscard]] bool allows(Action action) const { return reason(action).isEmpty(); }
     // An empty reason changes nothing.
-    void refuse(Action action, const QString& why)
-    {
-        if (!why.isEmpty()) {
-            m_reasons[static_cast<std::size_t>(action)] = why;
-        }
-    }
+    void refuse(Action action, const QString& why);
 
     // The fastest jog by hand. It is lower while the wrap of an axis is unknown or the directions are unconfirmed.
     AngularRate fastestJog;
 
 private:
-    explicit Permissions(const QString& why) { m_reasons.fill(why); }
+    struct Reasons : QSharedData
+    {
+        std::array<QString, static_cast<std::size_t>(Action::Count)> of;
+    };
 
-    std::array<QString, static_cast<std::size_t>(Action::Count)> m_reasons;
+    explicit Permissions(const QString& why) : m_ofAll(why) {}
+
+    QString m_ofAll;  // while there is no reason of one action
+    QSharedDataPointer<Reasons> m_reasons;
 };
 
 }  // namespace boresight

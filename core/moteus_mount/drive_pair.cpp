@@ -50,6 +50,7 @@ void DrivePair::judge(SteadyTime now)
 std::vector<CanFrame> DrivePair::frames() const
 {
     std::vector<CanFrame> frames;
+    frames.reserve(kAxes.size() + 1);  // the mount adds that of a third axis
     for (const Axis axis : m_axes) {
         frames.push_back(drive(axis).frame());
     }

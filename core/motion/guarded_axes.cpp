@@ -100,7 +100,9 @@ GuardedAxes::GuardedAxes(const profile::Profile& profile, const Capabilities& ca
       m_region(reachable(profile.limits), m_travel.azimuth, m_travel.elevation,
                pointing::PointingModel(profile.pointing)),
       m_azimuth(profileOf(profile.azimuth, m_travel.azimuth)),
-      m_elevation(profileOf(profile.elevation, m_travel.elevation))
+      m_elevation(profileOf(profile.elevation, m_travel.elevation)),
+      m_nextAzimuth(m_azimuth),
+      m_nextElevation(m_elevation)
 {}
 
 TravelRange GuardedAxes::travelOf(Axis axis, const profile::Profile& profile) const
@@ -308,24 +310,24 @@ void GuardedAxes::stepInside(Seconds duration, const AxisWish& azimuth, const Ax
 {
     const AxisPosition before = place();
     AxisBox box = fromSeen(untilRest());
-    AxisSetpoints nextAzimuth = m_azimuth;
-    AxisSetpoints nextElevation = m_elevation;
+    m_nextAzimuth = m_azimuth;
+    m_nextElevation = m_elevation;
     const TravelRange azimuths = openPart(Axis::Azimuth, m_region.azimuthsAround(box));
-    nextAzimuth.setTravel(azimuths);
-    obey(nextAzimuth, duration, azimuth);
-    const AxisBox still = std::exchange(box, fromSeen({passed(before.azimuth, nextAzimuth), box.elevation}));
+    m_nextAzimuth.setTravel(azimuths);
+    obey(m_nextAzimuth, duration, azimuth);
+    const AxisBox still = std::exchange(box, fromSeen({passed(before.azimuth, m_nextAzimuth), box.elevation}));
     const TravelRange elevations = openPart(Axis::Elevation, m_region.elevationsAround(box));
-    nextElevation.setTravel(elevations);
-    obey(nextElevation, duration, elevation);
-    box = fromSeen({box.azimuth, passed(before.elevation, nextElevation)});
+    m_nextElevation.setTravel(elevations);
+    obey(m_nextElevation, duration, elevation);
+    box = fromSeen({box.azimuth, passed(before.elevation, m_nextElevation)});
     if (!m_region.permits(box)) {
         m_swept = still;
         m_held = {wayOf(azimuth, before.azimuth), wayOf(elevation, before.elevation)};
         brake(duration, still, azimuth, elevation);
         return;
     }
-    m_azimuth = std::move(nextAzimuth);
-    m_elevation = std::move(nextElevation);
+    std::swap(m_azimuth, m_nextAzimuth);
+    std::swap(m_elevation, m_nextElevation);
     m_swept = fromSeen(untilRest());
     m_leaves = false;
     m_held = {heldWay(azimuth, place().azimuth, azimuths), heldWay(elevation, place().elevation, elevations)};

@@ -62,7 +62,7 @@ MotionState moved(const MotionState& now, const MotionState& target, const track
 {
     const tracking::MotionBounds bounds = boundsOf(limits);
     const MotionState slower{target.position, std::clamp(target.rate, -bounds.speed, bounds.speed)};
-    return tracking::approach(now, slower, bounds, time).back().end();
+    return tracking::approach(now, slower, bounds, time).segments().back().end();
 }
 
 }  // namespace

@@ -225,7 +225,7 @@ void Station::tick()
     m_brake.obey();
     m_inputs.tick();
     if (m_transmit.isWanted()) {
-        m_transmit.tick(m_control.status());
+        m_transmit.tick(m_control.briefStatus());
     }
     crossCheck();
     m_mount->send();
@@ -409,7 +409,7 @@ Result<> Station::rehearse(const request::Rehearse& wanted)
 
 std::optional<DrivesStatus> Station::drives() const
 {
-    StationStatus status = m_control.status();
+    StationStatus status = m_control.briefStatus();
     m_mount->describe(status);
     return status.drives;
 }

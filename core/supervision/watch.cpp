@@ -19,7 +19,7 @@ bool heldFor(std::optional<SteadyTime>& since, bool condition, SteadyTime now, S
 
 }  // namespace
 
-void Watch::update(SteadyTime now, double value, const WatchLimits& limits, const std::function<QString()>& words)
+std::optional<Weight> Watch::judge(SteadyTime now, double value, const WatchLimits& limits)
 {
     const bool stop = heldFor(m_stopSince, value >= limits.stop, now, limits.after);
     const bool hint = heldFor(m_hintSince, value >= limits.hint, now, limits.after) || stop;
@@ -30,11 +30,11 @@ void Watch::update(SteadyTime now, double value, const WatchLimits& limits, cons
     const bool begins = hint && !m_observed;
     const bool worse = m_observed && stop && m_observed->weight == Weight::Hint;
     const bool doubled = m_observed && m_told > 0.0 && value >= 2.0 * m_told;
-    if (begins || worse || doubled) {
-        const bool stops = stop || (m_observed && m_observed->weight == Weight::Stop);
-        m_observed = Observed{.symptom = m_symptom, .weight = stops ? Weight::Stop : Weight::Hint, .what = words()};
-        m_told = value;
+    if (!begins && !worse && !doubled) {
+        return std::nullopt;
     }
+    const bool stops = stop || (m_observed && m_observed->weight == Weight::Stop);
+    return stops ? Weight::Stop : Weight::Hint;
 }
 
 }  // namespace boresight::supervision

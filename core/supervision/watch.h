@@ -4,7 +4,8 @@
 #include "core/base/clock.h"
 #include "core/supervision/symptom.h"
 
-#include <functional>
+#include <QString>
+
 #include <limits>
 #include <optional>
 
@@ -27,12 +28,22 @@ public:
     explicit Watch(Symptom symptom) : m_symptom(symptom) {}
 
     // Calls `words` when the symptom begins, becomes a stop, or its value has doubled. Else the text stays as it is.
-    void update(SteadyTime now, double value, const WatchLimits& limits, const std::function<QString()>& words);
+    template <class Words>
+    void update(SteadyTime now, double value, const WatchLimits& limits, const Words& words)
+    {
+        if (const auto weight = judge(now, value, limits)) {
+            m_observed = Observed{.symptom = m_symptom, .weight = *weight, .what = words()};
+            m_told = value;
+        }
+    }
     void forget() { *this = Watch(m_symptom); }
 
     [[nodiscard]] const std::optional<Observed>& observed() const { return m_observed; }
 
 private:
+    // The weight of a symptom that needs a new text.
+    [[nodiscard]] std::optional<Weight> judge(SteadyTime now, double value, const WatchLimits& limits);
+
     Symptom m_symptom;
     std::optional<SteadyTime> m_hintSince;
     std::optional<SteadyTime> m_stopSince;

@@ -113,9 +113,9 @@ Setpoint AxisSetpoints::brake(Seconds dt, AngularAcceleration deceleration)
 // The end of the travel before which the axis could not stop after this path. Testing the end of each segment is
 // enough, because within a segment the stopping place moves outwards only while the axis does. Motion back inside is
 // always safe.
-std::optional<double> AxisSetpoints::endInTheWay(const std::vector<Segment>& path) const
+std::optional<double> AxisSetpoints::endInTheWay(const Path& path) const
 {
-    for (const Segment& segment : path) {
+    for (const Segment& segment : path.segments()) {
         const MotionState state = segment.end();
         const double stop = stopPosition(state, acceleration());
         if (state.rate > 0.0 && stop > m_travel.max.radians() + kRounding) {
@@ -130,7 +130,7 @@ std::optional<double> AxisSetpoints::endInTheWay(const std::vector<Segment>& pat
 
 // Moves towards the end and stops there. If limits or travel were reduced during the motion, the braking may have to
 // exceed the limit. An axis beyond the end only stops.
-std::vector<Segment> AxisSetpoints::stopAt(double end, double speed, double duration) const
+Path AxisSetpoints::stopAt(double end, double speed, double duration) const
 {
     const MotionState now = m_motion.latest();
     const double outside = end == m_travel.max.radians() ? now.position - end : end - now.position;
@@ -144,9 +144,9 @@ std::vector<Segment> AxisSetpoints::stopAt(double end, double speed, double dura
     return approach(now, {.position = end, .rate = 0.0}, {.speed = speed, .acceleration = braking}, duration);
 }
 
-Setpoint AxisSetpoints::advance(const std::vector<Segment>& path)
+Setpoint AxisSetpoints::advance(const Path& path)
 {
-    m_motion.append(path);
+    m_motion.append(path.segments());
     const MovingAverage::Sample sample = m_motion.sample();
     m_setpoint = {.position = Angle::fromRadians(sample.position),
                   .rate = AngularRate::fromRadians(sample.rate),

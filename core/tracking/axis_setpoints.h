@@ -5,7 +5,6 @@
 #include "core/units/sky.h"
 
 #include <optional>
-#include <vector>
 
 // The set-point of one axis. Each control tick moves it towards its goal within speed, acceleration, jerk and travel. A
 // time-optimal motion (bang-bang, exact within the tick) is averaged over the last 2 × acceleration /
@@ -77,10 +76,10 @@ public:
 
 private:
     [[nodiscard]] double acceleration() const;
-    [[nodiscard]] std::optional<double> endInTheWay(const std::vector<Segment>& path) const;
-    [[nodiscard]] std::vector<Segment> stopAt(double end, double speed, double duration) const;
+    [[nodiscard]] std::optional<double> endInTheWay(const Path& path) const;
+    [[nodiscard]] Path stopAt(double end, double speed, double duration) const;
     Setpoint approachTo(const MotionState& goal, double speed, double duration);
-    Setpoint advance(const std::vector<Segment>& path);
+    Setpoint advance(const Path& path);
 
     MotionLimits m_limits;
     TravelRange m_travel;

@@ -12,17 +12,18 @@ namespace {
 constexpr double kForever = std::numeric_limits<double>::infinity();
 
 // Joins segments until the duration is used up.
-class Path
+class PathBuilder
 {
 public:
-    Path(const MotionState& now, double duration) : m_state(now), m_left(duration) { m_segments.reserve(kMost); }
+    PathBuilder(const MotionState& now, double duration) : m_state(now), m_left(duration) {}
 
     void add(double duration, double acceleration)
     {
         const double used = std::min(duration, m_left);
         if (used > 0.0) {
-            m_segments.push_back({.duration = used, .start = m_state, .acceleration = acceleration});
-            m_state = m_segments.back().end();
+            const Segment segment{.duration = used, .start = m_state, .acceleration = acceleration};
+            m_path.add(segment);
+            m_state = segment.end();
             m_left -= used;
         }
     }
@@ -30,13 +31,10 @@ public:
     void continueFrom(const MotionState& state) { m_state = state; }
 
     [[nodiscard]] double left() const { return m_left; }
-    [[nodiscard]] std::vector<Segment> take() { return std::move(m_segments); }
+    [[nodiscard]] const Path& path() const { return m_path; }
 
 private:
-    // The parts of a way: change of speed, constant speed, change to the rate of the target, motion with the target.
-    static constexpr std::size_t kMost = 4;
-
-    std::vector<Segment> m_segments;
+    Path m_path;
     MotionState m_state;
     double m_left;
 };
@@ -76,8 +74,7 @@ double stopPosition(const MotionState& state, double acceleration)
     return state.position + state.rate * std::abs(state.rate) / (2.0 * acceleration);
 }
 
-std::vector<Segment> approach(const MotionState& now, const MotionState& target, const MotionBounds& bounds,
-                              double duration)
+Path approach(const MotionState& now, const MotionState& target, const MotionBounds& bounds, double duration)
 {
     const double a = bounds.acceleration;
     const Ahead to = lookAhead({now.position - target.position, now.rate - target.rate}, a);
@@ -89,13 +86,13 @@ std::vector<Segment> approach(const MotionState& now, const MotionState& target,
     const double rest = std::max(0.0, to.ahead - covered - 0.5 * cruise * cruise / a);
     const double cruising = peak <= cap ? 0.0 : cruise > 0.0 ? rest / cruise : kForever;
 
-    Path path(now, duration);
+    PathBuilder path(now, duration);
     path.add(accelerating, cruise >= to.closing ? to.way * a : -to.way * a);
     path.add(cruising, 0.0);
     path.add(cruise / a, -to.way * a);
     path.continueFrom({.position = target.position + target.rate * (duration - path.left()), .rate = target.rate});
     path.add(path.left(), 0.0);
-    return path.take();
+    return path.path();
 }
 
 double restTime(const MotionState& now, double position, const MotionBounds& bounds)
@@ -134,9 +131,9 @@ double speedForRestTime(const MotionState& now, double position, const MotionBou
     return std::clamp(speed, kLeast * bounds.speed, bounds.speed);
 }
 
-std::vector<Segment> changeRate(const MotionState& now, double rate, double acceleration, double duration)
+Path changeRate(const MotionState& now, double rate, double acceleration, double duration)
 {
-    Path path(now, duration);
+    PathBuilder path(now, duration);
     const double changing = std::abs(rate - now.rate) / acceleration;
     path.add(changing, rate > now.rate ? acceleration : -acceleration);
     if (path.left() > 0.0) {
@@ -144,7 +141,7 @@ std::vector<Segment> changeRate(const MotionState& now, double rate, double acce
         path.continueFrom({.position = position, .rate = rate});
         path.add(path.left(), 0.0);
     }
-    return path.take();
+    return path.path();
 }
 
 }  // namespace boresight::tracking

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <vector>
+#include <array>
+#include <cstddef>
+#include <span>
 
 // The fastest motion of one axis under a speed and an acceleration limit: accelerate, cruise, brake. Closed formulas,
 // exact within a tick, so a target is reached without oscillation. Plain numbers in radians and seconds: the arithmetic
@@ -26,6 +28,19 @@ struct Segment
     [[nodiscard]] bool atRest() const { return start.rate == 0.0 && acceleration == 0.0; }
 };
 
+// The segments of one tick, one after the other. At most four: change of speed, constant speed, change to the rate of
+// the target, motion with the target.
+class Path
+{
+public:
+    void add(const Segment& segment) { m_segments.at(m_count++) = segment; }
+    [[nodiscard]] std::span<const Segment> segments() const { return std::span(m_segments).first(m_count); }
+
+private:
+    std::array<Segment, 4> m_segments;
+    std::size_t m_count = 0;
+};
+
 struct MotionBounds
 {
     double speed = 0.0;
@@ -34,12 +49,11 @@ struct MotionBounds
 
 // The first `duration` seconds of the fastest way to a target that is at `target.position` now and moves at
 // `target.rate` (at most the speed limit). Once reached, the target is followed exactly.
-[[nodiscard]] std::vector<Segment> approach(const MotionState& now, const MotionState& target,
-                                            const MotionBounds& bounds, double duration);
+[[nodiscard]] Path approach(const MotionState& now, const MotionState& target, const MotionBounds& bounds,
+                            double duration);
 
 // The first `duration` seconds of the fastest change to a rate. The rate is then kept.
-[[nodiscard]] std::vector<Segment> changeRate(const MotionState& now, double rate, double acceleration,
-                                              double duration);
+[[nodiscard]] Path changeRate(const MotionState& now, double rate, double acceleration, double duration);
 
 // The time of the fastest way to stand still at `position`.
 [[nodiscard]] double restTime(const MotionState& now, double position, const MotionBounds& bounds);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace boresight::fakes {
 namespace {
@@ -15,9 +16,12 @@ constexpr double kCountsInReports = 65536.0;
 std::optional<double> Written::find(moteus::Register reg) const
 {
     // If a register was written twice, the last value counts.
-    const auto found =
-        std::find_if(m_values.rbegin(), m_values.rend(), [&](const auto& one) { return one.first == reg; });
-    return found == m_values.rend() ? std::nullopt : std::optional(found->second);
+    for (std::size_t i = m_count; i > 0; --i) {
+        if (m_values[i - 1].first == reg) {
+            return m_values[i - 1].second;
+        }
+    }
+    return std::nullopt;
 }
 
 std::optional<CanFrame> IdealDrive::answer(const CanFrame& frame, SteadyTime now)
@@ -87,15 +91,15 @@ double IdealDrive::state(moteus::Register reg) const
 
 CanFrame IdealDrive::stateFrame(SteadyTime now) const
 {
-    std::vector<moteus::RegisterValue> values;
-    values.reserve(moteus::rotatorQuery().size());
+    std::array<moteus::RegisterValue, 16> values;  // of rotatorQuery()
+    std::size_t count = 0;
     for (const moteus::RegisterRead& read : moteus::rotatorQuery()) {
         if (!modeOnly || read.reg == moteus::Register::Mode) {
-            values.push_back({read.reg, read.resolution, state(read.reg)});
+            values.at(count++) = {read.reg, read.resolution, state(read.reg)};
         }
     }
     moteus::SubframeWriter writer;
-    writer.appendReplies(values);
+    writer.appendReplies(std::span(values).first(count));
     CanFrame reply =
         moteus::makeFrame({.replyWanted = false, .source = m_id, .destination = moteus::kHostId}, writer.bytes());
     reply.received = now;

@@ -5,6 +5,8 @@
 #include "core/moteus/codec.h"
 #include "core/units/quantity.h"
 
+#include <array>
+#include <cstddef>
 #include <deque>
 #include <optional>
 #include <utility>
@@ -15,21 +17,20 @@
 // keeps every command frame for inspection.
 namespace boresight::fakes {
 
-// The registers that one frame wrote. A list, because long tests keep thousands of frames.
+// The registers that one frame wrote. A list without memory of its own, because long tests keep thousands of frames.
 class Written
 {
 public:
-    Written() { m_values.reserve(kUsual); }
-
-    void set(moteus::Register reg, double value) { m_values.emplace_back(reg, value); }
+    void set(moteus::Register reg, double value) { m_values.at(m_count++) = {reg, value}; }
     [[nodiscard]] std::optional<double> find(moteus::Register reg) const;
     [[nodiscard]] double at(moteus::Register reg) const { return find(reg).value(); }
     [[nodiscard]] bool contains(moteus::Register reg) const { return find(reg).has_value(); }
 
 private:
-    static constexpr std::size_t kUsual = 12;
+    static constexpr std::size_t kMost = 17;  // a PositionCommand
 
-    std::vector<std::pair<moteus::Register, double>> m_values;
+    std::array<std::pair<moteus::Register, double>, kMost> m_values;
+    std::size_t m_count = 0;
 };
 
 class IdealDrive

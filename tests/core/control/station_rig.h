@@ -100,7 +100,7 @@ struct StationRig
     void settle(Seconds time = Seconds(120.0))
     {
         run(Seconds(0.2));
-        constexpr int kBetween = 5;  // ticks between two checks: a whole status costs as much as a tick
+        constexpr int kBetween = 5;  // ticks between two checks: a status costs as much as a tick
         for (Seconds left = time; left > Seconds(0.0) && moving(); left -= kBetween * step) {
             for (int i = 0; i < kBetween; ++i) {
                 tick();
@@ -110,7 +110,7 @@ struct StationRig
 
     [[nodiscard]] bool moving() const
     {
-        const StationStatus status = control.status();
+        const StationStatus status = control.briefStatus();
         return status.azimuth.state == AxisState::Moving || status.elevation.state == AxisState::Moving ||
                status.state == StationState::Slew;
     }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace boresight {
 namespace {
@@ -182,7 +183,7 @@ void StationPromises::sourceGone(const Source& source)
 
 void StationPromises::ticked(Seconds step)
 {
-    const StationStatus now = m_rig.control.status();
+    StationStatus now = m_rig.control.briefStatus();
     watchLatches(now);
     watchEnds(now);
     watchFrames(now);
@@ -192,7 +193,7 @@ void StationPromises::ticked(Seconds step)
         watchPath(axis, now, step);
         watchAxis(axis, now, step);
     }
-    m_before = now;
+    m_before = std::move(now);
 }
 
 void StationPromises::watchLatches(const StationStatus& now)

@@ -16,7 +16,7 @@ namespace boresight {
 class StationPromises
 {
 public:
-    explicit StationPromises(const StationRig& rig) : m_rig(rig), m_before(rig.control.status()) {}
+    explicit StationPromises(const StationRig& rig) : m_rig(rig), m_before(rig.control.briefStatus()) {}
 
     void interlock(bool fit) { m_fit = fit; }  // the result of the drive check
     void asked(const Request& request, const Source& source, bool accepted, const StationStatus& before);

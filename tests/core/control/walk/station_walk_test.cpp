@@ -74,6 +74,7 @@ public:
         for (unsigned long ticks = 1 + m_random() % 8; ticks > 0; --ticks) {
             tick(StationRig::kTick);
         }
+        static_cast<void>(m_rig.control.status());  // with all permissions, in whatever state the station is
     }
 
     [[nodiscard]] const StationPromises& promises() const { return m_promises; }
