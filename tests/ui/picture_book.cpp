@@ -82,8 +82,11 @@ void PictureBook::show(const StationStatus& status, char panel)
         give(samples::update(samples::tracking(second)));
     }
     StationUpdate update = samples::update(status);
-    update.samples = samples::ticks(clock.now(), kPast.count());
-    clock.advance(kPast);
+    if (!m_hasPast) {
+        update.samples = samples::ticks(clock.now(), kPast.count());
+        clock.advance(kPast);
+        m_hasPast = true;
+    }
     for (std::uint64_t number = 1; number < 12; ++number) {
         update.log.push_back(
             samples::logEntry(number, number % 5 == 0 ? Severity::Warning : Severity::Advisory,

@@ -59,6 +59,8 @@ protected:
 
 private:
     void judge();
+
+    bool m_hasPast = false;  // the charts have their samples
 };
 
 }  // namespace boresight::ui

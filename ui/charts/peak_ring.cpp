@@ -80,6 +80,9 @@ void PeakRing::moveTo(std::int64_t bin)
 {
     for (int level = 0; level < kLevels; ++level) {
         const std::int64_t entered = bin >> level;
+        if (entered == m_last >> level) {
+            break;  // a wider node is not entered either
+        }
         const std::int64_t round = kBins >> level;
         for (std::int64_t number = std::max((m_last >> level) + 1, entered - round + 1); number <= entered; ++number) {
             node(level, number) = kNothing;
@@ -103,7 +106,11 @@ void PeakRing::add(std::int64_t bin, float value)
         moveTo(bin);
     }
     for (int level = 0; level < kLevels; ++level) {
-        node(level, m_last >> level).include({value, value});
+        PeakRange& range = node(level, m_last >> level);
+        if (range.min <= value && value <= range.max) {
+            break;  // the wider nodes contain it, too
+        }
+        range.include({value, value});
     }
 }
 
