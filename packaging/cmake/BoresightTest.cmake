@@ -15,8 +15,16 @@ if(BORESIGHT_UNITY)
   list(APPEND test_options -g0)
 endif()
 
-# boresight_add_test(NAME LABEL unit|ui|system|long SOURCES … [LIBRARIES …])
-# A GoogleTest program. It is one test of ctest, which runs all its cases. LIBRARIES are the tested libraries (default:
+# boresight_join_test(PROGRAM SOURCE…)
+# The tests of a folder become a part of a program that boresight_add_test() adds later: half of a build from nothing
+# compiles tests, and each program of its own compiles the same headers again and is linked.
+function(boresight_join_test program)
+  list(TRANSFORM ARGN PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/")
+  set_property(GLOBAL APPEND PROPERTY BORESIGHT_JOINED_${program} ${ARGN})
+endfunction()
+
+# boresight_add_test(NAME LABEL unit|ui|system|long [SOURCES …] [LIBRARIES …])
+# A GoogleTest program, of these sources and those that joined it. It is one test of ctest, which runs all its cases. LIBRARIES are the tested libraries (default:
 # boresight_core). The label decides in which builds the test runs, so that no test runs twice without need:
 #   unit, ui    with the sanitizers. Tests of classes, of a station in one process, and of the window
 #   system      with the sanitizers and in the release build. Tests of whole programs, and of the window with a real station
@@ -47,7 +55,8 @@ function(boresight_add_test name)
   elseif(T_OWN_MAIN)
     set(main "")
   endif()
-  add_executable(${name} ${T_SOURCES})
+  get_property(joined GLOBAL PROPERTY BORESIGHT_JOINED_${name})
+  add_executable(${name} ${T_SOURCES} ${joined})
   set_target_properties(${name} PROPERTIES AUTOMOC OFF)
   target_link_libraries(${name} PRIVATE boresight_fakes ${T_LIBRARIES} Qt6::Test ${main} GTest::gmock)
   boresight_unite(${name})

@@ -16,6 +16,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
+
 namespace boresight {
 namespace {
 
@@ -131,8 +133,8 @@ TEST_F(FdcanusbLinkTest, PortThatIsLockedInAnyWayIsRefused)
     const auto busy = link.open();
     ASSERT_FALSE(busy.has_value());
     EXPECT_EQ(busy.error().code, ErrorCode::Busy);
-    EXPECT_EQ(textOf(busy.error()), adapter.path().toStdString() + " is in use by can_test (process " +
-                                        std::to_string(getpid()) + "). End that program first");
+    EXPECT_EQ(textOf(busy.error()), adapter.path().toStdString() + " is in use by " + program_invocation_short_name +
+                                        " (process " + std::to_string(getpid()) + "). End that program first");
     EXPECT_EQ(adapter.written, QByteArray());
     ASSERT_EQ(flock(holder.number(), LOCK_UN), 0);
     open(link);

@@ -4,11 +4,11 @@
 #include <gtest/gtest.h>
 
 using namespace boresight;
-using namespace std::chrono;
 
 TEST(DecimalYear, CountsTheDaysOfEachYear)
 {
     using geomagnetism::decimalYear;
+    using namespace std::chrono;
     EXPECT_DOUBLE_EQ(decimalYear(sys_days(year(2026) / 1 / 1)), 2026.0);
     EXPECT_DOUBLE_EQ(decimalYear(sys_days(year(2026) / 7 / 2) + hours(12)), 2026.5);
     EXPECT_DOUBLE_EQ(decimalYear(sys_days(year(2028) / 7 / 2)), 2028.5) << "a leap year";

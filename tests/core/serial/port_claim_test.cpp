@@ -9,6 +9,7 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstdlib>
 #include <string>
 
@@ -40,7 +41,8 @@ TEST(PortClaim, IsOneAtATimeAndEndsWithThePort)
     const Result<> claimed = claimPort(second.number());
     ASSERT_FALSE(claimed);
     EXPECT_EQ(claimed.error().code, ErrorCode::Busy);
-    EXPECT_EQ(textOf(claimed.error()), "serial_test (process " + std::to_string(::getpid()) + ")");
+    EXPECT_EQ(textOf(claimed.error()),
+              program_invocation_short_name + std::string(" (process ") + std::to_string(::getpid()) + ")");
     first.reset();
     EXPECT_TRUE(claimPort(second.number()));
 }
