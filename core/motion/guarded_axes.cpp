@@ -101,8 +101,7 @@ GuardedAxes::GuardedAxes(const profile::Profile& profile, const Capabilities& ca
                pointing::PointingModel(profile.pointing)),
       m_azimuth(profileOf(profile.azimuth, m_travel.azimuth)),
       m_elevation(profileOf(profile.elevation, m_travel.elevation)),
-      m_nextAzimuth(m_azimuth),
-      m_nextElevation(m_elevation)
+      m_trial{m_azimuth, m_elevation}
 {}
 
 TravelRange GuardedAxes::travelOf(Axis axis, const profile::Profile& profile) const
@@ -310,24 +309,25 @@ void GuardedAxes::stepInside(Seconds duration, const AxisWish& azimuth, const Ax
 {
     const AxisPosition before = place();
     AxisBox box = fromSeen(untilRest());
-    m_nextAzimuth = m_azimuth;
-    m_nextElevation = m_elevation;
+    auto& [nextAzimuth, nextElevation] = m_trial;
+    nextAzimuth = m_azimuth;
+    nextElevation = m_elevation;
     const TravelRange azimuths = openPart(Axis::Azimuth, m_region.azimuthsAround(box));
-    m_nextAzimuth.setTravel(azimuths);
-    obey(m_nextAzimuth, duration, azimuth);
-    const AxisBox still = std::exchange(box, fromSeen({passed(before.azimuth, m_nextAzimuth), box.elevation}));
+    nextAzimuth.setTravel(azimuths);
+    obey(nextAzimuth, duration, azimuth);
+    const AxisBox still = std::exchange(box, fromSeen({passed(before.azimuth, nextAzimuth), box.elevation}));
     const TravelRange elevations = openPart(Axis::Elevation, m_region.elevationsAround(box));
-    m_nextElevation.setTravel(elevations);
-    obey(m_nextElevation, duration, elevation);
-    box = fromSeen({box.azimuth, passed(before.elevation, m_nextElevation)});
+    nextElevation.setTravel(elevations);
+    obey(nextElevation, duration, elevation);
+    box = fromSeen({box.azimuth, passed(before.elevation, nextElevation)});
     if (!m_region.permits(box)) {
         m_swept = still;
         m_held = {wayOf(azimuth, before.azimuth), wayOf(elevation, before.elevation)};
         brake(duration, still, azimuth, elevation);
         return;
     }
-    std::swap(m_azimuth, m_nextAzimuth);
-    std::swap(m_elevation, m_nextElevation);
+    std::swap(m_azimuth, nextAzimuth);
+    std::swap(m_elevation, nextElevation);
     m_swept = fromSeen(untilRest());
     m_leaves = false;
     m_held = {heldWay(azimuth, place().azimuth, azimuths), heldWay(elevation, place().elevation, elevations)};

@@ -128,8 +128,7 @@ private:
     pointing::PermittedRegion m_region;
     tracking::AxisSetpoints m_azimuth;
     tracking::AxisSetpoints m_elevation;
-    tracking::AxisSetpoints m_nextAzimuth;  // the trial of stepInside(), kept because its memory is used again
-    tracking::AxisSetpoints m_nextElevation;
+    std::array<tracking::AxisSetpoints, 2> m_trial;  // of stepInside(), kept because its memory is used again
     std::array<Sight, 2> m_sights;
     bool m_enforced = true;
     bool m_leaves = false;  // on its way out of a forbidden place
