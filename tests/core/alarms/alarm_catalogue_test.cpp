@@ -186,7 +186,7 @@ TEST(AlarmCatalogue, ARemedyThatNamesAButtonHasIt)
 TEST(AlarmCatalogue, EverySentenceCanBeReadAlone)
 {
     static const std::regex runsOn("\\b(in|within|for) [0-9.]+ (s|min|h)\\b");
-    static const std::regex done("(was|were|stalled|has sent|away|is lost|came|jumped|a jump) ");
+    static const std::regex done("(was|were|stalled|has sent|has stayed|away|is lost|came|jumped|a jump) ");
     // followed by the duration of the observation
     static const std::regex known("does not move: |moves the wrong way: ");
     for (const AlarmEntry* const entry : alarmCatalogue()) {
