@@ -82,11 +82,8 @@ void PictureBook::show(const StationStatus& status, char panel)
         give(samples::update(samples::tracking(second)));
     }
     StationUpdate update = samples::update(status);
-    if (!m_hasPast) {
-        update.samples = samples::ticks(clock.now(), kPast.count());
-        clock.advance(kPast);
-        m_hasPast = true;
-    }
+    update.samples = samples::ticks(clock.now(), kPast.count());
+    clock.advance(kPast);
     for (std::uint64_t number = 1; number < 12; ++number) {
         update.log.push_back(
             samples::logEntry(number, number % 5 == 0 ? Severity::Warning : Severity::Advisory,

@@ -59,8 +59,6 @@ protected:
 
 private:
     void judge();
-
-    bool m_hasPast = false;  // the charts have their samples
 };
 
 }  // namespace boresight::ui

@@ -79,11 +79,8 @@ protected:
         link->deliver();
         station->tick();
         link->deliver();
-        if (clock.now() - published >= Station::kUpdatePeriod) {
-            published = clock.now();
-            station->updateTaken();
-            station->publish();
-        }
+        station->updateTaken();
+        station->publish();
         QTest::qWait(0);
         timers.runDue();
         farthest = {
@@ -148,7 +145,6 @@ protected:
     QTemporaryDir folder;
     LinkMaker links;
     SimulatedLink* link = nullptr;
-    SteadyTime published{};  // when the window was last given an update
     std::optional<profile::Profile> next;
     std::optional<profile::Profile> kept;
     AxisPosition origin;

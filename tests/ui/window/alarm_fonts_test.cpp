@@ -62,7 +62,6 @@ TEST_P(AlarmFontsTest, NoAlarmOfTheCatalogueIsCut)
     box->addWidget(card);
     box->addStretch();
     column.resize(kNarrow, 600);
-    column.setUpdatesEnabled(false);  // only the layout is judged
     column.show();
     for (const AlarmEntry* const entry : alarmCatalogue()) {
         for (const bool stopped : {false, true}) {

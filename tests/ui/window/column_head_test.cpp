@@ -19,11 +19,6 @@ namespace {
 class ColumnHeadTest : public WindowFixture
 {
 protected:
-    ColumnHeadTest()
-    {
-        window.setUpdatesEnabled(false);  // only the layout is judged
-    }
-
     // The place where the tabs begin with this status.
     int tabs(const StationStatus& status)
     {

@@ -51,7 +51,6 @@ class FontsTest : public OnADesktop, public WindowFixture
 protected:
     void SetUp() override
     {
-        window.setUpdatesEnabled(false);  // only the layout is judged
         const QString fixed = qEnvironmentVariable("BORESIGHT_TEST_FIXED_FONT", QStringLiteral("DejaVu Sans Mono"));
         for (const QString& family : {QApplication::font().family(), fixed}) {
             if (QFontInfo(QFont(family)).family() != family) {

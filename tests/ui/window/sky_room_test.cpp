@@ -58,11 +58,6 @@ struct InThisLanguage : public ::testing::WithParamInterface<const char*>
 class SkyRoomTest : public InThisLanguage, public WindowFixture
 {
 protected:
-    SkyRoomTest()
-    {
-        window.setUpdatesEnabled(false);  // only the layout is judged
-    }
-
     // The contents of the column are not wider than the column, which scrolls only vertically.
     void expectRoomBeside(const std::string& where)
     {
