@@ -20,6 +20,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <cerrno>
 #include <cmath>
 #include <csignal>
 #include <memory>
@@ -135,8 +136,8 @@ TEST_F(JournalFileTest, ASecondProgramIsKeptOutAndToldByWhom)
     const Result<> refused = second.claim();
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().code, ErrorCode::Busy);
-    EXPECT_THAT(textOf(refused.error()),
-                StartsWith("journal_file_test (process " + std::to_string(getpid()) + ") already controls this mount"));
+    EXPECT_THAT(textOf(refused.error()), StartsWith(program_invocation_short_name + std::string(" (process ") +
+                                                    std::to_string(getpid()) + ") already controls this mount"));
     EXPECT_TRUE(JournalFile(m_dir.path(), QStringLiteral("other")).claim()) << "another mount";
 }
 
