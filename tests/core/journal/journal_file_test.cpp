@@ -20,6 +20,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <cmath>
 #include <csignal>
@@ -28,7 +29,7 @@
 
 namespace {
 
-int foldersSynced = 0;  // by any thread of this program
+std::atomic<int> foldersSynced = 0;  // by any thread of this program
 
 }  // namespace
 
