@@ -11,6 +11,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <chrono>
 #include <optional>
 
 namespace boresight {
@@ -18,6 +19,9 @@ namespace {
 
 using testing::HasSubstr;
 using testing::StartsWith;
+
+// The file is read by a thread.
+constexpr std::chrono::milliseconds kRealTime{20};
 
 class TableFolder : public testing::Test
 {
@@ -131,14 +135,14 @@ TEST_F(TableFolder, TheStationTracksAFile)
     MovingStation rig(folder.path());
     const QString bad = write("bad.txt", "az el\n");
     rig.station->request({.id = 1, .request = request::TrackFile{bad}});
-    const auto refused = rig.answerTo(1);
+    const auto refused = rig.answerTo(1, kRealTime);
     ASSERT_TRUE(refused && refused->error);
     EXPECT_EQ(textOf(*refused->error),
               bad.toStdString() + ":1: There is no row. A row is a time, an azimuth and an elevation.");
     EXPECT_FALSE(rig.station->status().tracked);
 
     rig.station->request({.id = 2, .request = request::TrackFile{write("way.txt", rowsFrom(rig.clock.utc()))}});
-    const auto accepted = rig.answerTo(2);
+    const auto accepted = rig.answerTo(2, kRealTime);
     ASSERT_TRUE(accepted);
     EXPECT_FALSE(accepted->error) << textOf(*accepted->error);
     ASSERT_TRUE(rig.station->status().tracked);
@@ -146,7 +150,7 @@ TEST_F(TableFolder, TheStationTracksAFile)
 
     rig.station->request({.id = 3, .request = request::TrackFile{folder.filePath(QStringLiteral("way.txt"))}});
     rig.station->request({.id = 4, .request = request::Hold{}});
-    const auto overtaken = rig.answerTo(3);
+    const auto overtaken = rig.answerTo(3, kRealTime);
     ASSERT_TRUE(overtaken && overtaken->error);
     EXPECT_THAT(textOf(*overtaken->error), HasSubstr("Another command came before the file was read."));
     rig.run(Seconds(1.0));
@@ -160,7 +164,7 @@ TEST_F(TableFolder, AClockThatIsSetDoesNotMoveWhatIsTracked)
     MovingStation rig(folder.path());
     rig.clock.setSynchronised(false);
     rig.station->request({.id = 1, .request = request::TrackFile{write("way.txt", rowsFrom(rig.clock.utc()))}});
-    const auto accepted = rig.answerTo(1);
+    const auto accepted = rig.answerTo(1, kRealTime);
     ASSERT_TRUE(accepted && !accepted->error);
     rig.run(Seconds(60.0));
     const auto azimuth = [&] { return rig.station->status().commanded->azimuth.degrees(); };

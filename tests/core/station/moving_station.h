@@ -5,7 +5,10 @@
 #include "tests/core/station/linked_station.h"
 #include "tests/fakes/wait_until.h"
 
+#include <QElapsedTimer>
+
 #include <algorithm>
+#include <chrono>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -36,12 +39,17 @@ struct MovingStation
             station->tick();
         }
     }
-    // The answer to the request with this number, once the station has answered.
-    std::optional<Answer> answerTo(std::uint64_t id)
+    // The answer to the request with this number, once the station has answered. An answer that waits for a thread
+    // needs `pace`, the real time between two ticks: else the station may lose its patience before the thread has run.
+    std::optional<Answer> answerTo(std::uint64_t id, std::chrono::milliseconds pace = {})
     {
         const auto found = [&] { return std::ranges::find(answers, id, &Answer::requestId); };
+        QElapsedTimer sinceTick;
         const bool isAnswered = fakes::waitUntil([&] {
-            run(Seconds(0.02));
+            if (!sinceTick.isValid() || sinceTick.elapsed() >= pace.count()) {
+                sinceTick.start();
+                run(Seconds(0.02));
+            }
             station->updateTaken();
             station->publish();
             return found() != answers.end();
