@@ -89,19 +89,26 @@ QString clockText(const QJsonValue& setBy)
                             : QString();
 }
 
-// An old speed is not shown. Empty: the station reads no wind, or runs on another computer.
+// An old speed is not shown.
+QString windReading(const QJsonObject& wind)
+{
+    const QJsonValue speed = wind[QStringLiteral("speed")];
+    if (!speed.isDouble()) {
+        return QStringLiteral("unknown, no reading yet");
+    }
+    const QString age = QString::number(wind[QStringLiteral("age")].toDouble(), 'f', 0);
+    return wind[QStringLiteral("silent")].toBool()
+               ? QStringLiteral("unknown, no reading for %1 s").arg(age)
+               : QStringLiteral("%1 m/s, %2 s old").arg(QString::number(speed.toDouble(), 'f', 1), age);
+}
+
+// Empty: the station reads no wind, or runs on another computer.
 QString windText(const QJsonObject& wind)
 {
     if (wind.isEmpty()) {
         return {};
     }
-    const QString age = QString::number(wind[QStringLiteral("age")].toDouble(), 'f', 0);
-    const QJsonValue speed = wind[QStringLiteral("speed")];
-    const bool isKnown = speed.isDouble() && !wind[QStringLiteral("silent")].toBool();
-    const QString reading = isKnown
-                                ? QStringLiteral("%1 m/s, %2 s old").arg(QString::number(speed.toDouble(), 'f', 1), age)
-                                : QStringLiteral("unknown, no reading for %1 s").arg(age);
-    QStringList parts{reading};
+    QStringList parts{windReading(wind)};
     if (const QString until = wind[QStringLiteral("overriddenUntil")].toString(); !until.isEmpty()) {
         parts << QStringLiteral("Motion is permitted until %1").arg(until);
     }

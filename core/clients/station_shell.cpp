@@ -68,7 +68,7 @@ Request requestOf(const local::LocalRequest& asked)
 QJsonObject windObject(const WindStatus& wind)
 {
     return {{QStringLiteral("speed"), wind.speed ? QJsonValue(*wind.speed) : QJsonValue()},
-            {QStringLiteral("age"), wind.age.count()},
+            {QStringLiteral("age"), wind.speed ? QJsonValue(wind.age.count()) : QJsonValue()},
             {QStringLiteral("silent"), wind.isSilent},
             {QStringLiteral("obstacle"), wind.obstacle},
             {QStringLiteral("overriddenUntil"),

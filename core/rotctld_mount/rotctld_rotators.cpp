@@ -71,7 +71,7 @@ RotatorOffer hamlibOffer()
             .onSerialPort = true,
             .network = "hamlib",
             .promise = {Text::tr("Boresight starts rotctld for this model, and ends it."),
-                        Text::tr("Connect asks rotctld for the limits and for the position. Boresight moves nothing. "
+                        Text::tr("Connect asks rotctld for the limits and for the position. Nothing moves. "
                                  "For some models rotctld sends a greeting to the box."),
                         Text::tr("Choose exactly the model that is on the port. Hamlib does not check it.")},
             .checks = {Text::tr("Check the power of the rotator, and the cable."),

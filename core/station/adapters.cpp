@@ -124,7 +124,7 @@ std::vector<Adapter> adaptersOf(const std::vector<SerialPortFacts>& ports,
     all.insert(all.end(), onBoard.begin(), onBoard.end());
     all.push_back({.bus = QStringLiteral("simulated"),
                    .name = Text::tr("Simulated mount"),
-                   .detail = Text::tr("built in, for trying Boresight without a mount"),
+                   .detail = Text::tr("built in, needs no hardware"),
                    .recognised = true,
                    .simulated = true});
     return all;

@@ -8392,8 +8392,8 @@ até %1</translation>
         <translation>Forma da resposta \dump_state. Todas as versões de Hamlib leem &quot;old_and_new&quot;. &quot;as_hamlib&quot; é exatamente a resposta de Hamlib 4.5.1 e posteriores.</translation>
     </message>
     <message>
-        <source>built in, for trying Boresight without a mount</source>
-        <translation>incluído, para experimentar o Boresight sem montagem</translation>
+        <source>built in, needs no hardware</source>
+        <translation>incluído, não precisa de equipamento</translation>
     </message>
     <message>
         <source>%1 moves the wrong way: it moved %5 in %4 instead of %2 (at %3)</source>
@@ -9048,8 +9048,8 @@ até %1</translation>
         <translation>Mover mesmo assim</translation>
     </message>
     <message>
-        <source>The mount parks. Boresight refuses every other motion</source>
-        <translation>A montagem estaciona. O Boresight recusa qualquer outro movimento</translation>
+        <source>The mount parks and stays parked. Boresight refuses every other motion</source>
+        <translation>A montagem estaciona e fica estacionada. O Boresight recusa qualquer outro movimento</translation>
     </message>
     <message>
         <source>Press Park now. If the mount must move elsewhere first, press Move anyway</source>
@@ -11224,8 +11224,8 @@ até %1</translation>
         <translation>Maior solavanco (jerk): a rapidez com que a aceleração pode mudar. Torna cada paragem mais longa em 2 × aceleração / jerk segundos.</translation>
     </message>
     <message>
-        <source>Connect asks rotctld for the limits and for the position. Boresight moves nothing. For some models rotctld sends a greeting to the box.</source>
-        <translation>Conectar pergunta ao rotctld os limites e a posição. O Boresight não move nada. Em alguns modelos o rotctld envia uma saudação à caixa.</translation>
+        <source>Connect asks rotctld for the limits and for the position. Nothing moves. For some models rotctld sends a greeting to the box.</source>
+        <translation>Conectar pergunta ao rotctld os limites e a posição. Nada se move. Em alguns modelos o rotctld envia uma saudação à caixa.</translation>
     </message>
     <message>
         <source>Nobody has confirmed the directions of the axes. Boresight moves the mount at most 2° at 5°/s, and only by a jog or by the command M of a client. Check that each axis turns in the direction of the profile. Then confirm the directions in the guide of the window, or run boresightctl confirm-directions PROFILE and start again.</source>
@@ -19211,8 +19211,8 @@ Para onde outro rotor aponta, segundo o seu rotctld: rotctld:10.0.0.7:4533</tran
         <translation>Estes termos passam a ser o que Aplicar põe em vigor</translation>
     </message>
     <message>
-        <source>Make the terms of a text file the proposal for Apply</source>
-        <translation>Fazer dos termos de um ficheiro de texto a proposta para Aplicar</translation>
+        <source>Read terms from a text file. Apply then uses them.</source>
+        <translation>Ler os termos de um ficheiro de texto. Aplicar usa-os depois.</translation>
     </message>
     <message>
         <source>The station has not reported its terms yet.</source>

@@ -111,8 +111,9 @@ TEST(StationReport, HasTheWind)
     wind[QStringLiteral("obstacle")] = QString();
     EXPECT_EQ(ends(wind), QStringLiteral("wind:     unknown, no reading for 45 s\n"));
     wind[QStringLiteral("speed")] = QJsonValue();
+    wind[QStringLiteral("age")] = QJsonValue();
     wind[QStringLiteral("silent")] = false;
-    EXPECT_EQ(ends(wind), QStringLiteral("wind:     unknown, no reading for 45 s\n"));
+    EXPECT_EQ(ends(wind), QStringLiteral("wind:     unknown, no reading yet\n"));
 }
 
 // REQ-CTL-305: After the clock of the computer was set, boresightctl status has a line about the clock while the

@@ -41,8 +41,8 @@ TermsBox::TermsBox(RequestDesk& desk, ValueLabel& notice, QWidget* parent)
       m_notice(notice),
       m_propose(new CommandButton(tr("Propose"), tr("Make these terms the proposal for Apply"), desk, notice, this)),
       m_reset(new CommandButton(tr("In force"), tr("Show the terms in force again"), desk, notice, this)),
-      m_import(new CommandButton(tr("Import …"), tr("Make the terms of a text file the proposal for Apply"), desk,
-                                 notice, this)),
+      m_import(new CommandButton(tr("Import …"), tr("Read terms from a text file. Apply then uses them."), desk, notice,
+                                 this)),
       m_export(new CommandButton(tr("Export …"), tr("Write the terms in force to a text file"), desk, notice, this))
 {
     m_propose->setAccessibleName(tr("Propose the typed terms"));

@@ -21,6 +21,7 @@ TEST(StationShell, ReportsTheWindAndOverridesIt)
     profile::Profile windy = rig.profile;
     windy.wind.source = "udp:4541";
     rig.setProfile(windy);
+    EXPECT_THAT(rig.answerTo("status\n"), HasSubstr(R"("age":null,)"));
     EXPECT_THAT(rig.answerTo("status\n"), HasSubstr(R"("speed":null)"));
     rig.control.takeWind(21.0);
     rig.run(Seconds(1.0));

@@ -85,7 +85,7 @@ TEST_F(WindStowTest, AStrongWindParksTheMount)
     const auto alarm = alarmOf("wind.parks");
     ASSERT_TRUE(alarm);
     EXPECT_EQ(alarm->what, QStringLiteral("The wind reached 17.0 m/s. The limit is 15.0 m/s."));
-    EXPECT_EQ(alarm->action, QStringLiteral("The mount parks. Boresight refuses every other motion."));
+    EXPECT_EQ(alarm->action, QStringLiteral("The mount parks and stays parked. Boresight refuses every other motion."));
     EXPECT_EQ(alarm->help, AlarmHelp::OverrideWind);
     blow(17.0, Seconds(60.0));
     EXPECT_EQ(rig.state(), StationState::Parked);
