@@ -27,9 +27,9 @@ constexpr int kCardMargin = 12;               // px
 constexpr int kCardSymbol = 12;               // px
 constexpr double kCardRadius = 6.0;           // px
 constexpr int kAlarmEnds = 8;                 // px
-constexpr int kLowAlarmEnds = 4;              // px
+constexpr int kTightAlarmEnds = 4;            // px
 constexpr int kAlarmSpacing = 4;              // px
-constexpr int kLowAlarmSpacing = 2;           // px
+constexpr int kTightAlarmSpacing = 2;         // px
 constexpr double kCardTint = 0.09;            // of the alarm's colour in the background
 
 QFont boldOf(QFont font)
@@ -227,15 +227,15 @@ void AlarmCard::build()
     column->addWidget(m_advice);
     column->addWidget(m_notice);
     column->addLayout(buttons);
-    setLow(false);
+    setTight(false);
 }
 
-void AlarmCard::setLow(bool low)
+void AlarmCard::setTight(bool tight)
 {
-    const int ends = low ? kLowAlarmEnds : kAlarmEnds;
-    m_what->setFont(boldOf(low ? fonts::label() : fonts::text()));
+    const int ends = tight ? kTightAlarmEnds : kAlarmEnds;
+    m_what->setFont(boldOf(tight ? fonts::label() : fonts::text()));
     layout()->setContentsMargins(2 * kCardMargin + kCardSymbol, ends, kCardMargin, ends);
-    layout()->setSpacing(low ? kLowAlarmSpacing : kAlarmSpacing);
+    layout()->setSpacing(tight ? kTightAlarmSpacing : kAlarmSpacing);
 }
 
 // An alarm that was acknowledged has been read. The choice is still open. An alarm that has ended asks for nothing but

@@ -41,8 +41,9 @@ public:
     // Shows a text for some seconds in the place of a refusal.
     void sayForAWhile(const QString& what, SteadyTime now);
     void acknowledge();  // F8
-    // For a low window: smaller letters for what happened, and less space around the text. No text is left out.
-    void setLow(bool low);
+    // For a low window or a long text: smaller letters for what happened, and less space around the text. No text is
+    // left out.
+    void setTight(bool tight);
     void setForm(AlarmForm form);
     [[nodiscard]] int heightWith(AlarmForm form, int width) const;
 

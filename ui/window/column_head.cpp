@@ -10,6 +10,7 @@
 
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <array>
 
 namespace boresight::ui {
@@ -54,7 +55,6 @@ void ColumnHead::showStatus(const StationStatus& status)
 void ColumnHead::setRoom(QSize window)
 {
     m_window = window;
-    m_alarms.setLow(isLow(window));
     arrange();
 }
 
@@ -63,15 +63,23 @@ int ColumnHead::heightOfAlarm(AlarmForm form) const
     return m_alarms.isHidden() ? 0 : m_alarms.heightWith(form, width()) + layout()->spacing();
 }
 
-// The most complete arrangement that fits into the room without an alarm.
+// A long alarm is in smaller letters before it leaves out a sentence.
 void ColumnHead::arrange()
 {
-    struct Arrangement
-    {
-        Numerals numerals;
-        bool sensor;
-        AlarmForm alarm = AlarmForm::Lines;
-    };
+    m_alarms.setTight(isLow(m_window));
+    Arrangement best = mostCompleteArrangement();
+    if (best.alarm == AlarmForm::Remedy) {
+        m_alarms.setTight(true);
+        best = mostCompleteArrangement();
+    }
+    m_axes->setNumerals(best.numerals);
+    m_sensor->setRoom(best.sensor);
+    m_alarms.setForm(best.alarm);
+}
+
+// It fits into the room without an alarm.
+ColumnHead::Arrangement ColumnHead::mostCompleteArrangement()
+{
     const Numerals usual = numeralsFor(m_window);
     const int sensor = m_sensor->isConfigured() ? m_sensor->sizeHint().height() + layout()->spacing() : 0;
     const int antenna = m_antenna->hasChoice() ? m_antenna->sizeHint().height() + layout()->spacing() : 0;
@@ -87,17 +95,10 @@ void ColumnHead::arrange()
                                   Arrangement{Numerals::Bare, false, AlarmForm::Flowing},
                                   Arrangement{Numerals::Bare, false, AlarmForm::Remedy}};
     const int room = height(arrangements.front()) + (isLow(m_window) ? kKeptForAlarms : 0);
-    Arrangement best = arrangements.back();
-    for (const Arrangement& one : arrangements) {
-        if (heightOfAlarm(one.alarm) + height(one) <= room) {
-            best = one;
-            break;
-        }
-    }
     setMinimumSize(m_axes->sizeWith(usual).width(), room);
-    m_axes->setNumerals(best.numerals);
-    m_sensor->setRoom(best.sensor);
-    m_alarms.setForm(best.alarm);
+    const auto* const fits = std::ranges::find_if(
+        arrangements, [&](const Arrangement& one) { return heightOfAlarm(one.alarm) + height(one) <= room; });
+    return fits == arrangements.end() ? arrangements.back() : *fits;
 }
 
 }  // namespace boresight::ui

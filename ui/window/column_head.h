@@ -2,6 +2,8 @@
 #pragma once
 
 #include "core/messages/station_status.h"
+#include "ui/window/alarm_card.h"
+#include "ui/window/axis_readout.h"
 
 #include <QWidget>
 
@@ -10,13 +12,10 @@
 // from the readouts, which get smaller. The longest alarms leave out a sentence. Gui thread.
 namespace boresight::ui {
 
-class AlarmCard;
 class AntennaRow;
-class AxisReadout;
 class RequestDesk;
 class SensorReadout;
 class WindReadout;
-enum class AlarmForm;
 
 class ColumnHead : public QWidget
 {
@@ -32,7 +31,15 @@ Q_SIGNALS:
     void antennasWanted();  // opens the page where they are edited
 
 private:
+    struct Arrangement
+    {
+        Numerals numerals;
+        bool sensor;
+        AlarmForm alarm = AlarmForm::Lines;
+    };
+
     void arrange();
+    [[nodiscard]] Arrangement mostCompleteArrangement();
     [[nodiscard]] int heightOfAlarm(AlarmForm form) const;
 
     AlarmCard& m_alarms;

@@ -147,6 +147,17 @@ TEST_F(ColumnHeadTest, ARefusalDoesNotMoveTheTabs)
     }
 }
 
+// Story: at 1280×800 some alarms left out a sentence that 1024×700 showed.
+// REQ-UI-1775: At 1280×800 each alarm of the catalogue is whole. A long one is in smaller letters.
+TEST_F(ColumnHeadTest, EachAlarmIsWholeInTheUsualWindow)
+{
+    window.resize(1280, 800);
+    for (const AlarmEntry* const entry : alarmCatalogue()) {
+        tabs(samples::alarmed(*entry));
+        EXPECT_FALSE(named<QPushButton>("Whole alarm")->isVisible()) << entry->id;
+    }
+}
+
 // REQ-UI-1570: If the longest alarms have no room for three sentences, the card leaves out what Boresight did. Its
 // button More opens the complete alarm in the log. The time is in the log, too.
 TEST_F(ColumnHeadTest, TheLongestAlarmIsWholeBehindMore)
