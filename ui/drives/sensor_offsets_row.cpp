@@ -10,7 +10,7 @@
 namespace boresight::ui {
 
 namespace {
-constexpr int kLinesOfOffsets = 2;
+constexpr int kLinesOfOffsets = 3;
 }
 
 SensorOffsetsRow::SensorOffsetsRow(ProfileDraft& draft, RequestDesk& desk, ValueLabel& notice, QWidget* parent)

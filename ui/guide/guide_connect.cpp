@@ -104,6 +104,7 @@ GuideConnect::GuideConnect(ProfileChange& change, RequestDesk& desk, HostDesk& h
     connect(m_use, &QPushButton::clicked, this, &GuideConnect::use);
     connect(m_choice, &RotatorChoice::changed, this, &GuideConnect::showButtons);
     connect(m_list, &QListWidget::currentRowChanged, this, &GuideConnect::showButtons);
+    connect(m_boards, &AskingPanel::currentChanged, this, &GuideConnect::showButtons);
     connect(&m_host, &HostDesk::adaptersFound, this, &GuideConnect::showAdapters);
     connect(&m_host, &HostDesk::scanned, this, &GuideConnect::showResult);
 }
@@ -220,9 +221,12 @@ void GuideConnect::showButtons()
     const QString bus = selectedBus();
     const bool inUse = bus == busInUse();
     const bool listed = m_choice->isListed();
-    m_list->setVisible(listed);
-    m_scan->setVisible(listed);
-    m_refresh->setVisible(listed || m_choice->onSerialPort());
+    const bool asks = m_boards->isAsking();  // the question about a board has all the room
+    m_choice->setHidden(asks);
+    m_use->setHidden(asks);
+    m_list->setVisible(listed && !asks);
+    m_scan->setVisible(listed && !asks);
+    m_refresh->setVisible((listed || m_choice->onSerialPort()) && !asks);
     const QString none = !listed         ? m_choice->whyIncomplete()
                          : bus.isEmpty() ? tr("Select an adapter first.")
                                          : QString();

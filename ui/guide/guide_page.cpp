@@ -14,11 +14,13 @@
 #include "ui/guide/step_button.h"
 #include "ui/kit/axes.h"
 #include "ui/kit/command_button.h"
+#include "ui/kit/focus_scroll.h"
 #include "ui/kit/page_room.h"
 #include "ui/kit/push_button.h"
 #include "ui/kit/value_label.h"
 
 #include <QButtonGroup>
+#include <QScrollArea>
 #include <QShortcut>
 #include <QStackedWidget>
 #include <QVBoxLayout>
@@ -152,8 +154,8 @@ void GuidePage::build()
     keepHeightOfShownPage(*m_pages);
     column->addLayout(steps);
     column->addWidget(m_title);
-    column->addWidget(m_hint);  // shown in place of the title
-    column->addWidget(m_pages, 1);
+    column->addWidget(m_hint);                               // shown in place of the title
+    column->addWidget(makeFocusScroll(*m_pages, *this), 1);  // the steps and the buttons stay in sight
     column->addLayout(row);
 }
 

@@ -16,7 +16,10 @@ QScrollArea* makeFocusScroll(QWidget& page, QWidget& parent)
     scroll->setWidgetResizable(true);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll->setFocusPolicy(Qt::NoFocus);
+    scroll->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored);  // content with as little height as there is
     scroll->setWidget(&page);
+    page.setAutoFillBackground(false);  // the card below shows through
+    scroll->viewport()->setAutoFillBackground(false);
     scroll->setMinimumWidth(page.minimumSizeHint().width() + scroll->verticalScrollBar()->sizeHint().width());
     QObject::connect(qApp, &QApplication::focusChanged, scroll, [scroll](const QWidget* before, QWidget* now) {
         const bool isControl = before != nullptr && now != nullptr && now->focusPolicy() != Qt::NoFocus;

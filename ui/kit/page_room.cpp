@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/kit/page_room.h"
 
+#include "ui/kit/focus_scroll.h"
+
+#include <QScrollArea>
 #include <QStackedWidget>
 #include <QTabWidget>
 
@@ -16,6 +19,12 @@ void giveHeightToShownPage(const QStackedWidget& pages)
     }
 }
 
+QWidget* pageOf(QWidget* inTab)
+{
+    const auto* const scroll = qobject_cast<QScrollArea*>(inTab);
+    return scroll != nullptr ? scroll->widget() : inTab;
+}
+
 }  // namespace
 
 void keepHeightOfShownPage(QStackedWidget& pages)
@@ -24,11 +33,24 @@ void keepHeightOfShownPage(QStackedWidget& pages)
     QObject::connect(&pages, &QStackedWidget::currentChanged, &pages, [&pages] { giveHeightToShownPage(pages); });
 }
 
-void keepHeightOfShownPage(QTabWidget& tabs)
+int addScrollingPage(QTabWidget& tabs, QWidget& page, const QString& text)
 {
-    auto* const pages = tabs.findChild<QStackedWidget*>(QString(), Qt::FindDirectChildrenOnly);
-    Q_ASSERT(pages != nullptr);
-    keepHeightOfShownPage(*pages);
+    return tabs.addTab(makeFocusScroll(page, tabs), text);
+}
+
+int tabOf(const QTabWidget& tabs, const QWidget& page)
+{
+    for (int tab = 0; tab < tabs.count(); ++tab) {
+        if (pageOf(tabs.widget(tab)) == &page) {
+            return tab;
+        }
+    }
+    return -1;
+}
+
+QWidget* shownPage(const QTabWidget& tabs)
+{
+    return pageOf(tabs.currentWidget());
 }
 
 }  // namespace boresight::ui

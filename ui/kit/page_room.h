@@ -2,13 +2,20 @@
 #pragma once
 
 class QStackedWidget;
+class QString;
 class QTabWidget;
+class QWidget;
 
 // Only the visible page needs height, so a panel never scrolls because of a hidden page. The width is that of the
 // widest page, so that nothing moves when another page is shown. Gui thread.
 namespace boresight::ui {
 
 void keepHeightOfShownPage(QStackedWidget& pages);
-void keepHeightOfShownPage(QTabWidget& tabs);
+
+// Adds a page that scrolls in a low window while the tabs stay in sight. Returns its tab.
+int addScrollingPage(QTabWidget& tabs, QWidget& page, const QString& text);
+// The tab of a page, whether it scrolls or not. -1: it is not one of these pages.
+[[nodiscard]] int tabOf(const QTabWidget& tabs, const QWidget& page);
+[[nodiscard]] QWidget* shownPage(const QTabWidget& tabs);
 
 }  // namespace boresight::ui

@@ -27,6 +27,7 @@ CalibrationPanel::CalibrationPanel(const Clock& clock, RequestDesk& desk, Profil
 {
     m_steps->setFont(fonts::label());
     m_steps->setDocumentMode(true);
+    m_steps->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);  // a low window scrolls the page of the step
     m_steps->setAccessibleName(tr("Steps of finding north"));
     connect(m_sensor, &SensorPage::settingsWanted, this, &CalibrationPanel::settingsWanted);
     addStep(*m_sensor, tr("1 Sensor"), tr("North from the sensor while the mount stands still, to a few degrees"));
@@ -34,7 +35,6 @@ CalibrationPanel::CalibrationPanel(const Clock& clock, RequestDesk& desk, Profil
     addStep(*m_body, tr("3 Sun/Moon"), tr("Points of known direction: Sun, Moon, a landmark, the peak of the power"));
     addStep(*m_model, tr("4 Model"), tr("The pointing model of these points, with their residuals"));
     addStep(*m_history, tr("5 History"), tr("What was applied before"));
-    keepHeightOfShownPage(*m_steps);
     connect(m_bar, &CalibrationBar::confirmationWanted, this,
             [this](const Question& question) { askFirst(question, m_status); });
     auto* const column = new QVBoxLayout(&controls());
@@ -44,9 +44,10 @@ CalibrationPanel::CalibrationPanel(const Clock& clock, RequestDesk& desk, Profil
     column->addWidget(m_bar);
 }
 
+// Only the page scrolls in a low window. The tabs and the bar with Apply stay in sight.
 void CalibrationPanel::addStep(QWidget& page, const QString& name, const QString& help)
 {
-    m_steps->setTabToolTip(m_steps->addTab(&page, name), help);
+    m_steps->setTabToolTip(addScrollingPage(*m_steps, page, name), help);
 }
 
 void CalibrationPanel::showStatus(const StationStatus& status)

@@ -35,7 +35,7 @@ public:
     [[nodiscard]] double lowest() const { return m_lowest; }
     [[nodiscard]] double highest() const { return m_highest; }
 
-    [[nodiscard]] QSize minimumSizeHint() const override { return {200, 66}; }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {200, 110}; }
     [[nodiscard]] QSize sizeHint() const override { return {300, 140}; }
 
 protected:

@@ -79,7 +79,7 @@ HelpPage::HelpPage(QWidget* parent) : QDialog(parent)
     setWindowTitle(tr("Keys"));
     auto* const grid = new QGridLayout(this);
     grid->setHorizontalSpacing(3 * kGrid);
-    grid->setVerticalSpacing(2);
+    grid->setVerticalSpacing(1);
     int row = 0;
     for (const Line& line : kLines) {
         if (line.key == nullptr) {

@@ -10,7 +10,6 @@
 #include "ui/jog/places_bar.h"
 #include "ui/kit/accessibility.h"
 #include "ui/kit/focus_frame.h"
-#include "ui/kit/focus_scroll.h"
 #include "ui/kit/format.h"
 #include "ui/kit/theme.h"
 #include "ui/kit/value_label.h"
@@ -44,10 +43,11 @@
 #include <QGridLayout>
 #include <QIcon>
 #include <QResizeEvent>
-#include <QScrollArea>
+#include <QScreen>
 #include <QShortcut>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <memory>
 
 namespace boresight::ui {
@@ -192,8 +192,7 @@ QWidget* MainWindow::makeSide(QWidget& ground)
     column->addWidget(m_head);
     // The guide needs the room and moves the mount by its own buttons.
     connect(m_side, &GuideRoom::guideShown, m_places, &QWidget::setHidden);
-    // While an alarm takes room in a low window, the panel scrolls.
-    column->addWidget(makeFocusScroll(*m_side, *side), 1);
+    column->addWidget(m_side, 1);
     column->addWidget(m_places);
     m_lastCommand->setStretching(true);
     m_lastCommand->setBySentences(true);
@@ -438,11 +437,17 @@ void MainWindow::showHelp()
     showBelowHead(*m_help);
 }
 
-// Never over STOP, the state, the alarm or the numbers.
+// Never over STOP and the state, and below the alarm and the numbers while the screen has room there. Beyond its edge
+// nobody could read the page to its end or press Close.
 void MainWindow::showBelowHead(QWidget& page)
 {
-    page.move(mapToGlobal(QPoint(0, m_head->mapTo(this, m_head->rect().bottomLeft()).y())));
-    page.show();
+    const auto placeOf = [this](const QWidget& part, QPoint corner) {
+        return mapToGlobal(part.mapTo(this, corner)).y();
+    };
+    page.show();  // now it has its size and its frame
+    const int lowest = screen()->availableGeometry().bottom() + 1 - page.frameGeometry().height();
+    const int below = placeOf(*m_head, m_head->rect().bottomLeft());
+    page.move(mapToGlobal(QPoint()).x(), std::max(std::min(below, lowest), placeOf(*m_plot, {})));
     page.raise();
     page.activateWindow();
 }

@@ -24,8 +24,6 @@
 #include "ui/tuning/tuning_panel.h"
 
 #include <QEvent>
-#include <QScrollArea>
-#include <QScrollBar>
 #include <QShortcut>
 #include <QStyle>
 #include <QTabBar>
@@ -72,12 +70,13 @@ PanelTabs::PanelTabs(const Clock& clock, RequestDesk& desk, HostDesk& host, Prof
              Qt::Key_4);
     addPanel(*this, *m_log, tr("Log"), tr("Log panel (Ctrl+5)"), Qt::Key_5);
     addTab(m_mountTabs, tr("Mount"));
-    addPanel(*this, *m_north, tr("North"), tr("Finding north: sensor, swing, Sun and Moon (Ctrl+9)"), Qt::Key_9);
+    setTabToolTip(addTab(m_north, tr("North")), tr("Finding north: sensor, swing, Sun and Moon (Ctrl+9)"));
+    giveKey(*m_north, Qt::Key_9);
     fillPassesTabs();
     fillMountTabs();
     addTurnPage();
     showIcons(true);
-    keepHeightOfShownPage(*this);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);  // in a low window the page scrolls
     const auto openSettings = [this](const QString& words) {
         bringUp(*m_profile);
         m_profile->seek(words);
@@ -93,7 +92,7 @@ void PanelTabs::showIcons(bool on)
                                                 {m_clients, Glyph::Clients}, {m_log, Glyph::Log},
                                                 {m_mountTabs, Glyph::Mount}, {m_north, Glyph::North}};
     for (const auto& [panel, glyph] : icons) {
-        setTabIcon(indexOf(panel), on ? glyphIcon(glyph) : QIcon());
+        setTabIcon(tabOf(*this, *panel), on ? glyphIcon(glyph) : QIcon());
     }
 }
 
@@ -104,25 +103,12 @@ void PanelTabs::spaceTabs(int space)
     setIconSize({size, size});  // this lays the tabs out
 }
 
-// The room beside a scroll bar, whether the bar is there or not. Otherwise the tabs would move when it comes and goes.
-int PanelTabs::roomForTabs() const
-{
-    for (QWidget* above = parentWidget(); above != nullptr; above = above->parentWidget()) {
-        if (const auto* const scroll = qobject_cast<QScrollArea*>(above)) {
-            const int most = scroll->width() - scroll->verticalScrollBar()->sizeHint().width();
-            return std::min(width(), std::max(most, 0));
-        }
-    }
-    return width();
-}
-
 bool PanelTabs::fitTabsWith(bool icons, int leastSpace)
 {
     showIcons(icons);
-    const int room = roomForTabs();
     for (int space = kTabSpace; space >= leastSpace; space -= 2) {
         spaceTabs(space);
-        if (tabBar()->sizeHint().width() <= room) {
+        if (tabBar()->sizeHint().width() <= width()) {
             return true;
         }
     }
@@ -145,7 +131,7 @@ void PanelTabs::resizeEvent(QResizeEvent* event)
 
 void PanelTabs::addTurnPage()
 {
-    const int tab = addTab(m_turn, tr("▲ Wrap?"));
+    const int tab = addScrollingPage(*this, *m_turn, tr("▲ Wrap?"));
     setTabToolTip(tab, tr("Where is the axis now? (Ctrl+9)"));
     setTabVisible(tab, false);
     tabBar()->setTabTextColor(tab, currentTheme().warning);
@@ -165,29 +151,33 @@ QTabWidget* PanelTabs::makeGroup(const QString& name)
 void PanelTabs::fillPassesTabs()
 {
     addPanel(*m_passesTabs, *m_passes, tr("Coming"), tr("Coming passes of satellites (Ctrl+T)"), Qt::Key_T);
-    m_passesTabs->setTabToolTip(m_passesTabs->addTab(m_schedule, tr("Schedule")),
+    m_passesTabs->setTabToolTip(addScrollingPage(*m_passesTabs, *m_schedule, tr("Schedule")),
                                 tr("The passes that the mount tracks by itself"));
-    m_passesTabs->setTabToolTip(m_passesTabs->addTab(m_targets, tr("Moon, Sun, others")),
+    m_passesTabs->setTabToolTip(addScrollingPage(*m_passesTabs, *m_targets, tr("Moon, Sun, others")),
                                 tr("Targets other than satellites"));
-    keepHeightOfShownPage(*m_passesTabs);
 }
 
 void PanelTabs::fillMountTabs()
 {
     addPanel(*m_mountTabs, *m_drives, tr("Drives"), tr("Drives, bus and crash-stop test (Ctrl+6)"), Qt::Key_6);
-    m_mountTabs->setTabToolTip(m_mountTabs->addTab(m_readings, tr("Readings")), tr("What the drives report now"));
+    m_mountTabs->setTabToolTip(addScrollingPage(*m_mountTabs, *m_readings, tr("Readings")),
+                               tr("What the drives report now"));
     addPanel(*m_mountTabs, *m_protection, tr("Protection"), tr("Safety settings of the drives (Ctrl+7)"), Qt::Key_7);
-    m_mountTabs->setTabToolTip(m_mountTabs->addTab(m_tuning, tr("Tuning")),
+    m_mountTabs->setTabToolTip(addScrollingPage(*m_mountTabs, *m_tuning, tr("Tuning")),
                                tr("Measure the axes and tune the gains of the drives"));
-    m_mountTabs->setTabToolTip(m_mountTabs->addTab(m_console, tr("Console")),
+    m_mountTabs->setTabToolTip(addScrollingPage(*m_mountTabs, *m_console, tr("Console")),
                                tr("Type a line to the control box, or make a home run"));
     addPanel(*m_mountTabs, *m_profile, tr("Profile"), tr("All settings, and the stored mounts (Ctrl+8)"), Qt::Key_8);
-    keepHeightOfShownPage(*m_mountTabs);
 }
 
 void PanelTabs::addPanel(QTabWidget& tabs, QWidget& panel, const QString& text, const QString& help, Qt::Key key)
 {
-    tabs.setTabToolTip(tabs.addTab(&panel, text), help);
+    tabs.setTabToolTip(addScrollingPage(tabs, panel, text), help);
+    giveKey(panel, key);
+}
+
+void PanelTabs::giveKey(QWidget& panel, Qt::Key key)
+{
     m_keys[key - Qt::Key_0] = &panel;
     auto* const shortcut = new QShortcut(Qt::CTRL | key, window());  // also while the guide is shown in our place
     shortcut->setContext(Qt::WindowShortcut);
@@ -205,12 +195,12 @@ void PanelTabs::bringUp(QWidget& panel)
 {
     for (int page = 0; page < count(); ++page) {
         auto* const group = qobject_cast<QTabWidget*>(widget(page));
-        const int inside = group != nullptr ? group->indexOf(&panel) : -1;
-        const bool isShown = widget(page) == &panel || (inside >= 0 && group->isTabVisible(inside));
+        const int inside = group != nullptr ? tabOf(*group, panel) : -1;
+        const bool isShown = tabOf(*this, panel) == page || (inside >= 0 && group->isTabVisible(inside));
         if (isTabVisible(page) && isShown) {
             setCurrentIndex(page);
             if (group != nullptr) {
-                group->setCurrentWidget(&panel);
+                group->setCurrentIndex(inside);
             }
             Q_EMIT broughtUp();
         }
@@ -219,10 +209,10 @@ void PanelTabs::bringUp(QWidget& panel)
 
 void PanelTabs::offerCharts(bool on)
 {
-    if (!on && currentWidget() == m_charts) {
-        setCurrentWidget(m_jog);
+    if (!on && shownPage(*this) == m_charts) {
+        setCurrentIndex(tabOf(*this, *m_jog));
     }
-    setTabVisible(indexOf(m_charts), on);
+    setTabVisible(tabOf(*this, *m_charts), on);
     fitTabs();
 }
 
@@ -250,7 +240,7 @@ void PanelTabs::open(AlarmHelp help)
             bringUp(*m_profile);
             break;
         case AlarmHelp::OpenHomeRun:
-            bringUp(m_mountTabs->isTabVisible(m_mountTabs->indexOf(m_console)) ? static_cast<QWidget&>(*m_console)
+            bringUp(m_mountTabs->isTabVisible(tabOf(*m_mountTabs, *m_console)) ? static_cast<QWidget&>(*m_console)
                                                                                : *m_profile);
             break;
         case AlarmHelp::None:
@@ -281,9 +271,9 @@ void PanelTabs::bringUp(int key)
 
 WindowLayout PanelTabs::arrangement() const
 {
-    const int mountPanel = keyOf(m_mountTabs->currentWidget());
+    const int mountPanel = keyOf(shownPage(*m_mountTabs));
     const auto* const group = qobject_cast<const QTabWidget*>(currentWidget());
-    return {.panel = keyOf(group != nullptr ? group->currentWidget() : currentWidget()),
+    return {.panel = keyOf(shownPage(group != nullptr ? *group : *this)),
             .mountPanel = mountPanel,
             .charts = m_charts->charts().choice(),
             .passes = m_passes->arrangement()};
@@ -301,7 +291,7 @@ void PanelTabs::arrange(const WindowLayout& layout)
 void PanelTabs::changeEvent(QEvent* event)
 {
     if (event->type() == QEvent::PaletteChange) {
-        tabBar()->setTabTextColor(indexOf(m_turn), currentTheme().warning);
+        tabBar()->setTabTextColor(tabOf(*this, *m_turn), currentTheme().warning);
     }
     QTabWidget::changeEvent(event);
 }
@@ -332,7 +322,7 @@ void PanelTabs::showStatus(const StationStatus& status)
 void PanelTabs::showMountTabs(const StationStatus& status)
 {
     const auto offer = [this](QWidget* panel, bool on) {
-        const int tab = m_mountTabs->indexOf(panel);
+        const int tab = tabOf(*m_mountTabs, *panel);
         if (m_mountTabs->isTabVisible(tab) != on) {
             m_mountTabs->setTabVisible(tab, on);  // this lays the tabs out each time
         }
@@ -350,16 +340,18 @@ void PanelTabs::showQuestion(const StationStatus& status)
         return;
     }
     m_asking = asking;
+    const int turn = tabOf(*this, *m_turn);
+    const int north = tabOf(*this, *m_north);
     if (asking) {
-        setTabVisible(indexOf(m_north), false);
-        setTabVisible(indexOf(m_turn), true);
-        setCurrentWidget(m_turn);
+        setTabVisible(north, false);
+        setTabVisible(turn, true);
+        setCurrentIndex(turn);
     } else {
-        if (currentWidget() == m_turn) {
-            setCurrentWidget(m_jog);
+        if (currentIndex() == turn) {
+            setCurrentIndex(tabOf(*this, *m_jog));
         }
-        setTabVisible(indexOf(m_turn), false);
-        setTabVisible(indexOf(m_north), true);
+        setTabVisible(turn, false);
+        setTabVisible(north, true);
     }
     fitTabs();
 }

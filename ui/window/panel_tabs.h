@@ -70,10 +70,10 @@ protected:
 private:
     void showIcons(bool on);
     void spaceTabs(int space);
-    [[nodiscard]] int roomForTabs() const;
     bool fitTabsWith(bool icons, int leastSpace);
     void fitTabs();
     void addPanel(QTabWidget& tabs, QWidget& panel, const QString& text, const QString& help, Qt::Key key);
+    void giveKey(QWidget& panel, Qt::Key key);
     void bringUpByKey(QWidget& panel);
     [[nodiscard]] QTabWidget* makeGroup(const QString& name);
     void fillPassesTabs();

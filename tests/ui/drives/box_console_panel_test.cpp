@@ -3,6 +3,7 @@
 
 #include "tests/ui/drives/drives_fixture.h"
 #include "tests/ui/sample_permissions.h"
+#include "ui/kit/page_room.h"
 #include "ui/kit/value_label.h"
 
 #include <QLineEdit>
@@ -23,9 +24,9 @@ TEST_F(DrivesTest, ALineIsTypedToTheControlBox)
 {
     const QTabWidget& mount = *named<QTabWidget>("The mount itself");
     auto* const panel = window.findChild<BoxConsolePanel*>();
-    EXPECT_FALSE(mount.isTabVisible(mount.indexOf(panel)));
+    EXPECT_FALSE(mount.isTabVisible(tabOf(mount, *panel)));
     give(samples::update(withConsole({})));
-    EXPECT_TRUE(mount.isTabVisible(mount.indexOf(panel)));
+    EXPECT_TRUE(mount.isTabVisible(tabOf(mount, *panel)));
     open<BoxConsolePanel>();
 
     auto* const line = named<QLineEdit>("Line for the control box");

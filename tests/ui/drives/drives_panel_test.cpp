@@ -5,6 +5,7 @@
 #include "ui/drives/protection_panel.h"
 #include "ui/drives/turn_page.h"
 #include "ui/jog/jog_panel.h"
+#include "ui/kit/page_room.h"
 #include "ui/log/log_panel.h"
 #include "ui/north/calibration_panel.h"
 
@@ -34,7 +35,7 @@ TEST_F(DrivesTest, KeysOpenThePanels)
 TEST_F(DrivesTest, AMountWithoutSuchDrivesHasNoPanelsForThem)
 {
     const QTabWidget& mount = *named<QTabWidget>("The mount itself");
-    const auto isOffered = [&](QWidget* panel) { return mount.isTabVisible(mount.indexOf(panel)); };
+    const auto isOffered = [&](QWidget* panel) { return mount.isTabVisible(tabOf(mount, *panel)); };
     auto* const drives = window.findChild<DrivesPanel*>();
     auto* const protection = window.findChild<ProtectionPanel*>();
     EXPECT_TRUE(isOffered(drives));

@@ -6,6 +6,7 @@
 #include "ui/hold/jog_pad.h"
 #include "ui/kit/command_button.h"
 #include "ui/kit/format.h"
+#include "ui/kit/page_room.h"
 #include "ui/sky/sky_markers.h"
 #include "ui/window/stop_button.h"
 
@@ -63,17 +64,17 @@ protected:
 // answers for one axis.
 TEST_F(TurnTest, OpensByItselfOnceAndWaitsBehindItsTab)
 {
-    EXPECT_FALSE(panels().isTabVisible(panels().indexOf(&page())));
+    EXPECT_FALSE(panels().isTabVisible(tabOf(panels(), page())));
     give(samples::update(fewPlaces()));
-    EXPECT_EQ(panels().currentWidget(), &page());
+    EXPECT_EQ(shownPage(panels()), &page());
     openPanel('1');
     give(samples::update(fewPlaces()));
     EXPECT_EQ(panels().currentIndex(), 0) << "it does not come back by itself";
     openPanel('9');
-    EXPECT_EQ(panels().currentWidget(), &page());
+    EXPECT_EQ(shownPage(panels()), &page());
     give(samples::update(samples::idle()));
     EXPECT_EQ(panels().currentIndex(), 0);
-    EXPECT_FALSE(panels().isTabVisible(panels().indexOf(&page())));
+    EXPECT_FALSE(panels().isTabVisible(tabOf(panels(), page())));
 }
 
 // REQ-UI-14

@@ -7,6 +7,7 @@
 #include "ui/guide/guide_connect.h"
 #include "ui/guide/step_picture.h"
 
+#include <QListWidget>
 #include <QPlainTextEdit>
 
 // Boards with factory settings: both have the same id, and no gear ratio.
@@ -61,6 +62,10 @@ TEST_F(GuideBoardsTest, TheBoardThatIsAloneGetsItsIdAfterAConfirmation)
         named = named || text->toPlainText().contains(kBoardUuid);
     }
     EXPECT_TRUE(named);
+    // Story: the question was below the list of adapters, and its buttons were out of sight.
+    EXPECT_FALSE(guide().findChild<QListWidget*>()->isVisible());
+    const auto& write = inGuide<QPushButton>("Write");
+    EXPECT_EQ(write.visibleRegion(), QRegion(write.rect()));
     click("Write");
     ASSERT_EQ(asked<request::AssignBoard>().size(), 1u);
     EXPECT_EQ(asked<request::AssignBoard>().front().board, kBoardUuid);

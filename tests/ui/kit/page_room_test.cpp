@@ -31,13 +31,22 @@ TEST(PageRoom, OnlyTheShownPageAsksForHeight)
     EXPECT_EQ(pages.minimumSizeHint(), QSize(400, 100));
     pages.setCurrentIndex(1);
     EXPECT_EQ(pages.minimumSizeHint().height(), 400);
+}
 
+// REQ-UI-1776: A page behind a tab scrolls by itself, needs no height, and is found by its tab.
+TEST(PageRoom, AScrollingPageNeedsNoHeight)
+{
     QTabWidget tabs;
-    tabs.addTab(new TallPage(100), QStringLiteral("low"));
-    tabs.addTab(new TallPage(400), QStringLiteral("high"));
-    const int both = tabs.minimumSizeHint().height();
-    keepHeightOfShownPage(tabs);
-    EXPECT_EQ(both - tabs.minimumSizeHint().height(), 300);
+    auto* const low = new TallPage(100);
+    auto* const high = new TallPage(400);
+    EXPECT_EQ(addScrollingPage(tabs, *low, QStringLiteral("low")), 0);
+    EXPECT_EQ(addScrollingPage(tabs, *high, QStringLiteral("high")), 1);
+    EXPECT_LT(tabs.minimumSizeHint().height(), 150);
+    EXPECT_GE(tabs.minimumSizeHint().width(), 400);
+    EXPECT_EQ(tabOf(tabs, *high), 1);
+    EXPECT_EQ(tabOf(tabs, tabs), -1);
+    tabs.setCurrentIndex(1);
+    EXPECT_EQ(shownPage(tabs), high);
 }
 
 }  // namespace

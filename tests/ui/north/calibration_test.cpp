@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/north/north_fixture.h"
+#include "ui/north/calibration_bar.h"
 #include "ui/window/stop_button.h"
 
 #include <QApplication>
@@ -50,6 +51,23 @@ TEST_F(NorthTest, StopWorksInEveryStepAndIsNotCovered)
             QTest::mouseRelease(stop, Qt::LeftButton);
             QTest::keyClick(&window, Qt::Key_Escape);
             EXPECT_EQ(asked<request::Stop>().size(), ++stops);
+        }
+    }
+}
+
+// Story: at 1280×800 the end of the panel was cut off in each step, and with it Apply and Undo.
+// REQ-UI-1774: In a low window only the page of a step scrolls. The tabs and the buttons below them stay in sight.
+TEST_F(NorthTest, ApplyAndTheTabsStayInSight)
+{
+    for (const QSize size : {QSize(1024, 700), QSize(1280, 800)}) {
+        window.resize(size);
+        for (int step = 0; step < 5; ++step) {
+            show(static_cast<CalibrationStep>(step), samples::sixPoints());
+            settle();
+            const auto* const bar = window.findChild<CalibrationBar*>();
+            EXPECT_EQ(bar->visibleRegion().boundingRect(), bar->rect()) << step;
+            const auto& tabs = *steps().tabBar();
+            EXPECT_EQ(tabs.visibleRegion().boundingRect().height(), tabs.height()) << step;
         }
     }
 }

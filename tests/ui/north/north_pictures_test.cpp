@@ -2,6 +2,7 @@
 #include "tests/ui/picture_book.h"
 #include "tests/ui/sample_calibration.h"
 #include "ui/kit/choice_button.h"
+#include "ui/kit/page_room.h"
 #include "ui/north/body_page.h"
 #include "ui/north/calibration_panel.h"
 
@@ -62,7 +63,7 @@ protected:
         auto* const panel = window.findChild<CalibrationPanel*>();
         panel->go(scene.step);
         if (scene.choice >= 0) {
-            const QWidget* const page = panel->findChild<QTabWidget*>()->currentWidget();
+            const QWidget* const page = shownPage(*panel->findChild<QTabWidget*>());
             QTest::mouseClick(page->findChildren<ChoiceButton*>().at(scene.choice), Qt::LeftButton);
         }
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/north/north_fixture.h"
+#include "ui/kit/page_room.h"
 #include "ui/north/compass_dial.h"
 #include "ui/north/deviation_plot.h"
 #include "ui/north/sensor_levels.h"
@@ -184,7 +185,7 @@ TEST_F(NorthTest, ARefusedSwingSaysWhyBesideItsButtonAndKeepsWhatWasTyped)
     named<QDoubleSpinBox>("Rate of the swing")->setValue(2.0);
     click("Start swing");
     give(samples::refusal(samples::sixPoints(), requests.back().id, "the range is too small for a swing"));
-    const auto* const panel = named<QTabWidget>("Steps of finding north")->currentWidget();
+    const auto* const panel = shownPage(*named<QTabWidget>("Steps of finding north"));
     bool told = false;
     for (const ValueLabel* const label : panel->findChildren<ValueLabel*>()) {
         told =

@@ -289,7 +289,8 @@ TEST_F(PassesPanelTest, TheButtonsStayInSightAtEachHeight)
     StationStatus status = withSatellites();
     giveFound(status);
     window.setUpdatesEnabled(false);  // only the layout is judged
-    const auto& scroll = *window.findChild<QScrollArea*>();
+    const auto* const around = window.findChild<PassesPanel*>()->parentWidget()->parentWidget();
+    const auto& scroll = dynamic_cast<const QScrollArea&>(*around);
     for (const bool hasProblem : {false, true}) {
         status.elementProblems =
             hasProblem ? QStringList(QStringLiteral("/srv/a.tle:4: wrong ").repeated(9)) : QStringList();

@@ -3,13 +3,13 @@
 #include "tests/ui/window_fixture.h"
 #include "ui/guide/guide_page.h"
 #include "ui/sky/polar_plot.h"
+#include "ui/window/guide_room.h"
 #include "ui/window/help_page.h"
 
 #include <QAccessible>
 #include <QApplication>
 #include <QComboBox>
 #include <QImage>
-#include <QScrollArea>
 #include <QSet>
 #include <QWindow>
 
@@ -216,8 +216,8 @@ TEST_P(FocusIsSeen, OnEveryControl)
 // REQ-UI-1590: A control of a scrolling panel scrolls into view when it receives the focus, also without Tab.
 TEST_F(AccessibleTest, AControlWithTheFocusComesIntoSight)
 {
-    auto* const room = window.findChild<QScrollArea*>();
-    room->setMaximumHeight(100);  // px: each panel scrolls
+    auto* const room = window.findChild<GuideRoom*>();
+    room->setMaximumHeight(200);  // px: each panel scrolls
     openPanel('9');
     settle();
     int judged = 0;

@@ -4,6 +4,7 @@
 #include "tests/ui/window_fixture.h"
 #include "ui/kit/choice_button.h"
 #include "ui/kit/language.h"
+#include "ui/kit/page_room.h"
 #include "ui/north/calibration_panel.h"
 #include "ui/window/axis_readout.h"
 
@@ -104,7 +105,7 @@ TEST_P(FontsTest, EveryStepOfFindingNorthHasRoom)
         for (int step = 0; step < 5; ++step) {
             panel->go(static_cast<CalibrationStep>(step));
             expectRoom("step " + std::to_string(step + 1));
-            const QWidget* const page = panel->findChild<QTabWidget*>()->currentWidget();
+            const QWidget* const page = shownPage(*panel->findChild<QTabWidget*>());
             for (ChoiceButton* const choice : page->findChildren<ChoiceButton*>()) {
                 QTest::mouseClick(choice, Qt::LeftButton);
                 expectRoom("step " + std::to_string(step + 1) + ", " + choice->text().toStdString());

@@ -6,8 +6,6 @@
 #include "ui/sky/polar_plot.h"
 #include "ui/window/guide_room.h"
 
-#include <QScrollArea>
-
 #include <string>
 
 // The size of the sky's disc: nothing may change it.
