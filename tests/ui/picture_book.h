@@ -58,6 +58,7 @@ protected:
     QList<const ValueLabel*> mustBeWhole;
 
 private:
+    void resizeTo(QSize size);
     void judge();
 };
 
