@@ -40,7 +40,7 @@ std::vector<RotatorModel> parseModels(const QString& listing)
 
 RotatorModels hamlibModels()
 {
-    constexpr int kPatience = 5000;  // ms; rotctl takes some time
+    constexpr int kPatience = 30'000;  // ms; rotctl needs 50 ms, and seconds on a busy computer
     const QString path = QStandardPaths::findExecutable(QStringLiteral("rotctl"));
     if (path.isEmpty() || QStandardPaths::findExecutable(QStringLiteral("rotctld")).isEmpty()) {
         return {.problem = hamlibIsMissing()};
@@ -49,8 +49,8 @@ RotatorModels hamlibModels()
     process.start(path, {QStringLiteral("-l")}, QIODevice::ReadOnly);
     const bool ended = process.waitForFinished(kPatience);
     RotatorModels models{.list = parseModels(QString::fromUtf8(process.readAllStandardOutput()))};
-    if (!ended || models.list.empty()) {
-        models.problem = Text::tr("Hamlib lists no rotator. Type rotctl -l in a terminal to see why");
+    if (!ended || models.list.empty()) {  // half a list may lack the model of the mount
+        return {.problem = Text::tr("Hamlib lists no rotator. Type rotctl -l in a terminal to see why")};
     }
     return models;
 }
