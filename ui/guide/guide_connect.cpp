@@ -116,6 +116,9 @@ void GuideConnect::build()
     column->setSpacing(4);
     m_list->setFont(fonts::label());
     m_list->setAccessibleName(tr("Adapters of this computer"));
+    m_list->setWordWrap(true);
+    m_list->setResizeMode(QListView::Adjust);
+    m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_list->setMinimumHeight(3 * m_list->fontMetrics().lineSpacing() + 8);
     m_found->setFont(fonts::label());
     m_found->setReadOnly(true);

@@ -18,6 +18,8 @@
 #include <QTreeView>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace boresight::ui {
 
 namespace {
@@ -119,16 +121,30 @@ void SettingsView::buildTree()
     header->setSectionsMovable(false);
     header->setStretchLastSection(false);
     header->setMinimumSectionSize(1);
-    const auto room = [this](const QString& widest) { return m_tree->fontMetrics().horizontalAdvance(widest) + 14; };
     header->setSectionResizeMode(QHeaderView::Fixed);
     header->setSectionResizeMode(SettingTree::Value, QHeaderView::Stretch);
-    header->resizeSection(SettingTree::Name, kRowPicture.width() + room(tr("Drive board: warn mm")));
-    header->resizeSection(SettingTree::Range, room(QStringLiteral("-3600 ▬▬▬▬ 3600")));
-    header->resizeSection(SettingTree::AppliesWhen, room(tr("reconnect")));
+    header->resizeSection(SettingTree::Range, roomFor(QStringLiteral("-3600 ▬▬▬▬ 3600")));
+    header->resizeSection(SettingTree::AppliesWhen, roomFor(tr("reconnect")));
+    fitNames();
     spanSections();
     connect(m_tree, &QTreeView::activated, this, &SettingsView::openEditor);
     auto* const edit = new QShortcut(Qt::Key_F2, m_tree, nullptr, nullptr, Qt::WidgetShortcut);
     connect(edit, &QShortcut::activated, this, [this] { openEditor(m_tree->currentIndex()); });
+}
+
+int SettingsView::roomFor(const QString& widest) const
+{
+    return m_tree->fontMetrics().horizontalAdvance(widest) + 14;
+}
+
+// In a narrow window or a language of long words the names give way to the values.
+void SettingsView::fitNames()
+{
+    QHeaderView* const header = m_tree->header();
+    const int others = roomFor(QStringLiteral("-3600.0 °")) + header->sectionSize(SettingTree::Range) +
+                       header->sectionSize(SettingTree::AppliesWhen);
+    const int most = kRowPicture.width() + roomFor(tr("Drive board: warn mm"));
+    header->resizeSection(SettingTree::Name, std::clamp(m_tree->viewport()->width() - others, most / 2, most));
 }
 
 void SettingsView::openEditor(const QModelIndex& index)
@@ -218,8 +234,11 @@ void SettingsView::resizeEvent(QResizeEvent* event)
 // The line being read or changed stays visible when the lines below it appear or disappear.
 bool SettingsView::eventFilter(QObject* watched, QEvent* event)
 {
-    if (event->type() == QEvent::Resize && m_tree->currentIndex().isValid()) {
-        m_tree->scrollTo(m_tree->currentIndex());
+    if (event->type() == QEvent::Resize) {
+        fitNames();
+        if (m_tree->currentIndex().isValid()) {
+            m_tree->scrollTo(m_tree->currentIndex());
+        }
     }
     return QWidget::eventFilter(watched, event);
 }

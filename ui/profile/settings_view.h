@@ -40,6 +40,8 @@ protected:
 
 private:
     void buildTree();
+    [[nodiscard]] int roomFor(const QString& widest) const;
+    void fitNames();
     QWidget* makeSearch();
     void search(const QString& text);
     void showChangedOnly(bool on);

@@ -3,6 +3,7 @@
 
 #include "tests/ui/profile/profile_fixture.h"
 #include "ui/kit/command_button.h"
+#include "ui/kit/language.h"
 #include "ui/profile/setting_picture.h"
 #include "ui/profile/setting_tree.h"
 
@@ -15,6 +16,29 @@ namespace boresight::ui {
 namespace {
 
 using profile::Profile;
+
+struct Portuguese
+{
+    Translation translation{QStringLiteral("pt")};  // before the window
+};
+
+class PortugueseProfileTest : private Portuguese, public WindowFixture
+{};
+
+// Story: in Portuguese at 1280×800 the values had 27 px, because the longer names had all the room.
+// REQ-UI-1777: The values of the settings have room for a number in every language and window.
+TEST_F(PortugueseProfileTest, TheValuesHaveRoom)
+{
+    for (const QSize size : {QSize(1024, 700), QSize(1280, 800)}) {
+        window.resize(size);
+        openPanel('8');
+        settle();
+        const auto* const settings = window.findChild<ProfilePage*>()->findChild<QTreeView*>();
+        EXPECT_GE(settings->columnWidth(SettingTree::Value),
+                  settings->fontMetrics().horizontalAdvance(QStringLiteral("-3600.0 °")))
+            << size.width();
+    }
+}
 
 // REQ-UI-29: The complete profile is shown: each setting once, with unit, range and when it applies. A setting is found
 // by words of its name or meaning, and edited by keyboard. An invalid value is refused with the reason. Settings that
