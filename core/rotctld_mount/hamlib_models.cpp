@@ -38,18 +38,20 @@ std::vector<RotatorModel> parseModels(const QString& listing)
     return models;
 }
 
-RotatorModels hamlibModels()
+RotatorModels hamlibModels(std::chrono::seconds patience)
 {
-    constexpr int kPatience = 30'000;  // ms; rotctl needs 50 ms, and seconds on a busy computer
     const QString path = QStandardPaths::findExecutable(QStringLiteral("rotctl"));
     if (path.isEmpty() || QStandardPaths::findExecutable(QStringLiteral("rotctld")).isEmpty()) {
         return {.problem = hamlibIsMissing()};
     }
     QProcess process;
     process.start(path, {QStringLiteral("-l")}, QIODevice::ReadOnly);
-    const bool ended = process.waitForFinished(kPatience);
+    if (!process.waitForFinished(static_cast<int>(std::chrono::milliseconds(patience).count()))) {
+        return {.problem =
+                    Text::tr("rotctl did not answer within %1 s. Press Refresh to try again").arg(patience.count())};
+    }
     RotatorModels models{.list = parseModels(QString::fromUtf8(process.readAllStandardOutput()))};
-    if (!ended || models.list.empty()) {  // half a list may lack the model of the mount
+    if (models.list.empty()) {
         return {.problem = Text::tr("Hamlib lists no rotator. Type rotctl -l in a terminal to see why")};
     }
     return models;

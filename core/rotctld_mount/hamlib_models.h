@@ -5,6 +5,7 @@
 
 #include <QString>
 
+#include <chrono>
 #include <vector>
 
 // The rotator models of Hamlib, as `rotctl -l` lists them.
@@ -12,8 +13,8 @@ namespace boresight::rotctl {
 
 // The header line of the list defines the columns. Lines that are no models are left out.
 [[nodiscard]] std::vector<RotatorModel> parseModels(const QString& listing);
-// Runs rotctl and waits for it. Use a thread that has nothing else to do.
-[[nodiscard]] RotatorModels hamlibModels();
+// Runs rotctl and waits for it, which takes 50 ms, and seconds on a busy computer. Use a thread.
+[[nodiscard]] RotatorModels hamlibModels(std::chrono::seconds patience = std::chrono::seconds(10));
 // The advice what to install.
 [[nodiscard]] QString hamlibIsMissing();
 

@@ -6,10 +6,11 @@ class QString;
 class QTabWidget;
 class QWidget;
 
-// Only the visible page needs height, so a panel never scrolls because of a hidden page. The width is that of the
-// widest page, so that nothing moves when another page is shown. Gui thread.
+// The room of pages in the place of each other. Gui thread.
 namespace boresight::ui {
 
+// Only the visible page needs height, so a panel never scrolls because of a hidden page. The width is that of the
+// widest page, so that nothing moves when another page is shown.
 void keepHeightOfShownPage(QStackedWidget& pages);
 
 // Adds a page that scrolls in a low window while the tabs stay in sight. Returns its tab.

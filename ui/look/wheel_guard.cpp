@@ -21,8 +21,8 @@ void WheelGuard::watch(QWidget& widget)
     widget.installEventFilter(this);  // installing it twice has no effect
 }
 
-// An event that is not accepted goes on to the page, which scrolls. The tabs scroll along and come under the pointer,
-// even while they have the keyboard.
+// An event that is not accepted goes on to the page, which scrolls. Tabs never take it, even while they have the
+// keyboard: a page must not change by accident.
 bool WheelGuard::eventFilter(QObject* watched, QEvent* event)
 {
     const bool takesWheel = qobject_cast<QWidget*>(watched)->hasFocus() && qobject_cast<QTabBar*>(watched) == nullptr;

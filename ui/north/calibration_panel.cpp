@@ -10,6 +10,7 @@
 #include "ui/north/sensor_page.h"
 #include "ui/north/swing_page.h"
 
+#include <QTabBar>
 #include <QTabWidget>
 #include <QVBoxLayout>
 
@@ -28,6 +29,7 @@ CalibrationPanel::CalibrationPanel(const Clock& clock, RequestDesk& desk, Profil
     m_steps->setFont(fonts::label());
     m_steps->setDocumentMode(true);
     m_steps->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);  // a low window scrolls the page of the step
+    m_steps->setMinimumHeight(m_steps->tabBar()->sizeHint().height());
     m_steps->setAccessibleName(tr("Steps of finding north"));
     connect(m_sensor, &SensorPage::settingsWanted, this, &CalibrationPanel::settingsWanted);
     addStep(*m_sensor, tr("1 Sensor"), tr("North from the sensor while the mount stands still, to a few degrees"));

@@ -263,6 +263,11 @@ int AlarmCard::heightWith(AlarmForm form, int width) const
     return heightForWidth(width) - now + (advice.isEmpty() ? 0 : m_advice->heightWith(advice, text));
 }
 
+QString AlarmCard::wholeText() const
+{
+    return m_what->text() + adviceIn(AlarmForm::Lines);
+}
+
 void AlarmCard::setForm(AlarmForm form)
 {
     if (form == std::exchange(m_form, form)) {

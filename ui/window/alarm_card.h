@@ -45,6 +45,7 @@ public:
     // left out.
     void setTight(bool tight);
     void setForm(AlarmForm form);
+    [[nodiscard]] QString wholeText() const;  // whatever the form; empty: there is no alarm
     [[nodiscard]] int heightWith(AlarmForm form, int width) const;
 
     // For refusals of controls without their own notice line (STOP).

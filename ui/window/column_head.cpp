@@ -63,10 +63,14 @@ int ColumnHead::heightOfAlarm(AlarmForm form) const
     return m_alarms.isHidden() ? 0 : m_alarms.heightWith(form, width()) + layout()->spacing();
 }
 
-// A long alarm is in smaller letters before it leaves out a sentence.
+// A long alarm is in smaller letters before it leaves out a sentence. This is tried once for each alarm, because other
+// letters lay the column out again.
 void ColumnHead::arrange()
 {
-    m_alarms.setTight(isLow(m_window));
+    if (const Tried now{m_alarms.wholeText(), m_window}; now != m_tried) {
+        m_tried = now;
+        m_alarms.setTight(isLow(m_window));
+    }
     Arrangement best = mostCompleteArrangement();
     if (best.alarm == AlarmForm::Remedy) {
         m_alarms.setTight(true);
@@ -77,7 +81,7 @@ void ColumnHead::arrange()
     m_alarms.setForm(best.alarm);
 }
 
-// It fits into the room without an alarm.
+// The first that fits into the room of the head without an alarm, else the last. Reserves this room.
 ColumnHead::Arrangement ColumnHead::mostCompleteArrangement()
 {
     const Numerals usual = numeralsFor(m_window);

@@ -38,6 +38,14 @@ private:
         AlarmForm alarm = AlarmForm::Lines;
     };
 
+    // The alarm and the window for which the letters were chosen.
+    struct Tried
+    {
+        QString alarm;
+        QSize window;
+        friend bool operator==(const Tried&, const Tried&) = default;
+    };
+
     void arrange();
     [[nodiscard]] Arrangement mostCompleteArrangement();
     [[nodiscard]] int heightOfAlarm(AlarmForm form) const;
@@ -48,6 +56,7 @@ private:
     SensorReadout* m_sensor;
     WindReadout* m_wind;
     QSize m_window;
+    Tried m_tried;
 };
 
 }  // namespace boresight::ui

@@ -45,6 +45,7 @@
 #include <QResizeEvent>
 #include <QScreen>
 #include <QShortcut>
+#include <QStyle>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -444,8 +445,10 @@ void MainWindow::showBelowHead(QWidget& page)
     const auto placeOf = [this](const QWidget& part, QPoint corner) {
         return mapToGlobal(part.mapTo(this, corner)).y();
     };
-    page.show();  // now it has its size and its frame
-    const int lowest = screen()->availableGeometry().bottom() + 1 - page.frameGeometry().height();
+    page.show();  // now it has its size. A desktop may tell its frame later
+    const int frame = std::max(page.frameGeometry().height() - page.height(),
+                               page.style()->pixelMetric(QStyle::PM_TitleBarHeight, nullptr, &page));
+    const int lowest = screen()->availableGeometry().bottom() + 1 - page.height() - frame;
     const int below = placeOf(*m_head, m_head->rect().bottomLeft());
     page.move(mapToGlobal(QPoint()).x(), std::max(std::min(below, lowest), placeOf(*m_plot, {})));
     page.raise();

@@ -76,7 +76,6 @@ PanelTabs::PanelTabs(const Clock& clock, RequestDesk& desk, HostDesk& host, Prof
     fillMountTabs();
     addTurnPage();
     showIcons(true);
-    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);  // in a low window the page scrolls
     const auto openSettings = [this](const QString& words) {
         bringUp(*m_profile);
         m_profile->seek(words);

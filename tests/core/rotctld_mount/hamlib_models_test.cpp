@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 
 namespace boresight::rotctl {
 namespace {
@@ -43,7 +44,7 @@ TEST(HamlibModels, WhatIsNoListingHasNone)
 // REQ-ROTCTLDMOUNT-60
 TEST(HamlibModels, ThoseOfThisComputerAreListed)
 {
-    const RotatorModels models = hamlibModels();
+    const RotatorModels models = hamlibModels(std::chrono::minutes(2));
     if (QStandardPaths::findExecutable(QStringLiteral("rotctl")).isEmpty()) {
         EXPECT_TRUE(models.problem.contains(QStringLiteral("libhamlib-utils")));
         GTEST_SKIP() << "rotctl is not installed (Debian package libhamlib-utils)";

@@ -43,6 +43,8 @@ TEST_P(ChartsPictures, AreTakenOfEverySpan)
     for (const auto& [scene, button] :
          {std::pair("charts-10s", "Show the last 10 s"), std::pair("charts-1min", "Show the last 1 min"),
           std::pair("charts-30min", "Show the last 30 min")}) {
+        openPanel('2');  // a wide window had the charts beside the panels
+        ASSERT_TRUE(window.findChild<StripCharts*>()->isVisible());
         press(button);
         readTheErrorAt(150);
         take(QLatin1String(scene));
