@@ -47,8 +47,8 @@ RotatorModels hamlibModels(std::chrono::seconds patience)
     QProcess process;
     process.start(path, {QStringLiteral("-l")}, QIODevice::ReadOnly);
     if (!process.waitForFinished(static_cast<int>(std::chrono::milliseconds(patience).count()))) {
-        return {.problem =
-                    Text::tr("rotctl did not answer within %1 s. Press Refresh to try again").arg(patience.count())};
+        return {.problem = Text::tr("Hamlib's rotctl did not answer within %1 s. Press Refresh to try again")
+                               .arg(patience.count())};
     }
     RotatorModels models{.list = parseModels(QString::fromUtf8(process.readAllStandardOutput()))};
     if (models.list.empty()) {

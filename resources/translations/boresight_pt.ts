@@ -9216,7 +9216,7 @@ até %1</translation>
         <translation>O rotctld não está instalado. Instale os programas do Hamlib: libhamlib-utils em Debian e Ubuntu, hamlib em Fedora e Arch Linux</translation>
     </message>
     <message>
-        <source>rotctl did not answer within %1 s. Press Refresh to try again</source>
+        <source>Hamlib&apos;s rotctl did not answer within %1 s. Press Refresh to try again</source>
         <translation>O rotctl não respondeu em %1 s. Prima Atualizar para tentar de novo</translation>
     </message>
     <message>
