@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/jog/third_axis_row.h"
 
+#include "tests/ui/sample_third_axis.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/hold/jog_button.h"
 
@@ -15,14 +16,7 @@ protected:
     static StationStatus withThirdAxis()
     {
         StationStatus status = samples::idle();
-        status.thirdAxis = ThirdAxisStatus{.name = QStringLiteral("polarisation"),
-                                           .state = ThirdAxisStatus::State::Holding,
-                                           .place = Angle::fromDegrees(12.34),
-                                           .age = std::chrono::milliseconds(20),
-                                           .travel = {.min = -90_deg, .max = 90_deg},
-                                           .fastest = 5_deg_s,
-                                           .mode = QStringLiteral("position (10)"),
-                                           .boardTemperature = 31.4};
+        status.thirdAxis = samples::thirdAxis();
         return status;
     }
     ThirdAxisRow& row() { return *window.findChild<ThirdAxisRow*>(); }

@@ -3,6 +3,8 @@
 #include "tests/ui/picture_book.h"
 #include "tests/ui/sample_alarms.h"
 #include "tests/ui/sample_drives.h"
+#include "tests/ui/sample_third_axis.h"
+#include "tests/ui/tuning/tuning_fixture.h"
 #include "ui/drives/box_console_panel.h"
 #include "ui/drives/protection_panel.h"
 #include "ui/drives/readings_table.h"
@@ -25,14 +27,7 @@ void changeProfile(StationStatus& status, const Change& change)
 StationStatus withThirdAxis()
 {
     StationStatus status = samples::cableEnding();
-    status.thirdAxis = ThirdAxisStatus{.name = QStringLiteral("polarisation"),
-                                       .state = ThirdAxisStatus::State::Holding,
-                                       .place = 12.34_deg,
-                                       .age = std::chrono::milliseconds(20),
-                                       .travel = {.min = -90_deg, .max = 90_deg},
-                                       .fastest = 5_deg_s,
-                                       .mode = QStringLiteral("position (10)"),
-                                       .boardTemperature = 31.4};
+    status.thirdAxis = samples::thirdAxis();
     return status;
 }
 
@@ -175,19 +170,7 @@ StationStatus tuned()
                                         .torque = response::TorqueFigures{.rms = 3.0, .peak = 12.0}};
     tuning.results = {result};
     status.tuning = std::make_shared<const TuningStatus>(tuning);
-    DriveGains& gains = status.drives->azimuth.gains;
-    gains.read = true;
-    gains.text = QStringLiteral("the gains were read");
-    for (const double value : {201062.0, 1608500.0, 10053.1, 60.0, 18.0, 400.0}) {
-        gains.lines.push_back({.key = QStringLiteral("servo.pid_position.kp"),
-                               .unit = QStringLiteral("Nm"),
-                               .value = value,
-                               .first = value,
-                               .stored = value,
-                               .least = value / 4.0,
-                               .most = value * 4.0,
-                               .bounds = QStringLiteral("A quarter to four times the stored value.")});
-    }
+    status.drives->azimuth.gains = sampleGains();
     return status;
 }
 
