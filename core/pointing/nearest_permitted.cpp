@@ -153,4 +153,21 @@ std::optional<AxisPosition> nearestPermitted(const PermittedRegion& region, cons
     return search.best();
 }
 
+std::optional<AxisPosition> easyPermitted(const PermittedRegion& region, const AxisPosition& place)
+{
+    const auto& [azimuths, elevations] = region.ranges();
+    if (azimuths.min > azimuths.max || elevations.min > elevations.max) {
+        return std::nullopt;
+    }
+    const AxisPosition inside{azimuths.clamped(place.azimuth), elevations.clamped(place.elevation)};
+    AxisPosition above = inside;
+    while (!region.permits(above)) {
+        above.elevation = Angle::fromDegrees(std::floor(above.elevation.degrees() + 1.0 + 1e-9));
+        if (above.elevation > elevations.max) {
+            return nearestPermitted(region, inside);
+        }
+    }
+    return above;
+}
+
 }  // namespace boresight::pointing

@@ -13,4 +13,8 @@ class PermittedRegion;
 // elevation. Keeps the turn. Empty if nothing is permitted. Pure values, any thread.
 [[nodiscard]] std::optional<AxisPosition> nearestPermitted(const PermittedRegion& region, const AxisPosition& place);
 
+// For a place that a person sets: the same azimuth at the next permitted whole degree of elevation above. If there is
+// none, the nearest permitted place. Empty if nothing is permitted.
+[[nodiscard]] std::optional<AxisPosition> easyPermitted(const PermittedRegion& region, const AxisPosition& place);
+
 }  // namespace boresight::pointing

@@ -260,7 +260,8 @@ private:
             const bool isUnread = std::any_of(m_unreadLists.begin(), m_unreadLists.end(),
                                               [&](const std::string& list) { return problem.key.starts_with(list); });
             if (!isUnread) {
-                add(lineOf(problem.key), problem.key, problem.text);
+                add(lineOf(problem.key), problem.key,
+                    problem.advice.isEmpty() ? problem.text : problem.text + QStringLiteral(". ") + problem.advice);
             }
         }
     }

@@ -2,6 +2,7 @@
 // Checks settings that depend on each other: region, park position and presets. Also checks the addresses of clients.
 #include "core/base/numbers.h"
 #include "core/base/text.h"
+#include "core/pointing/nearest_permitted.h"
 #include "core/pointing/permitted_region.h"
 #include "core/profile/setting_groups.h"
 #include "core/units/degrees_text.h"
@@ -61,7 +62,12 @@ void checkStand(std::vector<Problem>& problems, const Profile& profile, const st
     const pointing::PermittedRegion region(profile.limits, azimuthTravel, elevationTravel,
                                            pointing::PointingModel(profile.pointing));
     if (const QString reason = region.reason(place); !reason.isEmpty()) {
-        problems.push_back({elevationKey, reason});
+        const auto permitted = pointing::easyPermitted(region, place);
+        problems.push_back({elevationKey, reason,
+                            permitted
+                                ? Text::tr("Permitted: azimuth axis %1, elevation %2.")
+                                      .arg(degreesText(permitted->azimuth, 2), degreesText(permitted->elevation, 2))
+                                : QString()});
     }
 }
 

@@ -97,6 +97,7 @@ struct Problem
 {
     std::string key;
     QString text;
+    QString advice{};  // a sentence about what to do, for a reader of the file; may be empty
 
     bool operator==(const Problem&) const = default;
 };

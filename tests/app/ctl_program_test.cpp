@@ -133,7 +133,7 @@ TEST_F(ProfileFile, CheckKnowsRegionPresetsAndSite)
     const Outcome bad = ctl({QStringLiteral("check"), write(region + "[park]\nazimuth_deg = 5\nelevation_deg = 50\n")});
     EXPECT_EQ(bad.status, 1);
     EXPECT_THAT(bad.errors, HasSubstr("mount.toml:20: park.elevation_deg: "));
-    EXPECT_THAT(bad.errors, HasSubstr("lies in keep-out \"mast\""));
+    EXPECT_THAT(bad.errors, HasSubstr("lies in keep-out \"mast\". Permitted: azimuth axis 10.00°, elevation 50.00°."));
 }
 
 // REQ-PROFILE-04a
@@ -204,11 +204,14 @@ TEST_F(ProfileFile, CheckNamesTheDriverOfEachAxis)
     EXPECT_THAT(checked.output, HasSubstr("bus socketcan:can0, azimuth moteus id 1, no elevation\n"));
 }
 
+// Story: the table of a simulated mount looked like that of a real one.
+// REQ-CTL-307: scan reports above its table that the boards of a bus are simulated.
 TEST(Scan, ListsTheSimulatedPair)
 {
     const Outcome scan = ctl(words("scan simulated"));
     EXPECT_EQ(scan.status, 0) << scan.errors;
     EXPECT_EQ(scan.errors, "");
+    EXPECT_TRUE(scan.output.starts_with("The boards are simulated. No real drive answers.\nid  UUID")) << scan.output;
     EXPECT_THAT(scan.output, HasSubstr("\n1   626f7265-7369-6768-7420-73696d203031  1.1.0"));
     EXPECT_THAT(scan.output, HasSubstr("\n2   626f7265-7369-6768-7420-73696d203032  1.1.0"));
 }

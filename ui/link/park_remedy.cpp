@@ -24,34 +24,16 @@ QString shortAngle(Angle angle)
     return QString::fromStdString(formatFixed(angle.degrees(), whole ? 0 : 1)) + QStringLiteral("°");
 }
 
-// In whole degrees, which are easy to remember and to type.
-std::optional<AxisPosition> above(const pointing::PermittedRegion& region, AxisPosition place)
-{
-    const Angle highest = region.ranges().elevation.max;
-    while (!region.permits(place)) {
-        place.elevation = Angle::fromDegrees(std::floor(place.elevation.degrees() + 1.0 + 1e-9));
-        if (place.elevation > highest) {
-            return std::nullopt;
-        }
-    }
-    return place;
-}
-
 }  // namespace
 
 std::optional<ParkRemedy> parkRemedy(const profile::Profile& edited)
 {
     const pointing::PermittedRegion region(edited.limits, edited.azimuth.geometry.travel,
                                            edited.elevation.geometry.travel, pointing::PointingModel(edited.pointing));
-    const auto& [azimuths, elevations] = region.ranges();
-    if (azimuths.min > azimuths.max || elevations.min > elevations.max || region.permits(edited.park)) {
+    if (region.permits(edited.park)) {
         return std::nullopt;
     }
-    const AxisPosition inside{azimuths.clamped(edited.park.azimuth), elevations.clamped(edited.park.elevation)};
-    std::optional<AxisPosition> place = above(region, inside);
-    if (!place) {
-        place = pointing::nearestPermitted(region, inside);
-    }
+    const std::optional<AxisPosition> place = pointing::easyPermitted(region, edited.park);
     if (!place) {
         return std::nullopt;
     }

@@ -234,6 +234,7 @@ TEST(CrossCheck, TheMountParksWhereTheBeamMayBe)
     const auto problems = crossCheck(profile);
     ASSERT_EQ(keysOf(problems), std::vector<std::string>{"park.elevation_deg"});
     EXPECT_EQ(problems.front().text.toStdString(), "37.4° / 20.0° lies in keep-out \"mast\"");
+    EXPECT_EQ(problems.front().advice.toStdString(), "Permitted: azimuth axis 0.00°, elevation 40.00°.");
 }
 
 TEST(CrossCheck, AHorizonHasNoMorePointsThanCanBeChecked)
