@@ -20,7 +20,7 @@ constexpr auto kRetryTime = 2s;
 
 QString lineText(const ProtectionLine& line)
 {
-    return Text::tr("%1 is %2, needed %3").arg(line.key, line.foundBrief, line.wantedBrief);
+    return Text::tr("%1 is %2, needed %3").arg(line.name, line.foundBrief, line.wantedBrief);
 }
 
 QString protectionText(bool dangerous, int count, Axis axis, const QString& first)

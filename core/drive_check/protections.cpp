@@ -4,6 +4,7 @@
 #include "core/base/numbers.h"
 #include "core/base/text.h"
 #include "core/contacts/output_name.h"
+#include "core/drive_check/setting_names.h"
 #include "core/moteus/pin_query.h"
 #include "core/tracking/emergency_braking.h"
 
@@ -384,11 +385,11 @@ QString foundText(const Protection& protection, const Reading& reading)
 ProtectionLine judged(const Protection& protection, const Reading& reading)
 {
     ProtectionLine line{.key = QString::fromStdString(protection.key),
+                        .name = settingName(protection.key, protection.reversed),
                         .wanted = protection.wanted,
                         .found = foundText(protection, reading),
                         .wantedBrief = protection.wantedBrief.isEmpty() ? protection.wanted : protection.wantedBrief,
-                        .reason = protection.reason,
-                        .reversed = protection.reversed};
+                        .reason = protection.reason};
     if (reading.state == Reading::State::Unread) {
         return line;
     }

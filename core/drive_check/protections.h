@@ -46,8 +46,9 @@ struct Protection
     std::function<QString(double)> consequence;
     // The value in units of the operator, shown after the value of the drive. May be absent.
     std::function<QString(double)> explain;
-    bool isAngle = false;   // a narrow line shows only explain()
-    bool reversed = false;  // see ProtectionLine
+    bool isAngle = false;  // a narrow line shows only explain()
+    // The drive counts opposite to the axis, so the lower bound of the drive is the upper bound of the axis.
+    bool reversed = false;
 };
 
 // In the order in which they are shown.

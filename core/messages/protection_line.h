@@ -18,6 +18,7 @@ enum class Verdict
 struct ProtectionLine
 {
     QString key;     // as the drive calls it
+    QString name;    // for the operator: "Lower limit"
     QString wanted;  // with its unit: "-0.258 turns (-93.0°)"
     QString found;   // empty: not read
     // Short forms of both for narrow places: "-93.0°".
@@ -26,8 +27,6 @@ struct ProtectionLine
     QString reason;  // why the setting matters, for the operator
     QString fix;     // the value that Fix would write, with its unit; empty: Fix does not change this setting
     Verdict verdict = Verdict::Unread;
-    // The drive counts opposite to the axis, so the lower bound of the drive is the upper bound of the axis.
-    bool reversed = false;
 
     bool operator==(const ProtectionLine&) const = default;
 };

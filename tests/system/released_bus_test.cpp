@@ -131,9 +131,9 @@ TEST_F(ReleasedBus, WhatTheOtherToolBrokeRefusesMotion)
     otherToolSays(Axis::Azimuth, "conf set servo.timeout_mode 12");
     ASSERT_EQ(rig.ask(request::TakeBus{}), "");
     ASSERT_TRUE(rig.runUntil(
-        [this] { return rig.status().drives->armingObstacle.contains(QLatin1String("servo.timeout_mode is 12")); },
+        [this] { return rig.status().drives->armingObstacle.contains(QLatin1String("If commands stop is 12")); },
         Seconds(10.0)));
-    EXPECT_TRUE(rig.alarmSays(QStringLiteral("servo.timeout_mode is 12")));
+    EXPECT_TRUE(rig.alarmSays(QStringLiteral("If commands stop is 12")));
     const AxisPosition here = rig.truth();
     EXPECT_NE(rig.ask(request::PointAxes{{.azimuth = 10_deg, .elevation = 20_deg}}), "");
     rig.run(Seconds(3.0));

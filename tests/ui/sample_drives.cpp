@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/sample_drives.h"
 
+#include "core/drive_check/setting_names.h"
 #include "tests/ui/sample_permissions.h"
 #include "tests/ui/sample_status.h"
 
@@ -89,6 +90,7 @@ QList<ProtectionLine> protections(Axis axis, bool factory)
         const bool differs = setting.factory != nullptr && (factory || setting.verdict == Verdict::Right);
         const QString found = differs ? QString::fromUtf8(setting.factory) : wanted;
         lines.push_back({.key = QLatin1String(setting.key),
+                         .name = drive_check::settingName(setting.key, false),
                          .wanted = wanted,
                          .found = found,
                          .wantedBrief = briefOf(wanted),
@@ -144,7 +146,7 @@ StationStatus factoryDrives()
     dropTarget(status);
     status.drives->switchedOn = false;
     status.drives->armingObstacle =
-        QStringLiteral("5 settings of each drive are unsafe. The first: azimuth servopos.position_min");
+        QStringLiteral("5 settings of each drive are unsafe. The first: azimuth lower limit");
     status.permissions = withoutMotion(status.drives->armingObstacle);
     for (const Axis axis : {Axis::Azimuth, Axis::Elevation}) {
         DriveStatus& one = axis == Axis::Azimuth ? status.drives->azimuth : status.drives->elevation;

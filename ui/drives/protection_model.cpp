@@ -15,45 +15,6 @@ namespace boresight::ui {
 
 namespace {
 
-struct Label
-{
-    const char* key;
-    const char* text;
-};
-
-// The names of the drive settings on the screen. The keys are those of the moteus firmware.
-constexpr Label kLabels[] = {
-    {"id.id", QT_TRANSLATE_NOOP("boresight::ui::ProtectionModel", "Bus address")},
-    {"servopos.position_min", QT_TRANSLATE_NOOP("boresight::ui::ProtectionModel", "Lower limit")},
-    {"servopos.position_max", QT_TRANSLATE_NOOP("boresight::ui::ProtectionModel", "Upper limit")},
-    {"servo.default_timeout_s", QT_TRANSLATE_NOOP("boresight::ui::ProtectionModel", "Watchdog time")},
-    {"servo.timeout_mode", QT_TRANSLATE_NOOP("boresight::ui::ProtectionModel", "If commands stop")},
-    {"servo.timeout_max_torque_Nm", QT_TRANSLATE_NOOP("boresight::ui::ProtectionModel", "Torque after watchdog")},
-    {"servo.flux_brake_margin_voltage", QT_TRANSLATE_NOOP("boresight::ui::ProtectionModel", "Braking margin")},
-    {"motor_position.output.sign", QT_TRANSLATE_NOOP("boresight::ui::ProtectionModel", "Direction")},
-    {"motor_position.output.reference_source", QT_TRANSLATE_NOOP("boresight::ui::ProtectionModel", "Axis encoder")},
-    {"servo.max_current_A", QT_TRANSLATE_NOOP("boresight::ui::ProtectionModel", "Max. current")},
-    {"servo.max_power_W", QT_TRANSLATE_NOOP("boresight::ui::ProtectionModel", "Max. power")},
-    {"servo.max_voltage", QT_TRANSLATE_NOOP("boresight::ui::ProtectionModel", "Max. supply")},
-    {"servo.max_velocity", QT_TRANSLATE_NOOP("boresight::ui::ProtectionModel", "Max. speed")},
-    {"servo.default_velocity_limit", QT_TRANSLATE_NOOP("boresight::ui::ProtectionModel", "Speed limit")},
-    {"servo.default_accel_limit", QT_TRANSLATE_NOOP("boresight::ui::ProtectionModel", "Accel. limit")},
-    {"servo.fault_position_error", QT_TRANSLATE_NOOP("boresight::ui::ProtectionModel", "Max. error")},
-    {"servo.max_position_slip", QT_TRANSLATE_NOOP("boresight::ui::ProtectionModel", "Max. slip")},
-    {"motor_position.rotor_to_output_ratio", QT_TRANSLATE_NOOP("boresight::ui::ProtectionModel", "Gear ratio")},
-};
-
-// The operator's view: the lower bound of a reversed drive limits the upper end of the axis.
-QString labelOf(const ProtectionLine& line)
-{
-    const QString lower = QStringLiteral("servopos.position_min");
-    const QString upper = QStringLiteral("servopos.position_max");
-    const QString key = !line.reversed ? line.key : line.key == lower ? upper : lower;
-    const auto* const label = std::find_if(std::begin(kLabels), std::end(kLabels),
-                                           [&key](const Label& one) { return key == QLatin1String(one.key); });
-    return label == std::end(kLabels) ? key : ProtectionModel::tr(label->text);
-}
-
 struct ShownLine
 {
     QString word;
@@ -173,7 +134,7 @@ std::vector<ProtectionModel::Row> ProtectionModel::arranged() const
 // The axes share a row if they want the same value. Otherwise the second axis is below the first.
 ProtectionModel::Row& ProtectionModel::rowFor(Axis axis, const ProtectionLine& line, std::vector<Row>& rows)
 {
-    const QString label = labelOf(line);
+    const QString& label = line.name;
     const auto sameLabel = [&label](const Row& row) { return row.label == label; };
     const auto same = std::find_if(rows.begin(), rows.end(), [&](const Row& row) {
         return sameLabel(row) && row.key == line.key && row.wanted == line.wanted && !row.found[axisIndex(axis)];
@@ -210,7 +171,7 @@ QString ProtectionModel::explanation(int row) const
     }
     reasons.removeDuplicates();
     return tr("%1: wanted %2, found %3.\n%4")
-        .arg(one.key, one.wantedBrief, found.join(QStringLiteral(", ")), reasons.join(QStringLiteral(" / ")));
+        .arg(one.label, one.wantedBrief, found.join(QStringLiteral(", ")), reasons.join(QStringLiteral(" / ")));
 }
 
 QStringList ProtectionModel::changes() const
@@ -219,7 +180,7 @@ QStringList ProtectionModel::changes() const
     for (const Axis axis : kAxes) {
         for (const ProtectionLine& line : m_lines[axisIndex(axis)]) {
             if (!line.fix.isEmpty()) {
-                lines << tr("%1  %2: %3 → %4").arg(shortName(axis), line.key, line.found, line.fix);
+                lines << tr("%1  %2: %3 → %4").arg(shortName(axis), line.name, line.found, line.fix);
             }
         }
     }
@@ -232,7 +193,8 @@ QStringList ProtectionModel::leftAlone() const
     for (const Axis axis : kAxes) {
         for (const ProtectionLine& line : m_lines[axisIndex(axis)]) {
             if (differs(line) && line.fix.isEmpty()) {
-                lines << tr("%1  %2: %3, wanted %4").arg(shortName(axis), line.key, line.found, line.wanted);
+                lines << tr("%1  %2 (%3): %4, wanted %5")
+                             .arg(shortName(axis), line.name, line.key, line.found, line.wanted);
             }
         }
     }

@@ -102,7 +102,7 @@ TEST(DriveCheck, SaysWhatTheFactorySettingsWouldDo)
     EXPECT_EQ(line(rig.drives, Axis::Elevation, "servo.default_velocity_limit").found, QStringLiteral("none"));
     EXPECT_THAT(causes(rig.drives), UnorderedElementsAre("drives.dangerous.azimuth", "drives.dangerous.elevation",
                                                          "drives.advised.azimuth", "drives.advised.elevation"));
-    EXPECT_THAT(obstacle(rig.drives), HasSubstr("servopos.position_min"));
+    EXPECT_THAT(obstacle(rig.drives), HasSubstr("The first: Lower limit is -3.6°"));
     EXPECT_THAT(obstacle(rig.drives), HasSubstr("4 settings of the azimuth drive are unsafe"));
 }
 

@@ -64,9 +64,11 @@ TEST(Protections, BoundsFollowMarginGearAndSign)
     EXPECT_NEAR(remedy("servopos.position_max"), 18.0 / 360.0 * 40.0, 1e-9);
     EXPECT_EQ(judgedAs(profile, Axis::Elevation, "servopos.position_max", "2.000000").found,
               QStringLiteral("2 turns (-18.0°)"));
-    EXPECT_TRUE(judgedAs(profile, Axis::Elevation, "servopos.position_max", "2.000000").reversed)
+    EXPECT_EQ(judgedAs(profile, Axis::Elevation, "servopos.position_max", "2.000000").name,
+              QStringLiteral("Lower limit"))
         << "the lower end of the axis";
-    EXPECT_FALSE(judgedAs(profile, Axis::Azimuth, "servopos.position_max", "1.258333").reversed);
+    EXPECT_EQ(judgedAs(profile, Axis::Azimuth, "servopos.position_max", "1.258333").name,
+              QStringLiteral("Upper limit"));
     EXPECT_EQ(judgedAs(profile, Axis::Elevation, "motor_position.rotor_to_output_ratio", "1.000000").verdict,
               Verdict::Right)
         << "geared in the host, the drive counts turns of the rotor";

@@ -226,7 +226,7 @@ TEST_F(DrivesTest, NoProofWhileTheMountMovesOrATurnIsUnknown)
 TEST_F(DrivesTest, AnArmingObstacleDisablesEveryMotionControlWithItsReason)
 {
     give(samples::update(samples::factoryDrives()));
-    const char* const why = "first: azimuth servopos.position_min";
+    const char* const why = "first: azimuth lower limit";
     for (const char* const button : {"Go", "Home", "Park", "Hold", "Go here", "Run (both axes) …"}) {
         expectBlocked(button, why);
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/drives/protection_panel.h"
 
+#include "core/drive_check/setting_names.h"
 #include "tests/ui/drives/drives_fixture.h"
 
 namespace boresight::ui {
@@ -70,7 +71,7 @@ TEST_F(DrivesTest, TheLimitsOfAReversedDriveAreShownTheOperatorsWayRound)
             line.wanted = line.found =
                 lower ? QStringLiteral("-0.258333 turns (93.0°)") : QStringLiteral("0.008333 turns (-3.0°)");
             line.wantedBrief = line.foundBrief = lower ? QStringLiteral("93.0°") : QStringLiteral("-3.0°");
-            line.reversed = true;
+            line.name = drive_check::settingName(line.key.toStdString(), true);
         }
     }
     give(samples::update(status));
@@ -110,7 +111,7 @@ TEST_F(DrivesTest, TheReasonOfTheSelectedLineIsReadWithTheKeyboardAndStaysWhileV
         QTest::keyClick(&table(), Qt::Key_Down);
     }
     const QString reason = text("Why the selected setting matters");
-    EXPECT_EQ(reason, QStringLiteral("servo.timeout_mode: wanted 10 (hold), found AZ 12 (damp), EL 12 (damp).\n"
+    EXPECT_EQ(reason, QStringLiteral("If commands stop: wanted 10 (hold), found AZ 12 (damp), EL 12 (damp).\n"
                                      "Mode 12 only damps. Without commands a loaded elevation creeps down."));
     EXPECT_FALSE(named<ValueLabel>("Why the selected setting matters")->isElided());
     give(samples::update(samples::reading()));
@@ -140,14 +141,15 @@ TEST_F(DrivesTest, FixListsWhatItWritesAndWritesOnlyAfterASecondPress)
     click("Fix …");
     EXPECT_TRUE(panel.isAsking());
     EXPECT_TRUE(requests.empty());
-    EXPECT_TRUE(questionText().contains(
-        QStringLiteral("AZ  servopos.position_min: -0.01 turns (-3.6°) → -0.258333 turns (-93.0°)")));
-    EXPECT_TRUE(questionText().contains(QStringLiteral("EL  servo.timeout_mode: 12 (damp) → 10 (hold)")));
-    EXPECT_FALSE(questionText().contains(QLatin1String("max_voltage"))) << "it is right already";
+    EXPECT_TRUE(
+        questionText().contains(QStringLiteral("AZ  Lower limit: -0.01 turns (-3.6°) → -0.258333 turns (-93.0°)")));
+    EXPECT_TRUE(questionText().contains(QStringLiteral("EL  If commands stop: 12 (damp) → 10 (hold)")));
+    EXPECT_FALSE(questionText().contains(QLatin1String("Max. supply"))) << "it is right already";
     const QStringList parts = questionText().split(QStringLiteral("Set these yourself"));
     ASSERT_EQ(parts.size(), 2);
-    EXPECT_FALSE(parts[0].contains(QLatin1String("rotor_to_output_ratio"))) << "never written by itself";
-    EXPECT_TRUE(parts[1].contains(QLatin1String("rotor_to_output_ratio: 1, wanted 0.00666667")));
+    EXPECT_FALSE(parts[0].contains(QLatin1String("Gear ratio"))) << "never written by itself";
+    EXPECT_TRUE(
+        parts[1].contains(QLatin1String("Gear ratio (motor_position.rotor_to_output_ratio): 1, wanted 0.00666667")));
     QTest::mouseClick(act("Write"), Qt::LeftButton);
     EXPECT_EQ(asked<request::FixDrives>().size(), 1u);
     give(samples::acceptance(samples::factoryDrives(), requests.back().id));
