@@ -98,6 +98,11 @@ void PictureBook::show(const StationStatus& status, char panel)
     openPanel(panel);
 }
 
+QByteArray PictureBook::translated(const char* className, const char* english)
+{
+    return QCoreApplication::translate((QByteArray("boresight::ui::") + className).constData(), english).toUtf8();
+}
+
 void PictureBook::take(const QString& scene)
 {
     const QString folder = qEnvironmentVariable("BORESIGHT_PICTURES");

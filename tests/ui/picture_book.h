@@ -4,6 +4,7 @@
 #include "tests/ui/window_fixture.h"
 #include "ui/kit/language.h"
 
+#include <QByteArray>
 #include <QList>
 
 #include <ostream>
@@ -52,6 +53,8 @@ protected:
     // this key.
     void show(const StationStatus& status, char panel);
     void take(const QString& scene);
+    // The accessible name of a widget in the language of this edition.
+    static QByteArray translated(const char* className, const char* english);
 
     // The labels that may never be cut off while they are visible: all in the header and the axes except their long
     // sentences, and those that a test adds.

@@ -94,7 +94,7 @@ void SchedulePage::build()
     auto* const column = new QVBoxLayout(this);
     column->setContentsMargins(6, 6, 6, 6);
     column->setSpacing(4);
-    m_state->setLines(3);
+    m_state->setLines(4);
     m_state->setStretching(true);
     m_refused->setLines(2);
     m_refused->setStretching(true);
@@ -116,6 +116,10 @@ void SchedulePage::build()
     QHeaderView* const header = m_table->horizontalHeader();
     header->setSectionResizeMode(QHeaderView::ResizeToContents);
     header->setSectionResizeMode(ScheduleTable::What, QHeaderView::Stretch);
+    // A reason is a sentence, which takes two lines of a narrow window.
+    m_table->setWordWrap(true);
+    m_table->verticalHeader()->setMinimumSectionSize(kRowHeight);
+    m_table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
 }
 
 void SchedulePage::armOrDisarm()

@@ -94,7 +94,7 @@ protected:
     }
     void openPage(int page)
     {
-        named<QTabWidget>("Passes of satellites")->setCurrentIndex(page);
+        named<QTabWidget>(translated("PanelTabs", "Passes of satellites"))->setCurrentIndex(page);
         refresh();
     }
     void refresh()
@@ -103,7 +103,7 @@ protected:
         give(samples::update(m_status));
         settle();
     }
-    QTableView& table() { return *named<QTableView>("Coming passes"); }
+    QTableView& table() { return *named<QTableView>(translated("PassesPanel", "Coming passes")); }
 
     StationStatus m_status = withManySatellites();
 };
@@ -116,7 +116,7 @@ TEST_P(PassesPictures, AreTakenOfEachView)
                                       std::pair("passes-timeline", "The passes of the next 24 hours side by side"),
                                       std::pair("passes-elevation", "The elevation of the selected pass over time"),
                                       std::pair("passes-map", "The path of the selected satellite over the Earth")}) {
-        QTest::mouseClick(named<ChoiceButton>(view), Qt::LeftButton);
+        QTest::mouseClick(named<ChoiceButton>(translated("PassViews", view)), Qt::LeftButton);
         refresh();
         take(QLatin1String(scene));
     }
@@ -132,7 +132,7 @@ TEST_P(PassesPictures, AreTakenOfScheduleAndTargets)
     take(QStringLiteral("passes-targets"));
 }
 
-INSTANTIATE_TEST_SUITE_P(All, PassesPictures, kThemes, editionName);
+INSTANTIATE_TEST_SUITE_P(All, PassesPictures, kThemesAndPortuguese, editionName);
 
 }  // namespace
 }  // namespace boresight::ui

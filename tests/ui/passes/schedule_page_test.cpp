@@ -109,6 +109,26 @@ TEST_F(SchedulePageTest, ShowsThePartOfAPassThatIsTracked)
     EXPECT_EQ(cell(3, ScheduleTable::Begins), clockText(rest.begins()).toStdString());
 }
 
+// Story: the reason why a pass is left out ended in "…" at 1280 × 800.
+// REQ-SCHEDULE-950
+TEST_F(SchedulePageTest, AReasonTakesAsManyLinesAsItNeeds)
+{
+    window.resize(1024, 700);
+    show(withPlan());
+    settle();
+    const QAbstractItemModel& model = *table().model();
+    const int width = table().columnWidth(ScheduleTable::What);
+    bool anyWraps = false;
+    for (int row = 0; row < model.rowCount(); ++row) {
+        const QString what = model.index(row, ScheduleTable::What).data().toString();
+        const QRect needed = table().fontMetrics().boundingRect(0, 0, width - 8, 1000, Qt::TextWordWrap, what);
+        anyWraps |= needed.height() > table().fontMetrics().lineSpacing();
+        EXPECT_GE(table().rowHeight(row), needed.height()) << what.toStdString();
+        EXPECT_GE(table().rowHeight(row), kRowHeight);
+    }
+    EXPECT_TRUE(anyWraps);
+}
+
 // REQ-SCHEDULE-950
 TEST_F(SchedulePageTest, SaysWhatToDoWhileNothingIsWatched)
 {
