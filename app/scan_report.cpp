@@ -129,6 +129,11 @@ std::string table(std::span<const FoundController> controllers)
     return aligned(rows);
 }
 
+QString simulatedText()
+{
+    return QStringLiteral("The boards are simulated. No real drive answers.");
+}
+
 QStringList problems(std::span<const FoundController> controllers)
 {
     std::map<int, int> boards;

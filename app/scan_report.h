@@ -16,6 +16,9 @@ using drive_check::FoundController;
 // One line per controller, every number with its unit. "?" stands for a value that was not reported. Lines end with LF.
 [[nodiscard]] std::string table(std::span<const FoundController> controllers);
 
+// For a bus with simulated boards, above the table. Without a final LF.
+[[nodiscard]] QString simulatedText();
+
 // The problems and their remedies, one paragraph each without a final LF. Empty: no problem.
 [[nodiscard]] QStringList problems(std::span<const FoundController> controllers);
 

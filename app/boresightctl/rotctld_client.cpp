@@ -13,7 +13,7 @@ namespace {
 
 constexpr qsizetype kLongestReply = 4096;
 
-// The protocol reports only a number (core/rotctld/README.md).
+// For a server that reports only a number (core/rotctld/README.md).
 QString refusalText(int code)
 {
     switch (code) {
@@ -92,12 +92,29 @@ Result<QByteArray> RotctldClient::ask(const QByteArray& command)
     return code == 0 ? Result<QByteArray>(reply) : failure(ErrorCode::Refused, refusalText(code));
 }
 
-Result<> RotctldClient::order(const QByteArray& command)
+// Only Boresight answers get_outcome. Hamlib's rotctld does not answer it at all, so a question follows that each
+// server answers.
+QString RotctldClient::outcome()
 {
-    return ask(command).map([](const QByteArray&) {});
+    const auto reply = ask("\\get_outcome\n+_");
+    return reply ? QString::fromUtf8(valueOf(*reply, "Outcome")) : QString();
 }
 
-Result<> RotctldClient::pointTo(const SkyPointing& direction)
+// A refusal has the reason of the station if the station reports it.
+Result<QString> RotctldClient::order(const QByteArray& command)
+{
+    const auto reply = ask(command);
+    if (!reply && reply.error().code != ErrorCode::Refused) {
+        return tl::unexpected(reply.error());
+    }
+    const QString words = outcome();
+    if (!reply) {
+        return failure(ErrorCode::Refused, words.isEmpty() ? reply.error().text : words);
+    }
+    return words;
+}
+
+Result<QString> RotctldClient::pointTo(const SkyPointing& direction)
 {
     return order("P " + QByteArray::fromStdString(formatFixed(direction.azimuth.degrees(), 4)) + " " +
                  QByteArray::fromStdString(formatFixed(direction.elevation.degrees(), 4)));
@@ -105,12 +122,12 @@ Result<> RotctldClient::pointTo(const SkyPointing& direction)
 
 Result<> RotctldClient::park()
 {
-    return order("K");
+    return order("K").map([](const QString&) {});
 }
 
 Result<> RotctldClient::hold()
 {
-    return order("S");
+    return order("S").map([](const QString&) {});
 }
 
 Result<QJsonObject> RotctldClient::status()

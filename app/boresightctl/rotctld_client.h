@@ -23,7 +23,9 @@ class RotctldClient
 public:
     [[nodiscard]] Result<> connect(const profile::ListenAddress& station);
 
-    [[nodiscard]] Result<> pointTo(const SkyPointing& direction);
+    // On success: where the mount goes instead of this direction, as the station words it. Empty: it goes there, or the
+    // server does not report it.
+    [[nodiscard]] Result<QString> pointTo(const SkyPointing& direction);
     [[nodiscard]] Result<> park();
     // Ends the motion. The protocol has no STOP that latches.
     [[nodiscard]] Result<> hold();
@@ -32,7 +34,8 @@ public:
 
 private:
     [[nodiscard]] Result<QByteArray> ask(const QByteArray& command);
-    [[nodiscard]] Result<> order(const QByteArray& command);
+    [[nodiscard]] Result<QString> order(const QByteArray& command);
+    [[nodiscard]] QString outcome();
 
     QTcpSocket m_socket;
     QDeadlineTimer m_deadline{kPatience};

@@ -27,6 +27,9 @@ ExitStatus report(const std::vector<FoundController>& controllers, const CanLink
     if (controllers.empty()) {
         return fail(app::silenceText(link.name()));
     }
+    if (isSimulatedBus(link.name())) {
+        printLine(app::simulatedText());
+    }
     print(app::table(controllers));
     const QStringList wrong = app::problems(controllers);
     for (const QString& text : wrong) {
@@ -79,7 +82,8 @@ no watchdog is extended. On a SocketCAN bus it does not disturb a running statio
 not a known adapter. A serial port that does not answer as an adapter receives one question.
 
 Columns: id on the bus, UUID of the board, version of firmware and register map (map), mode, fault, supply voltage,
-temperature of the board, position of the output in turns of the drive, and how well this position is known.
+temperature of the board, position of the output in turns of the drive, and how well this position is known. A line above
+the table reports that the boards are simulated: built in, on a pseudo-terminal or on a virtual CAN interface.
 Exit status: 0 all in order, 1 no board found, two boards with one id, a fault, an unknown register map or silence.
 
 Example:

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/boresightctl/goto_answer.h"
 #include "app/boresightctl/local_client.h"
 #include "app/boresightctl/rotctld_client.h"
 #include "app/boresightctl/station_help.h"
@@ -89,11 +90,20 @@ ExitStatus runGoto(Arguments arguments)
     if (!direction) {
         return usageError(kGotoCommand, direction.error().text);
     }
-    return orderOf(
-        kGotoCommand, *options, [&](RotctldClient& station) { return station.pointTo(*direction); },
-        QStringLiteral("The station accepted the target azimuth %1°, elevation %2°.")
-            .arg(direction->azimuth.degrees(), 0, 'f', 2)
-            .arg(direction->elevation.degrees(), 0, 'f', 2));
+    RotctldClient station;
+    const auto outcome = station.connect(options->station.value_or(profile::ListenAddress{})).and_then([&] {
+        return station.pointTo(*direction);
+    });
+    if (!outcome) {
+        return failedBy(kGotoCommand, outcome.error());
+    }
+    const GotoAnswer answer = gotoAnswer(*direction, *outcome);
+    if (!answer.goesThere) {
+        complain(kGotoCommand, answer.text);
+        return kFoundWrong;
+    }
+    printLine(answer.text);
+    return kDone;
 }
 
 ExitStatus runStop(Arguments arguments)
@@ -170,8 +180,11 @@ const Subcommand kGotoCommand{.name = "goto",
 AZ and EL are true directions in degrees. The command ends when the station has accepted the target. The motion continues.
 The station treats the command like that of any client. It refuses the command while STOP is latched, and while the
 operator or another client has control. The profile sets what happens with a direction outside the limits: the station
-refuses it, or moves to the nearest permitted direction.
-)" + kExitStatus + R"(
+refuses it, or moves to the nearest permitted direction. The command prints the reason, and where the mount goes. A
+rotctld of Hamlib reports neither.
+Exit status: 0 the mount goes there, 1 the station refused it or the mount goes to the nearest permitted direction, 2 the
+command line is wrong, 3 no station answered in 2 s.
+
 Example:
   boresightctl goto 113 10
 )",

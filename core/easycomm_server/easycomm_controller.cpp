@@ -101,8 +101,9 @@ Result<std::string> EasycommController::carryOut(const Turn& turn, rotctld::Line
     return done(turned.map([](const QString&) {}));
 }
 
-Result<std::string> EasycommController::carryOut(const StopTurning&, rotctld::LineOutcome& /*outcome*/)
+Result<std::string> EasycommController::carryOut(const StopTurning&, rotctld::LineOutcome& outcome)
 {
+    outcome.stop = true;
     m_turns = false;
     return done(m_rotator.stop(m_client));
 }

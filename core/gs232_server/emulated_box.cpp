@@ -51,6 +51,7 @@ void EmulatedBox::carryOut(const Turn& turn, rotctld::LineOutcome& outcome)
 
 void EmulatedBox::carryOut(const StopTurning&, rotctld::LineOutcome& outcome)
 {
+    outcome.stop = true;
     outcome.result = m_rotator.stop(m_client);
 }
 

@@ -97,7 +97,7 @@ std::optional<QByteArray> CommandTalk::stop(const QByteArray& /*message*/, Retai
 // out.
 std::optional<QByteArray> CommandTalk::latch(std::string_view line, Retain retain)
 {
-    LineOutcome outcome{.reply = std::string(pairs::kDone), .result = {}};
+    LineOutcome outcome{.reply = std::string(pairs::kDone), .result = {}, .stop = true};
     if (retain == Retain::Yes) {
         outcome = refuseOld(line);
     } else if (outcome.result = m_latchStop(m_client); !outcome.result) {
@@ -175,7 +175,7 @@ bool CommandTalk::isFlood()
 
 QByteArray CommandTalk::answer(std::string_view line, const LineOutcome& outcome)
 {
-    m_habits.take(line.substr(0, rotctld::kShownBytes), outcome.motion, outcome.point, m_clock.now());
+    m_habits.take(line.substr(0, rotctld::kShownBytes), outcome, m_clock.now());
     m_habits.answered(outcome.result, outcome.became);
     if (!outcome.result && outcome.result.error().code == ErrorCode::InvalidInput) {
         m_habits.countOdd();

@@ -42,6 +42,7 @@ void PairsTalk::carryOut(const Report&, rotctld::LineOutcome& outcome)
 
 void PairsTalk::carryOut(const Stop&, rotctld::LineOutcome& outcome)
 {
+    outcome.stop = true;
     outcome.result = m_rotator.stop(m_client);
 }
 

@@ -17,58 +17,66 @@ QString shownText(std::string_view bytes)
     return text;
 }
 
+bool asksForMotion(const Command& command)
+{
+    const CommandId id = command.spec->id;
+    return id == CommandId::SetPosition || id == CommandId::Move || id == CommandId::Park;
+}
+
 void ClientHabits::take(const Command& command, SteadyTime now)
 {
-    m_lastCommand.clear();
-    m_lastRefusal.clear();
-    m_became.clear();
+    m_last = {};
     if (command.spec->letter < 0x80) {
-        m_lastCommand += static_cast<char>(command.spec->letter);
+        m_last.command += static_cast<char>(command.spec->letter);
     } else {
-        m_lastCommand.append(command.spec->name);
+        m_last.command.append(command.spec->name);
     }
     for (std::size_t i = 0; i < command.argumentCount; ++i) {
-        m_lastCommand.append(" ").append(command.arguments[i]);
+        m_last.command.append(" ").append(command.arguments[i]);
     }
+    m_lastActs = asksForMotion(command) || command.spec->id == CommandId::Stop;
     m_rate.count(now);
     noteMotion(command, now);
 }
 
-void ClientHabits::take(std::string_view command, bool motion, const std::optional<SkyPointing>& point, SteadyTime now)
+void ClientHabits::take(std::string_view command, const LineOutcome& outcome, SteadyTime now)
 {
-    m_lastCommand = command;
-    m_lastRefusal.clear();
-    m_became.clear();
+    m_last = {.command = std::string(command)};
+    m_lastActs = outcome.motion || outcome.stop;
     m_rate.count(now);
-    if (motion) {
+    if (outcome.motion) {
         m_lastMotion = now;
     }
-    if (point) {
-        m_steps.observe(*point, now);
+    if (outcome.point) {
+        m_steps.observe(*outcome.point, now);
     }
 }
 
 void ClientHabits::answered(const Result<>& outcome, const QString& became)
 {
-    m_became = became;
-    m_lastRefusal = outcome ? QString() : printable(outcome.error().text);
+    m_last.became = became;
+    m_last.refusal = outcome ? QString() : printable(outcome.error().text);
+    if (m_lastActs) {
+        m_act = m_last;
+    }
 }
 
 QString ClientHabits::lastInWords() const
 {
-    if (!m_lastRefusal.isEmpty()) {
-        return Text::tr("%1: refused. %2").arg(lastCommand(), m_lastRefusal);
+    const Answered& shown = m_act && m_last.refusal.isEmpty() ? *m_act : m_last;
+    const QString command = shownText(shown.command);
+    if (!shown.refusal.isEmpty()) {
+        return Text::tr("%1: refused. %2").arg(command, shown.refusal);
     }
-    return m_became.isEmpty() ? lastCommand() : QStringLiteral("%1 → %2").arg(lastCommand(), m_became);
+    return shown.became.isEmpty() ? command : QStringLiteral("%1 → %2").arg(command, shown.became);
 }
 
 void ClientHabits::noteMotion(const Command& command, SteadyTime now)
 {
-    const CommandId id = command.spec->id;
-    if (id == CommandId::SetPosition || id == CommandId::Move || id == CommandId::Park) {
+    if (asksForMotion(command)) {
         m_lastMotion = now;
     }
-    if (id != CommandId::SetPosition || command.argumentCount < 2) {
+    if (command.spec->id != CommandId::SetPosition || command.argumentCount < 2) {
         return;
     }
     const auto azimuth = leadingPosition(command.arguments[0]);

@@ -6,6 +6,7 @@
 #include "core/rotctld/client_program.h"
 #include "core/rotctld/command_parser.h"
 #include "core/rotctld/command_rate.h"
+#include "core/rotctld/line_protocol.h"
 #include "core/rotctld/point_steps.h"
 
 #include <QString>
@@ -22,6 +23,8 @@ namespace boresight::rotctld {
 inline constexpr std::size_t kShownBytes = 40;
 // The text of a client for the log: printable, and no more than kShownBytes bytes. It may be binary data.
 [[nodiscard]] QString shownText(std::string_view bytes);
+// The command asks for a motion.
+[[nodiscard]] bool asksForMotion(const Command& command);
 
 class ClientHabits
 {
@@ -31,16 +34,18 @@ public:
     // Call take() for each command before it runs, understood() afterwards if it was understood, and countOdd() for an
     // unknown line.
     void take(const Command& command, SteadyTime now);
-    // take() for another protocol. `point`: the target of the command, if it has one.
-    void take(std::string_view command, bool motion, const std::optional<SkyPointing>& point, SteadyTime now);
+    // take() for another protocol, after the command ran.
+    void take(std::string_view command, const LineOutcome& outcome, SteadyTime now);
     void understood(const Command& command) { m_program.observe(command); }
     // The result of the last command. `became`: the changed target if the station changed it, else empty.
     void answered(const Result<>& outcome, const QString& became = {});
     void countOdd() { ++m_oddCommands; }
 
     [[nodiscard]] std::string_view program() const { return m_program.name(); }
-    [[nodiscard]] QString lastCommand() const { return shownText(m_lastCommand); }
-    // The last command, with the reason if it was refused, or with its changed target: "P 400 30 → az 40.0°".
+    [[nodiscard]] QString lastCommand() const { return shownText(m_last.command); }
+    // The last command that moves or stops the mount, with the reason if it was refused, or with its changed target:
+    // "P 400 30 → az 40.0°". Most programs read the position after each target. Before the first such command, and if
+    // the last command was refused: the last command.
     [[nodiscard]] QString lastInWords() const;
     [[nodiscard]] std::uint64_t oddCommands() const { return m_oddCommands; }
     [[nodiscard]] double commandsPerSecond(SteadyTime now) const { return m_rate.perSecond(now); }
@@ -48,15 +53,22 @@ public:
     [[nodiscard]] std::optional<Angle> leap() const { return m_steps.leap(); }
 
 private:
+    struct Answered
+    {
+        std::string command;
+        QString refusal = {};  // empty: accepted
+        QString became = {};
+    };
+
     void noteMotion(const Command& command, SteadyTime now);
 
     ClientProgram m_program;
     CommandRate m_rate;
     PointSteps m_steps;
     std::optional<SteadyTime> m_lastMotion;
-    std::string m_lastCommand;
-    QString m_lastRefusal;  // empty: accepted
-    QString m_became;
+    Answered m_last;
+    bool m_lastActs = false;  // it moves or stops the mount
+    std::optional<Answered> m_act;
     std::uint64_t m_oddCommands = 0;
 };
 

@@ -38,7 +38,7 @@ struct ClientInfo
     std::uint64_t id = 0;
     std::string address;
     std::string program;  // the detected program; if unknown, its protocol unless that is rotctld
-    QString lastCommand;  // with the reason if it was refused, or with its changed target
+    QString lastCommand;  // ClientHabits::lastInWords()
     std::uint64_t oddCommands = 0;
     double commandsPerSecond = 0.0;        // mean over the last seconds
     std::optional<SteadyTime> lastMotion;  // its last command for a motion, accepted or not

@@ -11,7 +11,7 @@ namespace {
 using Event = CommandParser::Event;
 
 constexpr std::size_t kLineHead = 32;       // longer than the longest known opening of a foreign protocol
-constexpr std::size_t kMaxNameLength = 32;  // the longest name has 10 letters
+constexpr std::size_t kMaxNameLength = 32;  // the longest name has 11 letters
 constexpr std::size_t kMaxBinaryBytes = 4;  // a stray NUL or umlaut is no foreign protocol
 
 bool isBlank(char byte)

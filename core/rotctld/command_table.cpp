@@ -6,7 +6,8 @@
 namespace boresight::rotctld {
 namespace {
 
-// Names, letters, argument names and labels are those of Hamlib 4.5.4, because clients read the labels.
+// Names, letters, argument names and labels are those of Hamlib 4.5.4, because clients read the labels. get_outcome is
+// our own.
 constexpr std::array kCommands{
     CommandSpec{.id = CommandId::SetPosition,
                 .letter = 'P',
@@ -86,6 +87,12 @@ constexpr std::array kCommands{
                 .name = "get_status",
                 .arguments = {},
                 .labels = {"Status flags"},
+                .ending = Ending::Values},
+    CommandSpec{.id = CommandId::GetOutcome,
+                .letter = 0x8d,
+                .name = "get_outcome",
+                .arguments = {},
+                .labels = {"Outcome"},
                 .ending = Ending::Values},
     CommandSpec{.id = CommandId::SendRaw,
                 .letter = 'w',

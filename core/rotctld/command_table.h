@@ -29,6 +29,7 @@ enum class CommandId : std::uint8_t
     SetConfiguration,
     GetInfo,
     GetStatus,
+    GetOutcome,  // of Boresight, not of Hamlib (HAMLIB.md)
     SendRaw,
     DumpCapabilities,
     DumpState,

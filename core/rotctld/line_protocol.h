@@ -20,6 +20,7 @@ struct LineOutcome
     Result<> result;
     QString became = {};                    // the changed target, as text; empty if unchanged
     bool motion = false;                    // it requested a motion, accepted or not
+    bool stop = false;                      // it requested a stop
     std::optional<SkyPointing> point = {};  // the target that it requested
 };
 

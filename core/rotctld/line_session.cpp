@@ -67,7 +67,7 @@ void LineSession::run(std::string_view line, std::string& reply)
     }
     const LineOutcome outcome = m_protocol->obey(line);
     reply += outcome.reply;
-    m_habits.take(line.substr(0, kShownBytes), outcome.motion, outcome.point, m_clock.now());
+    m_habits.take(line.substr(0, kShownBytes), outcome, m_clock.now());
     m_habits.answered(outcome.result, outcome.became);
     if (!outcome.result && outcome.result.error().code == ErrorCode::InvalidInput) {
         odd(line);

@@ -105,10 +105,14 @@ bool Session::inputTaken(std::string& reply)
     if (!m_inputEnded) {
         return false;
     }
-    if (m_parser.finish() == Event::Command) {
-        run(reply);
-    } else {
+    if (m_parser.finish() != Event::Command) {
         m_ending = Text::tr("closed the connection");
+    } else if (asksForMotion(m_parser.command())) {
+        // "P 10 5" may be the beginning of "P 10 55".
+        m_ending = Text::tr("closed the connection in the middle of \"%1\", so the command did not run")
+                       .arg(shownText(m_parser.lineHead()));
+    } else {
+        run(reply);
     }
     return true;
 }
@@ -127,6 +131,9 @@ void Session::run(std::string& reply)
     const Result<> outcome = execute(command, writer, became);
     writer.finish(outcome);
     m_habits.answered(outcome, became);
+    if (command.spec->id != CommandId::GetOutcome) {
+        m_outcome = boresight::printable(outcome ? became : outcome.error().text);
+    }
     if (outcome || outcome.error().code == ErrorCode::Refused) {
         m_habits.understood(command);
     }
@@ -156,6 +163,10 @@ Result<> Session::execute(const Command& command, ReplyWriter& writer, QString& 
 {
     if (command.spec->id == CommandId::Pause) {
         return pause(command);
+    }
+    if (command.spec->id == CommandId::GetOutcome) {
+        writer.value(m_outcome.toStdString());
+        return {};
     }
     return runCommand(command, {.rotator = m_rotator, .client = m_client, .outcome = became, .dumpState = m_dumpState},
                       writer);

@@ -57,6 +57,8 @@ private:
     bool m_inputEnded = false;
     std::optional<SteadyTime> m_pausedUntil;
     std::string m_pauseReply;
+    // Of the last command: why it was refused, or the changed target. Empty: it was accepted as it was sent.
+    QString m_outcome;
     QString m_ending;
     bool m_dropped = false;
     int m_oddInARow = 0;

@@ -111,7 +111,7 @@ void DatagramServer::obey(Sender& sender, std::string_view datagram, const QHost
     const SteadyTime now = m_clock.now();
     sender.lastDatagram = now;
     const rotctld::LineOutcome outcome = sender.controller.obey(datagram);
-    sender.habits.take(trimmed(datagram).substr(0, rotctld::kShownBytes), outcome.motion, outcome.point, now);
+    sender.habits.take(trimmed(datagram).substr(0, rotctld::kShownBytes), outcome, now);
     sender.habits.answered(outcome.result, outcome.became);
     if (!outcome.result && outcome.result.error().code == ErrorCode::InvalidInput) {
         sender.habits.countOdd();

@@ -83,6 +83,7 @@ void UdpController::carryOut(const Target& target, LineOutcome& outcome)
 
 void UdpController::carryOut(const StopTurning& /*stop*/, LineOutcome& outcome)
 {
+    outcome.stop = true;
     outcome.result = m_shared.rotator.stop(m_client);
 }
 

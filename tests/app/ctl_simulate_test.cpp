@@ -120,12 +120,14 @@ protected:
     mutable double m_startOfTruth = std::numeric_limits<double>::infinity();
 };
 
+// REQ-CTL-307
 TEST_F(SimulateTest, IsFoundByScanAgainAndAgain)
 {
     start({QStringLiteral("--el-id=9")});
     for (int round = 0; round < 2; ++round) {
         scan();
         EXPECT_EQ(scanStatus, 0) << scanned;
+        EXPECT_TRUE(scanned.starts_with("The boards are simulated. No real drive answers.\nid  UUID")) << scanned;
         EXPECT_THAT(scanned, HasSubstr("\n1   626f7265-7369-6768-7420-73696d203031"));
         EXPECT_THAT(scanned, HasSubstr("\n9   626f7265-7369-6768-7420-73696d203032"));
     }

@@ -100,6 +100,21 @@ TEST_F(CtlStation, IsSentStoppedAndParked)
     EXPECT_EQ(ask("park").status, 0);
 }
 
+// Story: goto beyond the limits reported the target as accepted, and the mount went elsewhere.
+// REQ-CTL-306
+TEST_F(CtlStation, ReportsWhereTheMountGoes)
+{
+    ASSERT_TRUE(isSentOff());
+    const Outcome below = ask("goto 30 -5");
+    EXPECT_EQ(below.status, 1);
+    EXPECT_EQ(below.output, "");
+    EXPECT_THAT(below.errors, HasSubstr("goto: Elevation -5.0° below limit 0.0°. The mount goes to 30.0° / 0.0°, the "
+                                        "nearest permitted direction."));
+    const Outcome turn = ask("goto 400 30");
+    EXPECT_EQ(turn.status, 0) << turn.errors;
+    EXPECT_THAT(turn.output, HasSubstr("The station accepted the target azimuth 40.00°, elevation 30.00°."));
+}
+
 // REQ-CTL-302: take, release, stop --latched and reset-stop use the local socket of the station on this computer. None
 // of them starts a motion. A refusal contains the reason of the station.
 TEST_F(CtlStation, GivesAndTakesControlAndLatchesStop)
@@ -109,13 +124,16 @@ TEST_F(CtlStation, GivesAndTakesControlAndLatchesStop)
     EXPECT_EQ(take.status, 0) << take.errors;
     const Outcome refused = ask("goto 113 40");
     EXPECT_EQ(refused.status, 1);
-    EXPECT_THAT(refused.errors, HasSubstr("the operator or another client has control"));
+    EXPECT_THAT(refused.errors, HasSubstr("refused: The operator has control."));
+    EXPECT_THAT(ask("park").errors, HasSubstr("refused: The operator has control."));
     EXPECT_EQ(ask("release").status, 0);
     EXPECT_TRUE(isSentOff());
     const Outcome stop = ask("stop --latched");
     EXPECT_EQ(stop.status, 0) << stop.errors;
     EXPECT_THAT(stop.output, HasSubstr("STOP is latched"));
-    EXPECT_EQ(ask("goto 113 40").status, 1);
+    const Outcome latched = ask("goto 113 40");
+    EXPECT_EQ(latched.status, 1);
+    EXPECT_THAT(latched.errors, HasSubstr("refused: STOP is latched."));
     const Outcome release = ask("release");
     EXPECT_EQ(release.status, 1);
     EXPECT_THAT(release.errors, HasSubstr("refused: STOP is latched. Reset STOP first."));
@@ -209,8 +227,13 @@ TEST(CtlStationOutcome, SaysWhyNothingWasDone)
 {
     QTcpServer station;
     ASSERT_TRUE(station.listen(QHostAddress::LocalHost));
-    QObject::connect(&station, &QTcpServer::newConnection, &station,
-                     [&station] { station.nextPendingConnection()->write("set_pos: 1 2\nRPRT -9\n"); });
+    QObject::connect(&station, &QTcpServer::newConnection, &station, [&station] {
+        QTcpSocket* const client = station.nextPendingConnection();
+        QObject::connect(client, &QTcpSocket::readyRead, client, [client] {
+            client->readAll();
+            client->write("set_pos: 1 2\nRPRT -9\n");  // to each question: it reports no reason
+        });
+    });
     const QString address = QStringLiteral("127.0.0.1:%1").arg(station.serverPort());
     const QStringList point = words("goto 1 2 --station") + QStringList{address};
     const Outcome refused = ctl(point);

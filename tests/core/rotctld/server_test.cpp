@@ -244,13 +244,15 @@ TEST(RotctldServer, ListsItsClients)
     EXPECT_EQ(clients[1].oddCommands, 1U);
 }
 
-// REQ-ROTCTLD-1410: If the last command of a client was refused, the list of the clients shows the reason in words
-// until the next command.
+// REQ-ROTCTLD-1410: If the last command of a client was refused, the list of the clients shows the reason in words. For
+// a command that moves or stops the mount, until the next such command.
 TEST(RotctldServer, ListsWhyTheLastCommandWasRefused)
 {
     ServerFixture fixture;
     const auto client = fixture.connect();
     EXPECT_NE(client->ask("P 12.34 170\n"), "RPRT 0\n");
+    EXPECT_EQ(fixture.server->clients()[0].lastCommand.toStdString(), "P 12.34 170: refused. outside the limits");
+    client->ask("p\n", 2);
     EXPECT_EQ(fixture.server->clients()[0].lastCommand.toStdString(), "P 12.34 170: refused. outside the limits");
     EXPECT_NE(client->ask("P nan 10\n"), "RPRT 0\n");
     EXPECT_TRUE(fixture.server->clients()[0].lastCommand.startsWith(QStringLiteral("P nan 10: refused. ")));
@@ -267,8 +269,27 @@ TEST(RotctldServer, ListsWhatBecameOfTheLastTarget)
     fixture.rotator.became = QStringLiteral("az 40.0° (one turn less)");
     EXPECT_EQ(client->ask("P 400 30\n"), "RPRT 0\n");
     EXPECT_EQ(fixture.server->clients()[0].lastCommand.toStdString(), "P 400 30 → az 40.0° (one turn less)");
+    fixture.rotator.became.clear();
+    EXPECT_EQ(client->ask("S\n"), "RPRT 0\n");
+    EXPECT_EQ(fixture.server->clients()[0].lastCommand.toStdString(), "S");
+}
+
+// Story: the column Last showed "p" for each client, because Gpredict reads the position after each target.
+// REQ-ROTCTLD-1414: The list of the clients shows the last command of a client that moves or stops the mount. A client
+// that only reads is shown with what it reads.
+TEST(RotctldServer, ListsTheLastCommandThatActs)
+{
+    ServerFixture fixture;
+    const auto client = fixture.connect();
+    const auto last = [&] { return fixture.server->clients()[0].lastCommand.toStdString(); };
     client->ask("p\n", 2);
-    EXPECT_EQ(fixture.server->clients()[0].lastCommand.toStdString(), "p");
+    EXPECT_EQ(last(), "p");
+    client->ask("P 12.34 5.60\n");
+    client->ask("p\n", 2);
+    EXPECT_EQ(last(), "P 12.34 5.60");
+    client->ask("S\n");
+    client->ask("p\n", 2);
+    EXPECT_EQ(last(), "S");
 }
 
 TEST(RotctldServer, HangsUpOnOneClientOnRequest)

@@ -125,6 +125,34 @@ TEST_F(RotctldSession, RunsNothingBehindAPauseOfWhoLeft)
     EXPECT_EQ(rotator.actions, 0);
 }
 
+// Story: a connection closed after "P 10 5" without a line end, and the mount moved. The rest of "P 10 55" can be lost.
+// REQ-ROTCTLD-1415: When the connection closes in the middle of a line, a command in it that moves the mount does not
+// run. Other commands run.
+TEST(RotctldHalfLine, MovesNothing)
+{
+    const auto closesAfter = [](std::string_view bytes, fakes::DummyRotator& rotator, const Clock& clock) {
+        Session session{{.id = 7, .address = "127.0.0.1:5"}, rotator, clock, DumpStateForm::OldAndNew};
+        session.receive(bytes);
+        session.endOfInput();
+        std::string reply;
+        while (session.step(reply)) {
+        }
+        return reply + session.ending().toStdString();
+    };
+    fakes::ManualClock clock;
+    for (const char* const line : {"P 10 5", "\\set_pos 10 5", "M UP 5", "K", "p P 10 5"}) {
+        fakes::DummyRotator rotator(clock);
+        EXPECT_NE(closesAfter(line, rotator, clock).find("so the command did not run"), std::string::npos) << line;
+        EXPECT_FALSE(rotator.lastRequest.has_value()) << line;
+        EXPECT_EQ(rotator.actions, 0) << line;
+    }
+    fakes::DummyRotator rotator(clock);
+    EXPECT_EQ(closesAfter("V SPEED 2", rotator, clock), "RPRT 0\nclosed the connection");
+    EXPECT_EQ(closesAfter("S", rotator, clock), "RPRT 0\nclosed the connection");
+    EXPECT_EQ(closesAfter("P 10 5\n", rotator, clock), "RPRT 0\nclosed the connection");
+    EXPECT_TRUE(rotator.lastRequest.has_value());
+}
+
 TEST_F(RotctldSession, BoundsWhatWaitsBehindAPause)
 {
     EXPECT_EQ(answer("\\pause 60\n"), "");
@@ -143,6 +171,35 @@ TEST_F(RotctldSession, CountsAndTellsOddCommands)
     EXPECT_EQ(answer("0\n0\n0\n0\n0\n0\n0\np\n"), "");
     EXPECT_EQ(session.ending().toStdString(), "sent 8 unknown commands in a row");
     EXPECT_TRUE(session.dropped());
+}
+
+// Story: a shell that sent the mount to 95° of elevation received RPRT 0, and the mount went to 90°.
+// REQ-ROTCTLD-1413: get_outcome reports why the last command of the client was refused, or where the mount goes instead
+// of the target. It is empty otherwise.
+TEST_F(RotctldSession, ReportsTheOutcomeInWords)
+{
+    EXPECT_EQ(answer("\\get_outcome\n"), "\n");
+    EXPECT_EQ(answer("P 10 170\n"), "RPRT -1\n");
+    EXPECT_EQ(answer("+\\get_outcome\n"), "get_outcome:\nOutcome: outside the limits\nRPRT 0\n");
+    rotator.became = QStringLiteral("30.0° / 90.0°: elevation 95.0° above limit 90.0°");
+    EXPECT_EQ(answer("P 30 40\n"), "RPRT 0\n");
+    EXPECT_EQ(answer("\\get_outcome\n"), "30.0° / 90.0°: elevation 95.0° above limit 90.0°\n");
+    EXPECT_EQ(answer("\\get_outcome\n"), "30.0° / 90.0°: elevation 95.0° above limit 90.0°\n") << "asked again";
+    rotator.became.clear();
+    EXPECT_EQ(answer("P 30 40\n+\\get_outcome\n+_\n"),
+              "RPRT 0\nget_outcome:\nOutcome: \nRPRT 0\nget_info:\nInfo: Dummy rotator\nRPRT 0\n");
+    EXPECT_EQ(session.habits().oddCommands(), 0U);
+}
+
+// REQ-ROTCTLD-1413
+TEST_F(RotctldSession, ReportsTheReasonOfEachRefusal)
+{
+    rotator.fault = Error{.code = ErrorCode::Refused, .text = QStringLiteral("STOP is latched. Reset STOP first.")};
+    EXPECT_EQ(answer("K\n"), "RPRT -9\n");
+    EXPECT_EQ(answer("\\get_outcome\n"), "STOP is latched. Reset STOP first.\n");
+    rotator.fault.reset();
+    EXPECT_EQ(answer("K\n"), "RPRT 0\n");
+    EXPECT_EQ(answer("\\get_outcome\n"), "\n");
 }
 
 TEST_F(RotctldSession, HelpNamesEveryCommand)
