@@ -150,6 +150,8 @@ QString buttonText(AlarmHelp help)
             return Text::tr("Enter position");
         case AlarmHelp::OpenHomeRun:
             return Text::tr("Home run");
+        case AlarmHelp::OpenGuide:
+            return Text::tr("Open guide");
     }
     return {};
 }

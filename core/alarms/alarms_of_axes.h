@@ -46,7 +46,7 @@ inline constexpr std::array kAxisAlarms{
                .thenRearm = true,
                .help = AlarmHelp::Rearm,
                .kin = AlarmKin::Drive,
-               .examples = {"the azimuth does not move: it moved 0.1° in 0.80 s instead of 2.4° (at 3.0°/s)"}},
+               .examples = {"the azimuth does not move: it moved 0.1° in 0.80 s instead of 2.4°"}},
     AlarmEntry{.id = "axis.wrong-way",
                .source = "%1",
                .severity = Severity::Alarm,

@@ -315,6 +315,20 @@ inline constexpr std::array kStationAlarms{
         .help = AlarmHelp::OpenProfile,
         .examples = {"21:04:10Z"},
         .identifying = 0},
+    AlarmEntry{
+        .id = "wind.silent-while-strong",
+        .source = "wind",
+        .severity = Severity::Warning,
+        .what = QT_TRANSLATE_NOOP("Text", "The wind is unknown. No reading has come since %1"),
+        .action = QT_TRANSLATE_NOOP("Text",
+                                    "The calm time needs readings. Without them the wind counts as strong, and a "
+                                    "parked mount stays parked"),
+        .remedy =
+            QT_TRANSLATE_NOOP("Text", "Check the anemometer and its program, and wind.source on the page Profile"),
+        .help = AlarmHelp::OpenProfile,
+        .examples = {"21:04:10Z"},
+        .identifying = 0,
+        .placeOf = "wind.silent"},
     AlarmEntry{.id = "profile.advice",
                .source = "station",
                .severity = Severity::Advisory,
@@ -336,10 +350,11 @@ inline constexpr std::array kStationAlarms{
         .id = "target.outside",
         .source = "target",
         .severity = Severity::Advisory,
-        .what = QT_TRANSLATE_NOOP("Text", "The target is outside the limits"),
-        .action = QT_TRANSLATE_NOOP("Text", "The mount goes to the nearest permitted point (%1)"),
+        .what = QT_TRANSLATE_NOOP("Text", "The target is outside the limits (%1)"),
+        .action = QT_TRANSLATE_NOOP("Text", "The mount goes to the nearest permitted point"),
         .remedy = QT_TRANSLATE_NOOP("Text", "Nothing to do. Tracking resumes when the target comes inside the limits"),
-        .examples = {"elevation -5.0° below limit 0.0°"}},
+        .examples = {"elevation -5.0° below limit 0.0°"},
+        .identifying = 0},
     AlarmEntry{
         .id = "cable.turns-back",
         .source = "azimuth",
@@ -367,6 +382,34 @@ inline constexpr std::array kStationAlarms{
         .help = AlarmHelp::OpenLimits,
         .examples = {"450.0°", "17:06:10Z"},
         .identifying = 1,
+        .placeOf = "cable.turns-back"},
+    AlarmEntry{
+        .id = "cable.hold-chosen",
+        .source = "azimuth",
+        .severity = Severity::Advisory,
+        .worst = Severity::Warning,
+        .what = QT_TRANSLATE_NOOP("Text", "The azimuth reaches its cable end (%1) at %2"),
+        .action = QT_TRANSLATE_NOOP(
+            "Text", "Boresight will hold there until the mount can reach the target again, as the operator chose"),
+        .remedy = QT_TRANSLATE_NOOP(
+            "Text", "Press Unwrap now to reach the target on another wrap. Then hand control back to the clients"),
+        .brief = QT_TRANSLATE_NOOP("Text", "reaches its cable end (%1) at %2"),
+        .help = AlarmHelp::Unwind,
+        .examples = {"450.0°", "17:06:10Z"},
+        .identifying = 1,
+        .placeOf = "cable.turns-back"},
+    AlarmEntry{
+        .id = "cable.held",
+        .source = "azimuth",
+        .severity = Severity::Warning,
+        .what = QT_TRANSLATE_NOOP("Text", "The azimuth is at its cable end (%1)"),
+        .action = QT_TRANSLATE_NOOP(
+            "Text", "Boresight holds there until the mount can reach the target again, as the operator chose"),
+        .remedy = QT_TRANSLATE_NOOP(
+            "Text", "Press Unwrap now to reach the target on another wrap. Then hand control back to the clients"),
+        .brief = QT_TRANSLATE_NOOP("Text", "is at its cable end (%1)"),
+        .help = AlarmHelp::Unwind,
+        .examples = {"450.0°"},
         .placeOf = "cable.turns-back"},
 };
 

@@ -48,10 +48,11 @@ Result<> Gates::mayHold(const Source& source) const
 Result<> Gates::isPlaced(Axis axis) const
 {
     if (!m_of.mount.report(axis).wrapKnown) {
-        return failure(
-            ErrorCode::Refused,
-            Text::tr("The cable wrap of the %1 is unknown. Enter the position of the axis. Only slow jog works.")
-                .arg(m_of.mount.label(axis)));
+        const QString what =
+            axis == Axis::Azimuth
+                ? Text::tr("The cable wrap of the %1 is unknown. Enter the position of the axis. Only slow jog works.")
+                : Text::tr("The position of the %1 is unknown. Enter the position of the axis. Only slow jog works.");
+        return failure(ErrorCode::Refused, what.arg(m_of.mount.label(axis)));
     }
     return {};
 }
@@ -396,6 +397,9 @@ Result<> Gates::mayResetStop() const
 
 Result<> Gates::mayHoldAtEnd() const
 {
+    if (m_of.current.keepsWrap()) {
+        return failure(ErrorCode::Refused, Text::tr("Hold at end is chosen already."));
+    }
     const std::optional<CableEnd>& end = m_of.cable.end();
     return end && end->turningBack
                ? Result<>{}
@@ -447,7 +451,7 @@ Result<> Gates::mayGiveControl() const
             return isPlaced(axis);  // clients cannot move the mount before the operator answers
         }
     }
-    return {};
+    return m_of.wind.admitsClients();
 }
 
 Result<> Gates::mayGiveControlTo(std::uint64_t clientId) const

@@ -26,8 +26,7 @@ public:
     [[nodiscard]] Result<> mayShellCommand() const;
     // The mount is armed, no crash-stop test is running, and the wind permits the motion.
     [[nodiscard]] Result<> mayMove(const Source& source) const;
-    // Hold is useful: the mount moves, or it could be moved.
-    [[nodiscard]] Result<> mayHold(const Source& source) const;
+    [[nodiscard]] Result<> mayHold(const Source& source) const;   // the mount moves, or it could be moved
     [[nodiscard]] Result<> mayPoint(const Source& source) const;  // to any place
     [[nodiscard]] Result<> mayPark(const Source& source) const;   // to the park position, also in a strong wind
     [[nodiscard]] Result<> mayJog(const AxisRates& rates, const Source& source) const;  // where necessary only slowly
@@ -35,18 +34,15 @@ public:
     // While the clock is not trusted, only the operator may jog a mount in the Sun's band, and slowly.
     [[nodiscard]] Result<> mayLeaveSunBand(const AxisRates& rates, const Source& source) const;
     [[nodiscard]] bool isInSunBand(const AxisPosition& place) const;
-    // The profile permits pointing the beam at the Sun.
-    [[nodiscard]] Result<> mayFaceSun() const;
-    // The fastest jog by hand that is permitted now, in any direction.
-    [[nodiscard]] AngularRate fastestJog() const;
+    [[nodiscard]] Result<> mayFaceSun() const;     // the profile permits pointing the beam at the Sun
+    [[nodiscard]] AngularRate fastestJog() const;  // by hand, in any direction, as permitted now
     // The measured axis is not at this end of its travel. While the wrap is unknown, the gate is open.
     [[nodiscard]] Result<> isWayOn(Axis axis, bool upwards) const;
     [[nodiscard]] Result<> mayBeAt(const AxisPosition& place) const;  // inside travel, limits, horizon and keep-outs
     [[nodiscard]] AxisPosition home() const;
-    [[nodiscard]] AxisPosition park() const;  // in a strong wind: the stow position
-    [[nodiscard]] bool isAtPark() const;      // as measured
-    // The same direction on the wrap on which the azimuth cable is wound least.
-    [[nodiscard]] Result<AxisPosition> unwound() const;
+    [[nodiscard]] AxisPosition park() const;             // in a strong wind: the stow position
+    [[nodiscard]] bool isAtPark() const;                 // as measured
+    [[nodiscard]] Result<AxisPosition> unwound() const;  // the same direction with the azimuth cable wound least
     // A client may send 95° for the same direction behind the zenith. For an operator 95° is a typing error, so it is
     // refused unless the axis can go there.
     [[nodiscard]] Result<> isElevation(Angle elevation) const;

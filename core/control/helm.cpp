@@ -253,8 +253,7 @@ Result<> Helm::follow(pointing::Resolved resolved, const SkyPointing& asked, con
     if (waitsAtEnd(back, by)) {
         resolved = endOf(*std::exchange(back, std::nullopt), resolved.position);
     }
-    begin(Activity::Streaming, by,
-          what.isEmpty() ? QStringLiteral("P ") + placeText({asked.azimuth, asked.elevation}) : what);
+    begin(Activity::Streaming, by, what.isEmpty() ? Text::tr("go to %1").arg(boresight::directionText(asked)) : what);
     beginTurnBack(back);
     if (newStream) {
         m_of.motion.rest();  // the stream of another client does not continue the earlier points

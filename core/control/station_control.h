@@ -171,6 +171,8 @@ public:
     void setSensor(const std::optional<Angle>& azimuth, const std::optional<Angle>& elevation);
     // A reading of the anemometer, in m/s.
     void takeWind(double speed) { m_wind.take(speed); }
+    // Why no reading comes from the anemometer. Empty: no trouble is known.
+    void takeWindTrouble(const QString& trouble) { m_wind.takeTrouble(trouble); }
     // What the output of the brakes answers, before each tick, and the order to the output after the tick.
     void takeBrake(const contacts::OutputAnswer& answer) { m_brake.take(answer); }
     [[nodiscard]] bool releasesBrake() const { return m_brake.releases(); }
@@ -213,7 +215,8 @@ private:
     void watchRegion();
     void watchSun() { m_region.step(); }
     void watchCable();
-    void watchLimited() { m_targetAlarm.update(limitedReason()); }
+    [[nodiscard]] std::optional<Angle> endHeld() const;
+    void watchLimited();
     void finishRearm();
     void moveOn(Seconds step);
 

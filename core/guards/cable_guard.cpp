@@ -40,6 +40,12 @@ std::optional<Seconds> lostByWaiting(AngularRate azimuthRate, const tracking::Mo
     return kCoarseTime * std::round(lost / kCoarseTime);
 }
 
+// Beyond this end the cable can be unwrapped by 360°.
+bool hasOtherWrap(Angle end, const TravelRange& range)
+{
+    return range.contains(end + Angle::fromTurns(end == range.max ? -1.0 : 1.0));
+}
+
 QString timeText(Seconds time)
 {
     return time < Seconds(100.0) ? QStringLiteral("%1 s").arg(std::lround(time.count()))
@@ -87,16 +93,21 @@ QString CableGuard::begin(const TurnBack& back, const tracking::MotionLimits& li
     const QString by = degreesText(abs(back.by), 0);
     const QString end = degreesText(back.end, 1);
     return back.follows
-               ? Text::tr("turns back by %1 because the cable ends at axis %2. The target is lost for about %3")
+               ? Text::tr("unwraps the cable by %1 because the cable ends at axis %2. The target is lost for about %3")
                      .arg(by, end, timeText(tracking::fullTurnTime(limits)))
                : Text::tr("goes the long way, %1, because the cable ends at axis %2").arg(by, end);
 }
 
 void CableGuard::watch(const std::optional<tracking::MovingTarget>& path, const std::optional<Angle>& left,
-                       const TravelRange& range, const tracking::MotionLimits& limits, bool keepsWrap)
+                       const TravelRange& range, const tracking::MotionLimits& limits, bool keepsWrap,
+                       const std::optional<Angle>& heldAt)
 {
     if (++m_ticks % kTicksBetween == 0) {
-        watchEnd(path, range, limits, keepsWrap);
+        if (heldAt) {
+            holdAt(*heldAt, keepsWrap && hasOtherWrap(*heldAt, range));
+        } else {
+            watchEnd(path, range, limits, keepsWrap);
+        }
     }
     watchTurnBack(left);
 }
@@ -112,39 +123,53 @@ void CableGuard::watchEnd(const std::optional<tracking::MovingTarget>& path, con
         m_alarms.clear(alarmEntry("cable.ends"));
         return;
     }
-    const Angle back = Angle::fromTurns(forecast->end == range.max ? -1.0 : 1.0);
-    const bool turnsBack = !keepsWrap && range.contains(forecast->end + back);
+    const bool canTurnBack = hasOtherWrap(forecast->end, range);
+    const bool turnsBack = canTurnBack && !keepsWrap;
     m_end = CableEnd{.end = forecast->end,
                      .in = forecast->in,
                      .turningBack = turnsBack ? std::optional(tracking::fullTurnTime(limits)) : std::nullopt,
                      .lostByHolding = turnsBack ? lostByWaiting(path->rates.azimuth, limits) : std::nullopt};
-    tell(*m_end);
+    tell(*m_end, canTurnBack && keepsWrap);
+}
+
+// Where the mount has no other wrap, target.outside gives the reason.
+void CableGuard::holdAt(Angle end, bool isChosen)
+{
+    m_end = CableEnd{.end = end, .in = Seconds(0.0), .turningBack = std::nullopt};
+    m_told.reset();
+    if (isChosen) {
+        m_alarms.raise(alarmEntry("cable.held"), {degreesText(end, 1)});
+    } else {
+        m_alarms.clear(alarmEntry("cable.ends"));
+    }
 }
 
 bool CableGuard::isTold(const Told& end) const
 {
-    return m_told && end.turnsBack == m_told->turnsBack && end.severity <= m_told->severity &&
+    return m_told && end.entry == m_told->entry && end.severity <= m_told->severity &&
            std::chrono::abs(Seconds(end.ends - m_told->ends)) < kTimeOff;
 }
 
 // The first alarm is an advisory. It becomes a warning when the end is near. Its time is corrected as the path
 // changes.
-void CableGuard::tell(const CableEnd& end)
+void CableGuard::tell(const CableEnd& end, bool holdIsChosen)
 {
+    const AlarmEntry& entry = end.turningBack ? alarmEntry("cable.turns-back")
+                              : holdIsChosen  ? alarmEntry("cable.hold-chosen")
+                                              : alarmEntry("cable.ends");
     const Severity severity = end.in > kWarnTime ? Severity::Advisory : Severity::Warning;
     const Told now{.severity = m_told ? std::max(severity, m_told->severity) : severity,
                    .ends = m_clock.utc() + std::chrono::round<UtcTime::duration>(end.in),
-                   .turnsBack = end.turningBack.has_value()};
+                   .entry = &entry};
     if (isTold(now)) {
         return;
     }
     m_told = now;
-    const QStringList when{degreesText(end.end, 1), timeOfDayText(now.ends)};
+    QStringList when{degreesText(end.end, 1), timeOfDayText(now.ends)};
     if (end.turningBack) {
-        m_alarms.raise(alarmEntry("cable.turns-back"), now.severity, when + QStringList(timeText(*end.turningBack)));
-    } else {
-        m_alarms.raise(alarmEntry("cable.ends"), now.severity, when);
+        when << timeText(*end.turningBack);
     }
+    m_alarms.raise(entry, now.severity, when);
 }
 
 // The unwrapping is over when the axis is nearly there, or is sent the other way.
@@ -161,7 +186,7 @@ std::optional<QString> CableGuard::turnBackText() const
         return std::nullopt;
     }
     const QString by = degreesText(abs(m_turnBack->by), 0);
-    return m_turnBack->follows ? Text::tr("cable end, turns back %1").arg(by)
+    return m_turnBack->follows ? Text::tr("unwraps the cable by %1").arg(by)
                                : Text::tr("cable end, long way %1").arg(by);
 }
 

@@ -49,9 +49,11 @@ public:
     void forgetTurnBack() { m_turnBack.reset(); }
 
     // Once per tick. `path` is the path that is tracked. `left` is the angle that the azimuth has yet to go. Empty:
-    // there is no such path or angle. `keepsWrap`: the mount waits at the end of the cable.
+    // there is no such path or angle. `keepsWrap`: the operator chose to wait at the end of the cable. `heldAt`: the
+    // end where the mount waits now. Empty: it does not.
     void watch(const std::optional<tracking::MovingTarget>& path, const std::optional<Angle>& left,
-               const TravelRange& range, const tracking::MotionLimits& limits, bool keepsWrap);
+               const TravelRange& range, const tracking::MotionLimits& limits, bool keepsWrap,
+               const std::optional<Angle>& heldAt);
 
     [[nodiscard]] const std::optional<CableEnd>& end() const
     {
@@ -66,13 +68,14 @@ private:
     {
         Severity severity;
         UtcTime ends;
-        bool turnsBack;
+        const AlarmEntry* entry;
     };
 
     void watchEnd(const std::optional<tracking::MovingTarget>& path, const TravelRange& range,
                   const tracking::MotionLimits& limits, bool keepsWrap);
+    void holdAt(Angle end, bool isChosen);
     void watchTurnBack(const std::optional<Angle>& left);
-    void tell(const CableEnd& end);
+    void tell(const CableEnd& end, bool holdIsChosen);
     [[nodiscard]] bool isTold(const Told& end) const;
 
     AlarmBoard& m_alarms;

@@ -51,7 +51,7 @@ void WindGuard::step()
     m_watch.step(limitsOf(m_profile->wind), m_clock.now());
     if (m_watch.isSilent() && !m_isSilent) {
         const auto age = std::chrono::duration_cast<UtcTime::duration>(m_watch.age(m_clock.now()));
-        m_lastHeard = timeOfDayText(m_clock.utc() - age);
+        m_lastHeard = sinceText(timeOfDayText(m_clock.utc() - age));
     }
     m_isSilent = m_watch.isSilent();
     if (m_override && m_clock.now() >= m_override->until) {
@@ -82,16 +82,30 @@ void WindGuard::profileChanged(const profile::Profile& before, const profile::Pr
     m_forbids = false;
     m_isSilent = false;
     m_accepted = 0;
+    m_isFirst = false;
     m_alarms.clear(alarmEntry("wind.parks"));
     m_alarms.clear(alarmEntry("wind.silent"));
+}
+
+QString WindGuard::sinceText(const QString& time) const
+{
+    if (m_watch.last()) {
+        return time;
+    }
+    return (m_isFirst ? Text::tr("the start at %1") : Text::tr("the change of the profile at %1")).arg(time);
+}
+
+QString WindGuard::silentSince() const
+{
+    const QString trouble = m_trouble.endsWith(QLatin1Char('.')) ? m_trouble.chopped(1) : m_trouble;
+    return trouble.isEmpty() ? m_lastHeard : QStringLiteral("%1 (%2)").arg(m_lastHeard, trouble);
 }
 
 QString WindGuard::causeText() const
 {
     if (m_watch.cause() == wind::WindWatch::Cause::Silence) {
-        return (m_isSilent ? Text::tr("The wind is unknown. No reading has come since %1")
-                           : Text::tr("The wind was unknown. No reading came after %1"))
-            .arg(m_lastHeard);
+        return m_isSilent ? Text::tr("The wind is unknown. No reading has come since %1").arg(silentSince())
+                          : Text::tr("The wind was unknown. No reading came after %1").arg(m_lastHeard);
     }
     return Text::tr("The wind reached %1 m/s. The limit is %2 m/s")
         .arg(speedText(m_watch.peak()), speedText(m_profile->wind.stowAbove));
@@ -112,12 +126,16 @@ void WindGuard::tellStow(bool parks)
     }
 }
 
+// While silence itself parks the mount, wind.parks is the only alarm.
 void WindGuard::tellSilence()
 {
-    if (m_watch.isSilent() && m_watch.cause() != wind::WindWatch::Cause::Silence) {
-        m_alarms.raise(alarmEntry("wind.silent"), {m_lastHeard});
-    } else {
+    const wind::WindWatch::Cause cause = m_watch.cause();
+    if (!m_watch.isSilent() || cause == wind::WindWatch::Cause::Silence) {
         m_alarms.clear(alarmEntry("wind.silent"));
+    } else if (cause == wind::WindWatch::Cause::Wind) {
+        m_alarms.raise(alarmEntry("wind.silent-while-strong"), {silentSince()});
+    } else {
+        m_alarms.raise(alarmEntry("wind.silent"), {silentSince()});
     }
 }
 
@@ -129,6 +147,17 @@ Result<> WindGuard::admits() const
     const profile::WindSettings& settings = m_profile->wind;
     return failure(ErrorCode::Refused,
                    Text::tr("%1 Only Park moves the mount until the wind stays below %2 m/s for %3 min.")
+                       .arg(obstacle(), speedText(settings.releaseBelow), minutesText(settings.calm)));
+}
+
+Result<> WindGuard::admitsClients() const
+{
+    if (!m_forbids) {
+        return {};
+    }
+    const profile::WindSettings& settings = m_profile->wind;
+    return failure(ErrorCode::Refused,
+                   Text::tr("%1 Hand over when the wind has stayed below %2 m/s for %3 min.")
                        .arg(obstacle(), speedText(settings.releaseBelow), minutesText(settings.calm)));
 }
 

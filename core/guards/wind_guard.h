@@ -26,6 +26,8 @@ public:
 
     // A reading, in m/s.
     void take(double speed);
+    // Why no reading comes from the source, for the alarms. Empty: no trouble is known.
+    void takeTrouble(const QString& trouble) { m_trouble = trouble; }
     // Call once in a tick, before the sources.
     void step();
     // Call once in a tick, after the sources. `parks`: the mount is parked, or on its way to the park position.
@@ -37,6 +39,8 @@ public:
     [[nodiscard]] QString obstacle() const { return m_forbids ? causeText() + QLatin1Char('.') : QString(); }
     // The obstacle as a refusal, which also says when the obstacle ends.
     [[nodiscard]] Result<> admits() const;
+    // Clients may get control. A client that keeps asking would move the mount as soon as the wind is weak.
+    [[nodiscard]] Result<> admitsClients() const;
     // Counts how often the mount had to be parked because of the wind.
     [[nodiscard]] std::uint64_t onsets() const { return m_onsets; }
     [[nodiscard]] Result<> mayOverride() const;
@@ -47,6 +51,8 @@ public:
 private:
     [[nodiscard]] bool isStrong() const { return m_watch.cause() != wind::WindWatch::Cause::None; }
     [[nodiscard]] QString causeText() const;
+    [[nodiscard]] QString sinceText(const QString& time) const;
+    [[nodiscard]] QString silentSince() const;
     void tellStow(bool parks);
     void tellSilence();
 
@@ -57,7 +63,9 @@ private:
     std::uint64_t m_onsets = 0;
     bool m_forbids = false;  // since the last tick
     bool m_isSilent = false;
-    QString m_lastHeard;  // the time of the last reading before the silence
+    QString m_lastHeard;  // the time of the last reading before the silence, or from when on readings were expected
+    QString m_trouble;
+    bool m_isFirst = true;  // the source is the one of the start
     std::uint64_t m_accepted = 0;
     struct Override
     {

@@ -101,6 +101,7 @@ void StationInputs::tick()
 {
     m_tables.tick(m_control.motionId(), m_clock.now());
     m_follow.tick();
+    m_control.takeWindTrouble(m_wind.trouble());
 }
 
 void StationInputs::fill(StationStatus& status) const

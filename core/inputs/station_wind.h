@@ -27,6 +27,8 @@ public:
     void close();
     // A source that did not change stays open.
     void profileChanged(const profile::Profile& before, const profile::Profile& after);
+    // Why no reading comes. Empty: no trouble is known.
+    [[nodiscard]] QString trouble() const { return m_inlet.trouble(); }
     // Fills in the trouble of the source, and the readings that were refused.
     void describe(WindStatus& status) const;
 

@@ -200,6 +200,7 @@ enum class AlarmHelp
     OpenProfile,
     ConfirmWrap,
     OpenHomeRun,
+    OpenGuide,  // its step Connect
 };
 
 struct Alarm
@@ -282,7 +283,7 @@ struct StationStatus
     std::vector<SkyPointing> route;    // the beam goes around forbidden places, from `commanded` to the target
     std::optional<SlewProgress> slew;  // empty: the mount is not on its way to a fixed target
     std::optional<SkyPointing> trim;   // the sum of the operator's nudges, added to each point of a stream
-    std::optional<CableEnd> cableEnd;  // reported at least 30° or 30 s ahead
+    std::optional<CableEnd> cableEnd;  // reported at least 30° or 30 s ahead, and while the mount waits there
     Authority authority = Authority::Clients;
     // The operator took control by something other than "Take control", and clients have not got it back since.
     bool tookControl = false;

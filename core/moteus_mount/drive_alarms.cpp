@@ -136,7 +136,9 @@ AlarmCase bothAnswerAgain(Seconds silent, const std::optional<Angle>& azimuth, c
 
 AlarmCase timedOutByStall(const QString& drive, Seconds stalled)
 {
-    return {alarmEntry("drive.timed-out-by-stall"), {drive, durationText(stalled)}};
+    constexpr Seconds kWhole{10.0};  // a shorter stall has decimals
+    return {alarmEntry("drive.timed-out-by-stall"),
+            {drive, stalled < kWhole ? QStringLiteral("%1 s").arg(stalled.count(), 0, 'f', 2) : durationText(stalled)}};
 }
 
 AlarmCase lost(const QString& drive, DriveLoss loss, int faultCode)

@@ -8,8 +8,6 @@ namespace {
 
 // After a longer stall nobody expects the mount to start moving.
 constexpr Seconds kLongest{2.0};
-// A shorter stall is not mentioned.
-constexpr Seconds kNamed{1.0};
 // The drives have this time from the end of the stall to the end of the resumption.
 constexpr std::chrono::seconds kOwnStallPatience{1};
 constexpr std::chrono::seconds kLongestResumption{10};
@@ -48,7 +46,7 @@ bool OwnStall::explainsTimeOut(SteadyTime now) const
 
 std::optional<Seconds> OwnStall::recent(SteadyTime now) const
 {
-    return m_gap >= kNamed && now - m_end <= kOwnStallPatience ? std::optional(m_gap) : std::nullopt;
+    return m_gap > Seconds(0.0) && now - m_end <= kOwnStallPatience ? std::optional(m_gap) : std::nullopt;
 }
 
 bool OwnStall::isNear(Axis axis, Angle measured) const

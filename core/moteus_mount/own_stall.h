@@ -29,7 +29,7 @@ public:
 
     // A time-out that is seen now comes from the stall, and the stall was short enough to continue.
     [[nodiscard]] bool explainsTimeOut(SteadyTime now) const;
-    // How long the stall lasted that ended a moment ago. Empty if there was none or it was too short to mention.
+    // How long the stall lasted that ended a moment ago. Empty if there was none.
     [[nodiscard]] std::optional<Seconds> recent(SteadyTime now) const;
     // The axis is where a mount that braked from its set-point can be.
     [[nodiscard]] bool isNear(Axis axis, Angle measured) const;

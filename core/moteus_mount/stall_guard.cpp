@@ -102,7 +102,7 @@ std::optional<std::pair<Axis, DriveWatch::Trouble>> StallGuard::finish(bool faul
         return std::nullopt;
     }
     const Drive& drive = m_drives.drive(*missing);
-    const AlarmCase lost = drive_alarms::lost(drive.label(), DriveLoss::TimedOut, 0);
+    const AlarmCase lost = drive_alarms::timedOutByStall(drive.label(), m_stall.gap());
     m_alarms.raise(lost.entry.of(*missing), lost.arguments);
     return std::pair(*missing, DriveWatch::Trouble{.what = whatOf(lost), .loss = supervision::LossClass::Bus});
 }

@@ -49,7 +49,10 @@ void TurnWatch::raiseAlarms(bool interrupted, bool readable)
 {
     for (const Axis axis : m_drives.axes()) {
         const Drive& drive = m_drives.drive(axis);
-        const AlarmKey unknown = alarmEntry("drive.wrap-unknown").of(axis);
+        // The elevation has no cable.
+        const AlarmEntry& entry =
+            axis == Axis::Azimuth ? alarmEntry("drive.wrap-unknown") : alarmEntry("drive.place-unknown");
+        const AlarmKey unknown = entry.of(axis);
         if (m_turns.known(axis)) {
             m_alarms.clear(unknown);
         } else if ((interrupted || (readable && m_turns.question(axis, drive))) && !m_alarms.active(unknown)) {

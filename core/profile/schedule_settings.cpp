@@ -111,7 +111,8 @@ void addSchedule(std::vector<Setting>& list)
     list.push_back(choice(
         "schedule.between", {"hold", "unwind", "park"}, kNow,
         {QT_TRANSLATE_NOOP("Text", "Between passes"),
-         QT_TRANSLATE_NOOP("Text", "What the mount does after a pass while the schedule is armed.")},
+         QT_TRANSLATE_NOOP(
+             "Text", "What the mount does after a pass while the schedule is armed. \"unwind\" unwraps the cable.")},
         [](auto& p) -> auto& { return p.schedule.between; }));
     list.push_back(choice(
         "schedule.park_after", {"off", "on"}, kNow,

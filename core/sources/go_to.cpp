@@ -28,8 +28,8 @@ Result<> GoTo::ask(const request::PointAxes& wanted, const Source& by)
 Result<> GoTo::ask(const request::PointAxis& wanted, const Source& by)
 {
     const bool azimuth = wanted.axis == Axis::Azimuth;
-    const QString what =
-        (azimuth ? Text::tr("go to azimuth %1") : Text::tr("go to elevation %1")).arg(degreesText(wanted.angle, 2));
+    const QString what = azimuth ? Text::tr("go to azimuth %1").arg(azimuthText(wanted.angle, 2))
+                                 : Text::tr("go to elevation %1").arg(degreesText(wanted.angle, 2));
     const Gates gates(helm().view());
     return helm()
         .mayPoint(by)

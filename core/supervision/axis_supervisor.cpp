@@ -157,7 +157,10 @@ void AxisSupervisor::judgeProgress(const AxisObservation& seen)
     const double missing = m_progress.missing() ? m_progress.underCommand().count() : 0.0;
     const double longest = m_profile->supervision.stallTime.count();
     m_stalled.update(seen.now, missing, {.stop = longest, .release = longest}, [&] {
-        return motion(Text::tr("%1 does not move: it moved %5 in %4 instead of %2 (at %3)")) + limit(seen.now);
+        return Text::tr("%1 does not move: it moved %2 in %3 instead of %4")
+                   .arg(m_names.axis, words(m_progress.moved()), words(m_progress.underCommand()),
+                        words(m_progress.asked())) +
+               limit(seen.now);
     });
 }
 

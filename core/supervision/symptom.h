@@ -36,7 +36,7 @@ struct Observed
 {
     Symptom symptom = Symptom::FollowingError;
     Weight weight = Weight::Hint;
-    QString what;  // with numbers: "the azimuth does not move: it moved 0.1° in 0.80 s instead of 2.4° (at 3.0°/s)"
+    QString what;  // with numbers: "the azimuth does not move: it moved 0.1° in 0.80 s instead of 2.4°"
 
     bool operator==(const Observed&) const = default;
 };

@@ -31,8 +31,8 @@ QString obstacleOf(const TuningRoom& room, Axis axis, Angle up, Angle down)
 QString textOf(const TuningPlan& plan, bool bothSides, Axis axis)
 {
     const int seconds = static_cast<int>(std::ceil(plan.duration.count()));
-    return (bothSides ? Text::tr("Moves the %1 up to ±%2 around %3 and back, in %4 s.")
-                      : Text::tr("Moves the %1 by %2 from %3 and back, in %4 s."))
+    return (bothSides ? Text::tr("Moves the %1 up to ±%2 around axis angle %3 and back, in %4 s.")
+                      : Text::tr("Moves the %1 by %2 from axis angle %3 and back, in %4 s."))
         .arg(axisText(axis), degreesText(abs(plan.to - plan.from), 2), degreesText(plan.from, 1))
         .arg(seconds);
 }

@@ -62,6 +62,14 @@
         <source>end in %1, %2</source>
         <translation>fim em %1, %2</translation>
     </message>
+    <message>
+        <source>at the end</source>
+        <translation>no fim</translation>
+    </message>
+    <message>
+        <source>It is at the end.</source>
+        <translation>Está no fim.</translation>
+    </message>
 </context>
 <context>
     <name>CalibrationWords</name>
@@ -307,6 +315,18 @@
         <source>Ready to move, drives switched off</source>
         <translation>Pronto a mover, acionamentos desligados</translation>
     </message>
+    <message>
+        <source>Nothing moves until you press Re-arm</source>
+        <translation>Nada se move até premir Rearmar</translation>
+    </message>
+    <message>
+        <source>The azimuth drive is switched off, the elevation drive is on</source>
+        <translation>O acionamento de azimute está desligado, o de elevação está ligado</translation>
+    </message>
+    <message>
+        <source>The elevation drive is switched off, the azimuth drive is on</source>
+        <translation>O acionamento de elevação está desligado, o de azimute está ligado</translation>
+    </message>
 </context>
 <context>
     <name>EndSwitchWords</name>
@@ -534,6 +554,10 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
     <message>
         <source>Boresight is reading the drives.</source>
         <translation>O Boresight está a ler os acionamentos.</translation>
+    </message>
+    <message>
+        <source>The position of the %1 is unknown. Press Ctrl+9 to enter it.</source>
+        <translation>A posição do %1 é desconhecida. Prima Ctrl+9 para a indicar.</translation>
     </message>
 </context>
 <context>
@@ -3372,10 +3396,6 @@ até %1</translation>
         <translation>O %1 responde mas não cumpre os comandos</translation>
     </message>
     <message>
-        <source>Boresight sends no more motion commands. The other axis holds if its drive can</source>
-        <translation>O Boresight não envia mais comandos de movimento. O outro eixo mantém-se se o seu acionamento puder</translation>
-    </message>
-    <message>
         <source>Boresight ended the motion. If the drive has power, its watchdog brakes it after %2 s</source>
         <translation>O Boresight terminou o movimento. Se o acionamento tiver energia, o seu watchdog trava-o após %2 s</translation>
     </message>
@@ -3442,10 +3462,6 @@ até %1</translation>
     <message>
         <source>Boresight keeps the log in memory only</source>
         <translation>O Boresight guarda o registo só na memória</translation>
-    </message>
-    <message>
-        <source>The mount goes to the nearest permitted point (%1)</source>
-        <translation>A montagem vai para o ponto permitido mais próximo (%1)</translation>
     </message>
     <message>
         <source>Boresight moves nothing</source>
@@ -3590,10 +3606,6 @@ até %1</translation>
     <message>
         <source>re-arms by the recovery policy of the profile, and nothing moves by itself</source>
         <translation>rearma pela política de recuperação do perfil, e nada se move sozinho</translation>
-    </message>
-    <message>
-        <source>cable end, turns back %1</source>
-        <translation>fim do cabo, volta atrás %1</translation>
     </message>
     <message>
         <source>may no longer move the mount, so the mount holds</source>
@@ -4072,10 +4084,6 @@ até %1</translation>
         <translation>O %1 comunica a falha %2: %3</translation>
     </message>
     <message>
-        <source>The drive switched its output off. The other axis holds if its drive can</source>
-        <translation>O acionamento desligou a sua saída. O outro eixo segura, se o seu acionamento puder</translation>
-    </message>
-    <message>
         <source>The %1 is in fault without a fault code</source>
         <translation>O %1 está em falha sem código de falha</translation>
     </message>
@@ -4246,10 +4254,6 @@ até %1</translation>
     <message>
         <source>The log is not stored: %1</source>
         <translation>O registo não está guardado: %1</translation>
-    </message>
-    <message>
-        <source>The target is outside the limits</source>
-        <translation>O alvo está fora dos limites</translation>
     </message>
     <message>
         <source>Nothing to do. Tracking resumes when the target comes inside the limits</source>
@@ -5576,10 +5580,6 @@ até %1</translation>
         <translation>O motor precisa de %1 Nm na folga e de %2 Nm com a carga.</translation>
     </message>
     <message>
-        <source>Moves the %1 by %2 from %3 and back, in %4 s.</source>
-        <translation>Move o %1 %2 a partir de %3 e volta, em %4 s.</translation>
-    </message>
-    <message>
         <source>%1 more accepted in %2 s. The last: %3</source>
         <translation>mais %1 aceites em %2 s. O último: %3</translation>
     </message>
@@ -5822,10 +5822,6 @@ até %1</translation>
     <message>
         <source>The run needs %1 of free travel on one side of the %2. There is only %3. Move the axis away from its limits.</source>
         <translation>A medição precisa de %1 de curso livre de um lado do %2. Só há %3. Afaste o eixo dos seus limites.</translation>
-    </message>
-    <message>
-        <source>Moves the %1 up to ±%2 around %3 and back, in %4 s.</source>
-        <translation>Move o %1 até ±%2 em torno de %3 e de volta, em %4 s.</translation>
     </message>
     <message>
         <source>The mount is outside the permitted region. Move it back first.</source>
@@ -7292,10 +7288,6 @@ até %1</translation>
         <translation>Entre passagens</translation>
     </message>
     <message>
-        <source>What the mount does after a pass while the schedule is armed.</source>
-        <translation>O que a montagem faz depois de uma passagem enquanto a agenda está armada.</translation>
-    </message>
-    <message>
         <source>Park after the passes</source>
         <translation>Estacionar depois das passagens</translation>
     </message>
@@ -8398,10 +8390,6 @@ até %1</translation>
     <message>
         <source>%1 moves the wrong way: it moved %5 in %4 instead of %2 (at %3)</source>
         <translation>%1 move-se no sentido errado: moveu-se %5 em %4 em vez de %2 (a %3)</translation>
-    </message>
-    <message>
-        <source>%1 does not move: it moved %5 in %4 instead of %2 (at %3)</source>
-        <translation>%1 não se move: moveu-se %5 em %4 em vez de %2 (a %3)</translation>
     </message>
     <message>
         <source>Set at least ten times the bandwidth of the position control. With less, the measured speed lags too much for the damping.</source>
@@ -10772,10 +10760,6 @@ até %1</translation>
         <translation>O curso %1…%2 não serve para este rotor. Este rotor indica um rumo e nenhuma volta do cabo. Por isso o seu curso pode ter no máximo %3. Mude azimuth.travel_min_deg e azimuth.travel_max_deg no perfil.</translation>
     </message>
     <message>
-        <source>turns back by %1 because the cable ends at axis %2. The target is lost for about %3</source>
-        <translation>volta atrás %1 porque o cabo acaba em %2 do eixo. O alvo perde-se durante cerca de %3</translation>
-    </message>
-    <message>
         <source>trims the tracked target by %1 in X, %2 in Y</source>
         <translation>compensa o alvo seguido em %1 de X, %2 de Y</translation>
     </message>
@@ -11246,6 +11230,178 @@ até %1</translation>
     <message>
         <source>Wait until the wind has stayed below %2 m/s for %3 min. If the mount must move, press Move anyway</source>
         <translation>Espere até o vento ficar abaixo de %2 m/s durante %3 min. Se a montagem tiver de se mover, prima Mover mesmo assim</translation>
+    </message>
+    <message>
+        <source>Open guide</source>
+        <translation>Abrir guia</translation>
+    </message>
+    <message>
+        <source>The drive switched its output off. An axis without a fault holds if its drive can</source>
+        <translation>O acionamento desligou a sua saída. Um eixo sem falha segura, se o seu acionamento puder</translation>
+    </message>
+    <message>
+        <source>Boresight sends no more motion commands. An axis without a fault holds if its drive can</source>
+        <translation>O Boresight não envia mais comandos de movimento. Um eixo sem falha mantém-se se o seu acionamento puder</translation>
+    </message>
+    <message>
+        <source>The position of the %1 is unknown</source>
+        <translation>A posição do %1 é desconhecida</translation>
+    </message>
+    <message>
+        <source>Look at the mount. Then enter the position of the axis</source>
+        <translation>Olhe para a montagem. Depois indique a posição do eixo</translation>
+    </message>
+    <message>
+        <source>The calm time needs readings. Without them the wind counts as strong, and a parked mount stays parked</source>
+        <translation>O tempo de calma precisa de leituras. Sem elas o vento conta como forte, e uma montagem estacionada fica estacionada</translation>
+    </message>
+    <message>
+        <source>Check the anemometer and its program, and wind.source on the page Profile</source>
+        <translation>Verifique o anemómetro e o seu programa, e wind.source na página Perfil</translation>
+    </message>
+    <message>
+        <source>The target is outside the limits (%1)</source>
+        <translation>O alvo está fora dos limites (%1)</translation>
+    </message>
+    <message>
+        <source>The mount goes to the nearest permitted point</source>
+        <translation>A montagem vai para o ponto permitido mais próximo</translation>
+    </message>
+    <message>
+        <source>Boresight will hold there until the mount can reach the target again, as the operator chose</source>
+        <translation>O Boresight vai parar aí até a montagem poder alcançar de novo o alvo, como o operador escolheu</translation>
+    </message>
+    <message>
+        <source>Press Unwrap now to reach the target on another wrap. Then hand control back to the clients</source>
+        <translation>Prima Desenrolar já para alcançar o alvo noutra volta do cabo. Depois devolva o controlo aos clientes</translation>
+    </message>
+    <message>
+        <source>The azimuth is at its cable end (%1)</source>
+        <translation>O azimute está no fim do cabo (%1)</translation>
+    </message>
+    <message>
+        <source>Boresight holds there until the mount can reach the target again, as the operator chose</source>
+        <translation>O Boresight mantém a montagem aí até ela poder alcançar de novo o alvo, como o operador escolheu</translation>
+    </message>
+    <message>
+        <source>is at its cable end (%1)</source>
+        <translation>está no fim do cabo (%1)</translation>
+    </message>
+    <message>
+        <source>The position of the %1 is unknown. Enter the position of the axis. Only slow jog works.</source>
+        <translation>A posição do %1 é desconhecida. Introduza a posição do eixo. Só o jog lento funciona.</translation>
+    </message>
+    <message>
+        <source>Hold at end is chosen already.</source>
+        <translation>Parar no fim já está escolhido.</translation>
+    </message>
+    <message>
+        <source>Bus address</source>
+        <translation>Endereço CAN</translation>
+    </message>
+    <message>
+        <source>Lower limit</source>
+        <translation>Limite inferior</translation>
+    </message>
+    <message>
+        <source>Upper limit</source>
+        <translation>Limite superior</translation>
+    </message>
+    <message>
+        <source>Watchdog time</source>
+        <translation>Tempo do watchdog</translation>
+    </message>
+    <message>
+        <source>Torque after watchdog</source>
+        <translation>Torque após watchdog</translation>
+    </message>
+    <message>
+        <source>Braking margin</source>
+        <translation>Margem de freio</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Sentido</translation>
+    </message>
+    <message>
+        <source>Axis encoder</source>
+        <translation>Encoder do eixo</translation>
+    </message>
+    <message>
+        <source>Max. current</source>
+        <translation>Corrente máx.</translation>
+    </message>
+    <message>
+        <source>Max. power</source>
+        <translation>Potência máx.</translation>
+    </message>
+    <message>
+        <source>Max. supply</source>
+        <translation>Tensão máx.</translation>
+    </message>
+    <message>
+        <source>Max. speed</source>
+        <translation>Velocidade máx.</translation>
+    </message>
+    <message>
+        <source>Speed limit</source>
+        <translation>Lim. velocidade</translation>
+    </message>
+    <message>
+        <source>Accel. limit</source>
+        <translation>Lim. aceleração</translation>
+    </message>
+    <message>
+        <source>Max. error</source>
+        <translation>Erro máximo</translation>
+    </message>
+    <message>
+        <source>Max. slip</source>
+        <translation>Desliz. máximo</translation>
+    </message>
+    <message>
+        <source>unwraps the cable by %1 because the cable ends at axis %2. The target is lost for about %3</source>
+        <translation>desenrola o cabo %1 porque o cabo acaba em %2 do eixo. O alvo perde-se durante cerca de %3</translation>
+    </message>
+    <message>
+        <source>unwraps the cable by %1</source>
+        <translation>desenrola o cabo %1</translation>
+    </message>
+    <message>
+        <source>the start at %1</source>
+        <translation>o arranque às %1</translation>
+    </message>
+    <message>
+        <source>the change of the profile at %1</source>
+        <translation>a alteração do perfil às %1</translation>
+    </message>
+    <message>
+        <source>%1 Hand over when the wind has stayed below %2 m/s for %3 min.</source>
+        <translation>%1 Entregue quando o vento tiver ficado abaixo de %2 m/s durante %3 min.</translation>
+    </message>
+    <message>
+        <source>Permitted: azimuth axis %1, elevation %2.</source>
+        <translation>Permitido: eixo de azimute %1, elevação %2.</translation>
+    </message>
+    <message>
+        <source>What the mount does after a pass while the schedule is armed. &quot;unwind&quot; unwraps the cable.</source>
+        <translation>O que a montagem faz depois de uma passagem enquanto a agenda está armada. &quot;unwind&quot; desenrola o cabo.</translation>
+    </message>
+    <message>
+        <source>closed the connection in the middle of &quot;%1&quot;, so the command did not run</source>
+        <translation>fechou a ligação a meio de &quot;%1&quot;, por isso o comando não foi executado</translation>
+    </message>
+    <message>
+        <source>%1 does not move: it moved %2 in %3 instead of %4</source>
+        <translation>%1 não se move: moveu-se %2 em %3 em vez de %4</translation>
+    </message>
+    <message>
+        <source>Moves the %1 up to ±%2 around axis angle %3 and back, in %4 s.</source>
+        <translation>Move o %1 até ±%2 em torno do ângulo do eixo %3 e de volta, em %4 s.</translation>
+    </message>
+    <message>
+        <source>Moves the %1 by %2 from axis angle %3 and back, in %4 s.</source>
+        <translation>Move o %1 %2 a partir do ângulo do eixo %3 e volta, em %4 s.</translation>
     </message>
 </context>
 <context>
@@ -13956,6 +14112,10 @@ trocar os motores</translation>
     <message>
         <source>Nothing may move before step %1 (%2) is done: %3</source>
         <translation>Nada se pode mover antes de o passo %1 (%2) estar feito: %3</translation>
+    </message>
+    <message>
+        <source>The position of the %1 is unknown. Press Ctrl+9 to enter it, and F3 to return</source>
+        <translation>A posição do %1 é desconhecida. Prima Ctrl+9 para a indicar e F3 para voltar</translation>
     </message>
 </context>
 <context>
@@ -16890,70 +17050,6 @@ el %2</translation>
 <context>
     <name>boresight::ui::ProtectionModel</name>
     <message>
-        <source>Bus address</source>
-        <translation>Endereço CAN</translation>
-    </message>
-    <message>
-        <source>Lower limit</source>
-        <translation>Limite inferior</translation>
-    </message>
-    <message>
-        <source>Upper limit</source>
-        <translation>Limite superior</translation>
-    </message>
-    <message>
-        <source>Watchdog time</source>
-        <translation>Tempo do watchdog</translation>
-    </message>
-    <message>
-        <source>Braking margin</source>
-        <translation>Margem de freio</translation>
-    </message>
-    <message>
-        <source>Direction</source>
-        <translation>Sentido</translation>
-    </message>
-    <message>
-        <source>Axis encoder</source>
-        <translation>Encoder do eixo</translation>
-    </message>
-    <message>
-        <source>Max. current</source>
-        <translation>Corrente máx.</translation>
-    </message>
-    <message>
-        <source>Max. power</source>
-        <translation>Potência máx.</translation>
-    </message>
-    <message>
-        <source>Max. supply</source>
-        <translation>Tensão máx.</translation>
-    </message>
-    <message>
-        <source>Max. speed</source>
-        <translation>Velocidade máx.</translation>
-    </message>
-    <message>
-        <source>Speed limit</source>
-        <translation>Lim. velocidade</translation>
-    </message>
-    <message>
-        <source>Accel. limit</source>
-        <translation>Lim. aceleração</translation>
-    </message>
-    <message>
-        <source>Max. error</source>
-        <translation>Erro máximo</translation>
-    </message>
-    <message>
-        <source>Max. slip</source>
-        <translation>Desliz. máximo</translation>
-    </message>
-    <message>
-        <source>Gear ratio</source>
-        <translation>Redução</translation>
-    </message>
-    <message>
         <source>advised</source>
         <translation>aconselhado</translation>
     </message>
@@ -16972,10 +17068,6 @@ el %2</translation>
         <translation>%1  %2: %3 → %4</translation>
     </message>
     <message>
-        <source>%1  %2: %3, wanted %4</source>
-        <translation>%1  %2: %3, esperado %4</translation>
-    </message>
-    <message>
         <source>Setting</source>
         <translation>Parâmetro</translation>
     </message>
@@ -16992,14 +17084,6 @@ el %2</translation>
         <translation>Em EL</translation>
     </message>
     <message>
-        <source>If commands stop</source>
-        <translation>Se as ordens pararem</translation>
-    </message>
-    <message>
-        <source>Torque after watchdog</source>
-        <translation>Torque após watchdog</translation>
-    </message>
-    <message>
         <source>OK</source>
         <translation>OK</translation>
     </message>
@@ -17010,6 +17094,10 @@ el %2</translation>
     <message>
         <source>Result</source>
         <translation>Resultado</translation>
+    </message>
+    <message>
+        <source>%1  %2 (%3): %4, wanted %5</source>
+        <translation>%1  %2 (%3): %4, esperado %5</translation>
     </message>
 </context>
 <context>
@@ -18479,16 +18567,16 @@ A menos de 3 dB: %4 s
         <translation>Escolha uma linha para ler o significado. Prima Enter para mudar o valor.</translation>
     </message>
     <message>
-        <source>Drive board: warn mm</source>
-        <translation>Placa do acionamento: aviso mm</translation>
-    </message>
-    <message>
         <source>Edit antennas</source>
         <translation>Editar antenas</translation>
     </message>
     <message>
         <source>Add, name, measure and remove the antennas of the mount</source>
         <translation>Adicionar, dar nome, medir e remover as antenas da montagem</translation>
+    </message>
+    <message>
+        <source>Direction of the X axis mm</source>
+        <translation>Direção do eixo X mm</translation>
     </message>
 </context>
 <context>

@@ -68,8 +68,8 @@ TEST_F(CableEndTest, IsToldAheadThenTheMountTurnsBackAndFollowsOn)
     stream(rig, 435.0, 90);
     EXPECT_LE(farthest, 450.2) << "the mechanical end is never reached";
     EXPECT_NEAR(rig.truth(Axis::Azimuth), 524.0 - 360.0, 2.0);
-    EXPECT_TRUE(
-        rig.logSays(QStringLiteral("turns back by 360° because the cable ends at axis 450.0°. The target is lost")));
+    EXPECT_TRUE(rig.logSays(
+        QStringLiteral("unwraps the cable by 360° because the cable ends at axis 450.0°. The target is lost")));
     EXPECT_FALSE(rig.status().cableEnd.has_value());
 }
 

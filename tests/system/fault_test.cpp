@@ -255,8 +255,8 @@ TEST_F(FaultTest, AGustBendsThePathAndEndsWithoutHarm)
 TEST_F(FaultTest, EveryStartOfAMotionIsExplained)
 {
     // Azimuth is resolved to 0.0055°, so either text is right.
-    EXPECT_TRUE(rig.logSays(QStringLiteral("moves the mount from 0.00° 10.00°: P 200.00° 60.00°")) ||
-                rig.logSays(QStringLiteral("moves the mount from 359.99° 10.00°: P 200.00° 60.00°")));
+    EXPECT_TRUE(rig.logSays(QStringLiteral("moves the mount from 0.00° 10.00°: go to 200.00° 60.00°")) ||
+                rig.logSays(QStringLiteral("moves the mount from 359.99° 10.00°: go to 200.00° 60.00°")));
 }
 
 // The first alarm that the operator reads must be the cause, in every order of events, also after an acknowledgement.

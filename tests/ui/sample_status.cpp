@@ -159,7 +159,7 @@ StationStatus tracking(double seconds)
     place(status, passAt(seconds), passAt(seconds + 0.05), passAt(seconds + 0.6));
     status.azimuth.state = AxisState::Moving;
     status.elevation.state = AxisState::Moving;
-    status.targetText = QStringLiteral("P %1 %2")
+    status.targetText = QStringLiteral("go to %1° %2°")
                             .arg(status.target->azimuth.degrees(), 0, 'f', 2)
                             .arg(status.target->elevation.degrees(), 0, 'f', 2);
     status.commander = {SourceKind::Client, 1, QStringLiteral("rotctld 127.0.0.1:51234")};
@@ -284,7 +284,7 @@ StationStatus limited()
     for (const Action action : {Action::JogDown, Action::StepDown}) {
         status.permissions.refuse(action, QStringLiteral("at the lower limit 10.0°"));
     }
-    status.targetText = QStringLiteral("P 171.25 -2.40");
+    status.targetText = QStringLiteral("go to 171.25° -2.40°");
     status.limited = true;
     status.limitedReason = QStringLiteral("elevation -2.4° below limit 10.0°");
     addAlarm(status, alarmEntry("target.outside"), Severity::Advisory, {status.limitedReason});

@@ -39,7 +39,11 @@ ControlPrompt::ControlPrompt(RequestDesk& desk, QWidget* parent)
     addButton(*m_give);
     QPushButton* const ignoring = addButton(tr("Ignore"));
     ignoring->setToolTip(tr("Boresight does not ask again while this client stays connected"));
-    connect(m_give, &QPushButton::clicked, this, [this] { m_give->ask(request::GiveControl{.clientId = m_asking}); });
+    connect(m_give, &QPushButton::clicked, this, [this] {
+        if (m_guard.isOver()) {
+            m_give->ask(request::GiveControl{.clientId = m_asking});
+        }
+    });
     connect(ignoring, &QPushButton::clicked, this, &ControlPrompt::ignore);
 }
 
@@ -66,6 +70,9 @@ void ControlPrompt::showStatus(const StationStatus& status)
     }
     if (m_asking != found->id || isHidden()) {
         notice().setValue({});
+    }
+    if (m_asking != 0 && m_asking != found->id) {
+        m_guard.begin();  // the client that lost control asks at once
     }
     m_asking = found->id;
     m_give->setBlocked(found->controlObstacle);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/messages/station_status.h"
+#include "ui/kit/press_guard.h"
 #include "ui/kit/prompt_bar.h"
 
 #include <set>
@@ -28,6 +29,7 @@ private:
     CommandButton* m_give;
     std::uint64_t m_asking = 0;  // the client in the text
     std::set<std::uint64_t> m_ignored;
+    PressGuard m_guard{this};  // after another client has taken the place in the text
 };
 
 }  // namespace boresight::ui

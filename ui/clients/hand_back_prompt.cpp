@@ -27,11 +27,11 @@ void HandBackPrompt::dismiss()
 void HandBackPrompt::showStatus(const StationStatus& status)
 {
     m_dismissed = m_dismissed && status.tookControl;
-    const bool wanted = status.tookControl && !m_dismissed;
+    const QString obstacle = status.permissions.reason(Action::GiveAuthority);
+    const bool wanted = status.tookControl && !m_dismissed && obstacle.isEmpty();
     if (wanted && isHidden()) {
         notice().setValue({});
     }
-    m_handBack->setBlocked(status.permissions.reason(Action::GiveAuthority));
     setVisible(wanted);
 }
 

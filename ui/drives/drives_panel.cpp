@@ -112,7 +112,7 @@ void DrivesPanel::build()
     for (ValueLabel* const line : {m_driveCheck, m_arming, m_proof, m_notice}) {
         line->setStretching(true);
     }
-    m_arming->setLines(2);
+    m_arming->setLines(3);
     m_proof->setLines(2);
     auto* const state = new QGridLayout;
     state->addWidget(m_driveCheck, 0, 0);
@@ -200,7 +200,7 @@ void DrivesPanel::showStatus(const StationStatus& status)
     m_unknownBoards->setValue(unknownBoards, Tone::Warning, unknownBoards.isEmpty() ? Symbol::None : Symbol::Warning);
     const Sentence driveCheck = driveCheckSentence(drivesOf(status));
     m_driveCheck->setValue(driveCheck.text, driveCheck.tone, driveCheck.symbol);
-    const Sentence arming = armingSentence(drivesOf(status));
+    const Sentence arming = armingSentence(status);
     m_arming->setValue(arming.text, arming.tone, arming.symbol);
     const bool released = drivesOf(status).released;
     m_release->setCommand(

@@ -124,7 +124,7 @@ void ProtectionPanel::showStatus(const StationStatus& status)
 {
     m_status = status;
     m_model->show(drivesOf(status));
-    showDriveCheck(drivesOf(status));
+    showDriveCheck(status);
     m_read->setBlocked(status.permissions.reason(Action::ReadDrives));
     m_fix->setBlocked(status.permissions.reason(Action::FixDrives));
     const std::optional<Axis> wrong = axisOfWrongGear(drivesOf(status));
@@ -151,8 +151,9 @@ void ProtectionPanel::showSwitches()
 }
 
 // The line shows either an obstacle to motion or the progress of the reading. The obstacle has priority.
-void ProtectionPanel::showDriveCheck(const DrivesStatus& drives)
+void ProtectionPanel::showDriveCheck(const StationStatus& status)
 {
+    const DrivesStatus& drives = drivesOf(status);
     const BoardWork& work = drives.gearWork;
     if (work.running || (work.failed && axisOfWrongGear(drives))) {
         m_driveCheck->setValue(work.text, work.failed ? Tone::Warning : Tone::Advisory,
@@ -160,7 +161,7 @@ void ProtectionPanel::showDriveCheck(const DrivesStatus& drives)
         return;
     }
     const bool busy = drives.driveCheck == DriveCheckState::Running || drives.driveCheck == DriveCheckState::Fixing;
-    const Sentence line = !busy && !drives.released && !drives.armingObstacle.isEmpty() ? armingSentence(drives)
+    const Sentence line = !busy && !drives.released && !drives.armingObstacle.isEmpty() ? armingSentence(status)
                                                                                         : driveCheckSentence(drives);
     m_driveCheck->setValue(line.text, line.tone, line.symbol);
 }

@@ -28,7 +28,7 @@ public:
 private:
     void build();
     QTableView* makeTable();
-    void showDriveCheck(const DrivesStatus& drives);
+    void showDriveCheck(const StationStatus& status);
     void showReason();
     void showSwitches();
     void fix();

@@ -150,7 +150,7 @@ void GuidePage::build()
     m_confirm->setSizePolicy(stays);
     m_title->setStretching(true);
     m_hint->setStretching(true);
-    m_hint->setLines(2);
+    m_hint->setLines(3);
     keepHeightOfShownPage(*m_pages);
     column->addLayout(steps);
     column->addWidget(m_title);
@@ -324,7 +324,10 @@ void GuidePage::showHint()
     const bool full = step == GuideStep::Protection;
     QString hint;
     if (const auto axis = askingAxis(m_status); axis && !full) {
-        hint = tr("The cable wrap of the %1 is unknown. Press Ctrl+9 to enter it, and F3 to return").arg(name(*axis));
+        hint = (*axis == Axis::Azimuth
+                    ? tr("The cable wrap of the %1 is unknown. Press Ctrl+9 to enter it, and F3 to return")
+                    : tr("The position of the %1 is unknown. Press Ctrl+9 to enter it, and F3 to return"))
+                   .arg(name(*axis));
     } else if (moves(step) && !drivesOf(m_status).armingObstacle.isEmpty() &&
                drivesOf(m_status).driveCheck == DriveCheckState::Done) {
         hint = tr("Nothing may move before step %1 (%2) is done: %3")

@@ -79,9 +79,12 @@ QString whyNotConnected(const StationStatus& status)
 
 QString unknownWrap(const StationStatus& status, Axis axis)
 {
-    return driveOf(status, axis).turnQuestion
-               ? GuideWords::tr("The cable wrap of the %1 is unknown. Press Ctrl+9 to enter it.").arg(name(axis))
-               : QString();
+    if (!driveOf(status, axis).turnQuestion) {
+        return {};
+    }
+    return (axis == Axis::Azimuth ? GuideWords::tr("The cable wrap of the %1 is unknown. Press Ctrl+9 to enter it.")
+                                  : GuideWords::tr("The position of the %1 is unknown. Press Ctrl+9 to enter it."))
+        .arg(name(axis));
 }
 
 // A problem, or what the operator has to do. Empty: nothing.

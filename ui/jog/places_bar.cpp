@@ -113,6 +113,15 @@ void PlacesBar::showStatus(const StationStatus& status)
     showPark();
 }
 
+bool PlacesBar::leave()
+{
+    if (!m_more->isChecked() || !m_more->hasFocus()) {
+        return false;  // after Go or a preset the first Esc stops
+    }
+    m_more->setChecked(false);
+    return true;
+}
+
 void PlacesBar::showPark()
 {
     if (m_status.state == StationState::Parked) {

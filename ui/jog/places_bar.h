@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/messages/station_status.h"
+#include "ui/kit/leavable.h"
 
 #include <QStringList>
 #include <QWidget>
@@ -20,7 +21,7 @@ class ProfileDraft;
 class RequestDesk;
 class ValueLabel;
 
-class PlacesBar : public QWidget
+class PlacesBar : public QWidget, public Leavable
 {
     Q_OBJECT
 
@@ -29,8 +30,9 @@ public:
     PlacesBar(ProfileDraft& draft, RequestDesk& desk, const QStringList& recentGoTos, QWidget* parent = nullptr);
 
     void showStatus(const StationStatus& status);
-    void focusGoTo();  // Ctrl+G
-    void park();       // Ctrl+P
+    void focusGoTo();       // Ctrl+G
+    void park();            // Ctrl+P
+    bool leave() override;  // hides the presets
 
 Q_SIGNALS:
     void recentGoTosChanged(const QStringList& recent);

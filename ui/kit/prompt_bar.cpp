@@ -45,11 +45,20 @@ QPushButton* PromptBar::addButton(const QString& text)
     return button;
 }
 
-void PromptBar::dismiss()
+QPushButton* PromptBar::declining() const
 {
-    if (auto* const last = qobject_cast<QPushButton*>(m_buttons->itemAt(m_buttons->count() - 1)->widget())) {
-        last->click();
-    }
+    return qobject_cast<QPushButton*>(m_buttons->itemAt(m_buttons->count() - 1)->widget());
+}
+
+bool PromptBar::leave()
+{
+    declining()->click();
+    return true;
+}
+
+void PromptBar::takeFocus()
+{
+    declining()->setFocus();
 }
 
 void PromptBar::setText(const QString& text)

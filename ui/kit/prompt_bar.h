@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/kit/leavable.h"
+
 #include <QFrame>
 
 class QHBoxLayout;
@@ -12,7 +14,7 @@ namespace boresight::ui {
 
 class ValueLabel;
 
-class PromptBar : public QFrame
+class PromptBar : public QFrame, public Leavable
 {
     Q_OBJECT
 
@@ -24,11 +26,14 @@ public:
     void addButton(QWidget& button);
     QPushButton* addButton(const QString& text);
     void setText(const QString& text);
-    void dismiss();  // presses the last button, which declines
+    bool leave() override;  // presses the last button, which declines
+    void takeFocus();       // on that button, so that Esc and Space decline
 
     [[nodiscard]] ValueLabel& notice() { return *m_notice; }
 
 private:
+    [[nodiscard]] QPushButton* declining() const;
+
     ValueLabel* m_text;
     ValueLabel* m_notice;
     QHBoxLayout* m_buttons;

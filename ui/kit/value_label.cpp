@@ -35,7 +35,8 @@ QString withBreaks(const QString& text)
     return broken;
 }
 
-// The whole sentences of a line that are within the width. If even the first one is wider: its part before a colon.
+// The whole sentences of a line that are within the width. If even the first one is wider: its part before a colon, if
+// that says enough.
 QString sentencesWithin(const QString& line, int width, const QFontMetrics& metrics)
 {
     QString sentences;
@@ -50,7 +51,8 @@ QString sentencesWithin(const QString& line, int width, const QFontMetrics& metr
             clause = line.left(i);
         }
     }
-    return sentences.isEmpty() ? clause : sentences;
+    const bool isTooLittle = metrics.horizontalAdvance(clause) < width / 2;
+    return !sentences.isEmpty() ? sentences : isTooLittle ? QString() : clause;
 }
 }  // namespace
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/messages/drives_status.h"
+#include "core/messages/station_status.h"
 #include "ui/kit/symbol.h"
 
 #include <QString>
@@ -17,6 +17,6 @@ struct Sentence
 };
 
 [[nodiscard]] Sentence driveCheckSentence(const DrivesStatus& drives);
-[[nodiscard]] Sentence armingSentence(const DrivesStatus& drives);
+[[nodiscard]] Sentence armingSentence(const StationStatus& status);
 
 }  // namespace boresight::ui

@@ -44,7 +44,8 @@ ProfileDraftBar::ProfileDraftBar(ProfileDraft& draft, RequestDesk& desk, QWidget
     column->addWidget(m_line);
     auto* const row = new QHBoxLayout;
     row->setSpacing(4);
-    for (CommandButton* const button : {m_movePark, m_apply, m_revert, m_undo, m_keep, m_reconnect}) {
+    // Move park and Undo share a place, so Apply and Revert keep theirs under the hand of the operator.
+    for (CommandButton* const button : {m_apply, m_revert, m_movePark, m_undo, m_keep, m_reconnect}) {
         button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
         row->addWidget(button);
     }

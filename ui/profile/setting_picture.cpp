@@ -114,9 +114,24 @@ class PictureIcon : public QIconEngine
 public:
     explicit PictureIcon(const SettingPicture& picture) : m_picture(picture) {}
 
-    void paint(QPainter* painter, const QRect& rect, QIcon::Mode, QIcon::State) override
+    // In a selected row the picture has the colour of its text.
+    void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State) override
     {
-        m_picture.draw(*painter, rect);
+        if (mode != QIcon::Selected) {
+            m_picture.draw(*painter, rect);
+            return;
+        }
+        const qreal density = painter->device()->devicePixelRatioF();
+        QPixmap drawn(rect.size() * density);
+        drawn.setDevicePixelRatio(density);
+        drawn.fill(Qt::transparent);
+        QPainter one(&drawn);
+        const QRect box(QPoint(), rect.size());
+        m_picture.draw(one, box);
+        one.setCompositionMode(QPainter::CompositionMode_SourceIn);
+        one.fillRect(box, currentTheme().plotGround);
+        one.end();
+        painter->drawPixmap(rect.topLeft(), drawn);
     }
     QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override
     {

@@ -34,6 +34,11 @@ bool contains(const std::vector<std::string>& keys, const std::string& key)
     return std::ranges::find(keys, key) != keys.end();
 }
 
+QString capitalised(const QString& text)
+{
+    return text.left(1).toUpper() + text.mid(1);
+}
+
 }  // namespace
 
 SettingTree::SettingTree(ProfileDraft& draft, QObject* parent) : QAbstractItemModel(parent), m_draft(draft)
@@ -207,7 +212,7 @@ QVariant SettingTree::lineData(const Line& line, int column, int role) const
         case Qt::ToolTipRole:
             return explanation(line) + QLatin1Char('\n') + tr("In the file: %1").arg(QString::fromStdString(line.key));
         case ExplanationRole:
-            return explanation(line);
+            return meaning(line).join(QLatin1Char(' '));
         case KeyRole:
             return QString::fromStdString(line.key);
         case SearchRole:
@@ -243,7 +248,7 @@ QString SettingTree::text(const Line& line, int column) const
     const State state = stateOf(line);
     switch (column) {
         case Name:
-            return line.setting != nullptr ? Text::of(line.setting->title) : settingName(line.key);
+            return line.setting != nullptr ? Text::of(line.setting->title) : capitalised(settingName(line.key));
         case Value:
             return valueColumn(line);
         case Range:
@@ -283,7 +288,7 @@ QString SettingTree::valueColumn(const Line& line) const
     return state.edited > 0 && before != held ? tr("%1 (was %2)").arg(held, before) : held;
 }
 
-QString SettingTree::explanation(const Line& line) const
+QStringList SettingTree::meaning(const Line& line) const
 {
     QStringList sentences;
     if (const QString problem = m_draft.problem(line.key); !problem.isEmpty()) {
@@ -294,18 +299,27 @@ QString SettingTree::explanation(const Line& line) const
                       : line.key == profile::kAntennaKey
                           ? tr("Antennas with name, beam width and two offsets. Press Enter to edit them.")
                           : tr("The panel Limits (Ctrl+3) and the sky change them."));
-        return sentences.join(QLatin1Char(' '));
+        return sentences;
     }
     const profile::Setting& setting = *line.setting;
     sentences << Text::of(setting.text);
-    if (const QString range = rangeText(setting); !range.isEmpty()) {
-        sentences << (setting.choices.empty() ? tr("Range %1.") : tr("One of %1.")).arg(range);
-    }
     sentences << tr("Default %1.").arg(valueText(setting, profile::Profile()));
-    sentences << (setting.applies == profile::Applies::Now ? tr("Applies at once.") : tr("Applies on reconnect."));
     if (const QString inForce = valueText(setting, m_draft.inForce());
         inForce != valueText(setting, m_draft.edited())) {
         sentences << tr("In force: %1.").arg(inForce);
+    }
+    return sentences;
+}
+
+QString SettingTree::explanation(const Line& line) const
+{
+    QStringList sentences = meaning(line);
+    if (line.setting != nullptr) {
+        const profile::Setting& setting = *line.setting;
+        if (const QString range = rangeText(setting); !range.isEmpty()) {
+            sentences << (setting.choices.empty() ? tr("Range %1.") : tr("One of %1.")).arg(range);
+        }
+        sentences << (setting.applies == profile::Applies::Now ? tr("Applies at once.") : tr("Applies on reconnect."));
     }
     return sentences.join(QLatin1Char(' '));
 }

@@ -81,7 +81,8 @@ private:
     [[nodiscard]] QString text(const Line& line, int column) const;
     [[nodiscard]] QString heldText(const Line& line, const profile::Profile& profile) const;
     [[nodiscard]] QString valueColumn(const Line& line) const;
-    [[nodiscard]] QString explanation(const Line& line) const;
+    [[nodiscard]] QStringList meaning(const Line& line) const;  // what the columns do not show
+    [[nodiscard]] QString explanation(const Line& line) const;  // all of it
 
     ProfileDraft& m_draft;
     std::vector<Group> m_groups;

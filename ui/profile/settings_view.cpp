@@ -143,7 +143,7 @@ void SettingsView::fitNames()
     QHeaderView* const header = m_tree->header();
     const int others = roomFor(QStringLiteral("-3600.0 °")) + header->sectionSize(SettingTree::Range) +
                        header->sectionSize(SettingTree::AppliesWhen);
-    const int most = kRowPicture.width() + roomFor(tr("Drive board: warn mm"));
+    const int most = kRowPicture.width() + roomFor(tr("Direction of the X axis mm"));
     header->resizeSection(SettingTree::Name, std::clamp(m_tree->viewport()->width() - others, most / 2, most));
 }
 

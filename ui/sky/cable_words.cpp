@@ -15,6 +15,9 @@ namespace boresight::ui {
 
 namespace {
 
+// Shown as 0° away.
+constexpr Angle kAtEnd = Angle::fromDegrees(0.5);
+
 class CableText
 {
     Q_DECLARE_TR_FUNCTIONS(CableText)
@@ -34,6 +37,11 @@ QString unknownPlace()
 QString endText(Angle left, const QString& wait)
 {
     return CableText::tr("end in %1, %2").arg(angleText(left, 0), wait);
+}
+
+QString atEndText()
+{
+    return CableText::tr("at the end");
 }
 
 QString rangeSentence(const TravelRange& travel)
@@ -68,11 +76,15 @@ CableWords cableWords(const StationStatus& status)
                          CableText::tr("The nearer end is %1 away.").arg(angleText(std::max(left, 0_deg), 0));
     }
     if (cable.actual && status.cableEnd) {
+        const Angle left = abs(status.cableEnd->end - *cable.actual);
+        const QString wait = waitText(status.cableEnd->in);
+        const bool isThere = left < kAtEnd;
         words.isWarning = true;
         words.tone = Tone::Warning;
-        words.travel = endText(abs(status.cableEnd->end - *cable.actual), waitText(status.cableEnd->in));
-        words.sentence += u' ' + CableText::tr("It ends at %1 in %2.")
-                                     .arg(angleText(status.cableEnd->end, 0), waitText(status.cableEnd->in));
+        words.travel = isThere ? atEndText() : endText(left, wait);
+        words.sentence +=
+            u' ' + (isThere ? CableText::tr("It is at the end.")
+                            : CableText::tr("It ends at %1 in %2.").arg(angleText(status.cableEnd->end, 0), wait));
     }
     return words;
 }
@@ -81,7 +93,7 @@ CableWords widestCableWords()
 {
     const TravelRange wide{Angle::fromDegrees(-888.0), Angle::fromDegrees(888.0)};
     return {.place = CableText::tr("cable %1").arg(angleText(wide.min, 0)),
-            .travel = widest(fonts::label(), {travelText(wide), endText(wide.max, waitText(Seconds(99.0))),
+            .travel = widest(fonts::label(), {travelText(wide), endText(wide.max, waitText(Seconds(99.0))), atEndText(),
                                               CableText::tr("wrap unknown")}),
             .sentence = {}};
 }

@@ -13,7 +13,7 @@ namespace boresight::ui {
 struct CableWords
 {
     QString place;   // "cable 335°"; empty: the mount has no azimuth cable
-    QString travel;  // "travel -90…450°", or that the wrap is unknown, or how soon the cable ends
+    QString travel;  // "travel -90…450°", that the wrap is unknown, how soon the cable ends, or "at the end"
     QString sentence;
     bool isWarning = false;  // the second line
     Tone tone = Tone::Normal;

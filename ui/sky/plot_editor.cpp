@@ -76,6 +76,18 @@ bool PlotEditor::cancelDrag()
     return true;
 }
 
+bool PlotEditor::leave()
+{
+    if (cancelDrag()) {
+        return true;
+    }
+    if (!m_editing) {
+        return false;
+    }
+    Q_EMIT leaveWanted();
+    return true;
+}
+
 // The tables and Revert also change the draft, so the selected or dragged part may be gone.
 void PlotEditor::followDraft()
 {

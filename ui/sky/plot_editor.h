@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/kit/leavable.h"
 #include "ui/link/profile_draft.h"
 #include "ui/sky/region_edit.h"
 #include "ui/sky/sky_limits.h"
@@ -16,7 +17,7 @@
 // every click passes through. Nothing here moves the mount or changes the limits in effect. Pixels of the widget.
 namespace boresight::ui {
 
-class PlotEditor : public QWidget
+class PlotEditor : public QWidget, public Leavable
 {
     Q_OBJECT
 
@@ -30,12 +31,15 @@ public:
     void addSector(const SkyPointing& centre);  // a keep-out
     bool cancelDrag();                          // true if a drag was cancelled and undone
 
+    bool leave() override;  // a drag first, then the editing
+
     [[nodiscard]] bool isEditing() const { return m_editing; }
     [[nodiscard]] bool isDragging() const { return m_drag.has_value(); }
     [[nodiscard]] const std::optional<Grip>& selected() const { return m_selected; }
     void paint(QPainter& painter) const;
 
 Q_SIGNALS:
+    void leaveWanted();                 // the operator wants to end the editing
     void readout(const QString& text);  // the numbers under the cursor, empty when the cursor has left
 
 protected:

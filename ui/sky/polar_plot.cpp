@@ -162,6 +162,7 @@ void PolarPlot::setUpTools()
     m_tools->setPainter([this](QPainter& painter) { paintPicture(painter); });
     connect(m_tools, &PlotTools::editToggled, this, &PolarPlot::setEditing);
     connect(m_tools, &PlotTools::zoomToggled, this, &PolarPlot::toggleZoom);
+    connect(m_editor, &PlotEditor::leaveWanted, this, [this] { setEditing(false); });
     connect(m_editor, &PlotEditor::readout, m_tools, &PlotTools::setReadout);
     connect(m_tools, &PlotTools::readoutToggled, this, &PolarPlot::drawGround);
 }

@@ -176,12 +176,20 @@ QRect SkyMarkers::targetLabelBox() const
     const QPointF offsets[] = {
         {gap, -gap}, {-gap - box.width(), -gap}, {gap, gap}, {-gap - box.width(), gap}, {0, -3 * gap}, {0, 3 * gap}};
     const QPoint most(std::max(width() - box.width(), 0), std::max(height() - box.height(), 0));
-    // If no place hides nothing, the name of a keep-out may be hidden.
-    for (const bool sparesNames : {true, false}) {
+    // If no place hides nothing, the name of a keep-out may be hidden, and then the cable ring.
+    struct Spared
+    {
+        bool ring;
+        bool names;
+    };
+    for (const Spared& spared : {Spared{true, true}, Spared{true, false}, Spared{false, false}}) {
         for (const QPointF& offset : offsets) {
             const QPoint corner = (marker.center() + offset).toPoint();
             box.moveTopLeft({std::clamp(corner.x(), 0, most.x()), std::clamp(corner.y(), 0, most.y())});
-            if (!covers(box) && !(sparesNames && coversName(box))) {
+            if (spared.ring) {
+                box = m_projection.inside(QRectF(box)).toRect();
+            }
+            if (!covers(box) && !(spared.names && coversName(box))) {
                 return box;
             }
         }

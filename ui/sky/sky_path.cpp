@@ -143,7 +143,7 @@ void SkyPath::paint(QPainter& painter, const QColor& colour) const
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(colour, kLineWidth, Qt::DotLine));
     painter.drawPath(m_hidden);
-    painter.setPen(QPen(colour, kLineWidth));
+    painter.setPen(QPen(colour, kLineWidth, Qt::DashLine));
     painter.drawPath(m_clear);
     for (const End& end : m_ends) {
         painter.setBrush(end.isBegin ? colour : colours.skyRim);

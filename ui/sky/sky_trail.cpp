@@ -19,7 +19,7 @@ constexpr std::chrono::minutes kForgetEvery{1};
 constexpr std::chrono::seconds kFadeTime{60};
 constexpr std::chrono::seconds kFadeStep{1};
 constexpr std::size_t kTrailLength = 20000;  // 15 minutes of continuous motion at 4°/s
-constexpr double kFaint = 0.3;
+constexpr double kFaint = 0.15;
 constexpr double kTrailWidth = 1.8;  // px
 
 // Accurate enough for small angles, also near the zenith.

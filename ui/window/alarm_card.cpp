@@ -205,7 +205,6 @@ void AlarmCard::build()
     m_count->setFlat(true);
     m_more->setFlat(true);
     m_more->hide();
-    m_since->setFixedHeight(kTouchSize);
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
     // A click leaves the keyboard where it was, so the next Esc stops the mount.
     for (QWidget* const button :
@@ -286,9 +285,14 @@ void AlarmCard::showTimeOrMore()
 
 void AlarmCard::showStatus(const StationStatus& status)
 {
+    const AlarmHelp before = std::exchange(m_recovery, recoveryOf(status));
     m_shown = mostUrgent(status);
-    m_recovery = recoveryOf(status);
     showAlarm(status);
+    const AlarmHelp offeredBefore =
+        std::exchange(m_offered, m_shown && m_shown->active ? m_shown->help : AlarmHelp::None);
+    if (isVisible() && (before != m_recovery || offeredBefore != m_offered)) {
+        m_guard.begin();
+    }
     showButtons(status);
     showCount(status);
     showWhetherNeeded();
@@ -323,14 +327,14 @@ void AlarmCard::showAlarm(const StationStatus& status)
 
 void AlarmCard::showButtons(const StationStatus& status)
 {
-    const AlarmHelp shown = m_shown && m_shown->active ? m_shown->help : AlarmHelp::None;
+    const AlarmHelp shown = m_offered;
     // Re-arm and Reset stop are shown once, while a fault or STOP is latched.
     const bool recovers = shown == AlarmHelp::Rearm || shown == AlarmHelp::ResetStop;
     m_help->setVisible(shown != AlarmHelp::None && !recovers);
     m_help->setCommand(buttonText(shown), m_shown ? m_shown->remedy : QString());
     m_help->setBlocked(whyNot(shown, status.permissions));
     const AlarmHelp alternative = alternativeTo(shown);
-    m_alternative->setVisible(alternative != AlarmHelp::None);
+    m_alternative->setVisible(alternative != AlarmHelp::None && m_recovery == AlarmHelp::None);
     m_alternative->setCommand(buttonText(alternative), alternativeTip(alternative));
     m_alternative->setBlocked(whyNot(alternative, status.permissions));
     m_recover->setVisible(m_recovery != AlarmHelp::None);
@@ -349,6 +353,11 @@ void AlarmCard::showCount(const StationStatus& status)
     m_count->setText(tr("1 of %1").arg(status.alarms.size()));
     m_count->setToolTip(tr("Open the list of alarms. Not acknowledged: %1").arg(waiting));
     m_count->setVisible(status.alarms.size() > 1);
+    // A card without buttons needs no row of their height.
+    const bool hasButtons = std::ranges::any_of(
+        std::initializer_list<const QWidget*>{m_help, m_alternative, m_recover, m_more, m_count, m_acknowledge},
+        [](const QWidget* button) { return !button->isHidden(); });
+    m_since->setFixedHeight(hasButtons ? kTouchSize : m_since->fontMetrics().height());
 }
 
 void AlarmCard::showWhetherNeeded()
@@ -370,6 +379,9 @@ bool AlarmCard::eventFilter(QObject* watched, QEvent* event)
 
 void AlarmCard::help(AlarmHelp help, CommandButton& button)
 {
+    if (!m_guard.isOver()) {
+        return;
+    }
     switch (help) {
         case AlarmHelp::None:
             return;
@@ -406,6 +418,7 @@ void AlarmCard::help(AlarmHelp help, CommandButton& button)
         case AlarmHelp::OpenProfile:
         case AlarmHelp::ConfirmWrap:
         case AlarmHelp::OpenHomeRun:
+        case AlarmHelp::OpenGuide:
             Q_EMIT panelWanted(help);
             return;
     }

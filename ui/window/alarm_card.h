@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/messages/station_status.h"
+#include "ui/kit/press_guard.h"
 
 #include <QWidget>
 
@@ -94,6 +95,8 @@ private:
     QString m_holdCost;
     AlarmForm m_form = AlarmForm::Lines;
     AlarmHelp m_recovery = AlarmHelp::None;
+    AlarmHelp m_offered = AlarmHelp::None;  // by m_help
+    PressGuard m_guard{this};               // after a button has taken the place of another one
     bool m_flashing = false;
     bool m_symbolShown = true;
     std::optional<Said> m_said;

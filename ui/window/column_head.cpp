@@ -20,6 +20,13 @@ namespace {
 // px in a low window that an alarm may take from the panels. The last line of the log is below the sky there, which
 // leaves 22 of them.
 constexpr int kKeptForAlarms = 46;
+constexpr int kKeptInAHighWindow = 110;  // px, where the panels have more room than they need
+constexpr int kHighWindow = 1000;        // px
+
+int keptForAlarms(QSize window)
+{
+    return isLow(window) ? kKeptForAlarms : window.height() >= kHighWindow ? kKeptInAHighWindow : 0;
+}
 
 }  // namespace
 
@@ -92,13 +99,14 @@ ColumnHead::Arrangement ColumnHead::mostCompleteArrangement()
         return antenna + wind + m_axes->sizeWith(of.numerals).height() + (of.sensor ? sensor : 0);
     };
     const std::array arrangements{Arrangement{usual, true},
+                                  Arrangement{std::min(usual, Numerals::Usual), true},
                                   Arrangement{Numerals::Small, true},
                                   Arrangement{Numerals::Beside, true},
                                   Arrangement{Numerals::Beside, false},
                                   Arrangement{Numerals::Bare, false},
                                   Arrangement{Numerals::Bare, false, AlarmForm::Flowing},
                                   Arrangement{Numerals::Bare, false, AlarmForm::Remedy}};
-    const int room = height(arrangements.front()) + (isLow(m_window) ? kKeptForAlarms : 0);
+    const int room = height(arrangements.front()) + keptForAlarms(m_window);
     setMinimumSize(m_axes->sizeWith(usual).width(), room);
     const auto* const fits = std::ranges::find_if(
         arrangements, [&](const Arrangement& one) { return heightOfAlarm(one.alarm) + height(one) <= room; });

@@ -24,10 +24,7 @@ GuideRoom::GuideRoom(PanelTabs& panels, const LastStatus& last, ProfileDraft& dr
 {
     addWidget(&m_panels);
     keepHeightOfShownPage(*this);
-    connect(&m_panels.passes(), &PassesPanel::siteWanted, this, [this] {
-        showGuide();
-        m_guide->open(GuideStep::Site);
-    });
+    connect(&m_panels.passes(), &PassesPanel::siteWanted, this, [this] { showStep(GuideStep::Site); });
     connect(&m_panels, &PanelTabs::broughtUp, this, &GuideRoom::showPanels);
     connect(this, &QStackedWidget::currentChanged, this, [this] { Q_EMIT guideShown(showsGuide()); });
 }
@@ -64,6 +61,12 @@ void GuideRoom::showGuide()
     setCurrentWidget(m_guide);
     m_guide->setOpen(true);
     m_guide->focusStep();
+}
+
+void GuideRoom::showStep(GuideStep step)
+{
+    showGuide();
+    m_guide->open(step);
 }
 
 void GuideRoom::showPanels()

@@ -29,6 +29,7 @@ public:
     // Shows the guide if the last run of the program ended in it. It waits until the mount of the guide is known.
     void resume();
     void showGuide();
+    void showStep(GuideStep step);
     void showPanels();
     void toggle();
 

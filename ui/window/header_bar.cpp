@@ -141,6 +141,13 @@ int widestControl()
            kControlMargin;
 }
 
+// True if the alarm that is on the card says why the station is in this state.
+bool isAlarmText(const StationStatus& status)
+{
+    return !status.alarms.empty() && status.alarms.front().active &&
+           status.alarms.front().what.startsWith(status.stateReason, Qt::CaseInsensitive);
+}
+
 Tone stateTone(const StationStatus& status)
 {
     switch (status.state) {
@@ -271,8 +278,9 @@ void HeaderBar::showState(const StationStatus& status)
 {
     const Tone tone = stateTone(status);
     m_state->setValue(word(status.state), tone, stateSymbol(tone));
-    // The action of the mount is shown beside it, once.
-    m_reason->setValue(status.stateReason == status.targetText ? QString() : status.stateReason, Tone::Secondary);
+    // The action of the mount is shown beside it, and the alarm in its card: once each.
+    const bool isShown = status.stateReason == status.targetText || isAlarmText(status);
+    m_reason->setValue(isShown ? QString() : status.stateReason, Tone::Secondary);
     const bool latched = status.stopLatched;
     m_stopRequested = m_stopRequested && !latched;
     m_stop->setPhase(latched           ? StopButton::Phase::Latched

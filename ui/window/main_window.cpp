@@ -125,7 +125,9 @@ MainWindow::MainWindow(const Clock& clock, const WindowSettings& settings, QWidg
     connect(&m_panels->jog(), &JogPanel::stopPressed, this, &MainWindow::stop);
     connect(m_places, &PlacesBar::recentGoTosChanged, this, &MainWindow::recentGoTosChanged);
     connect(m_plot, &PolarPlot::editingChanged, this, &MainWindow::showEditing);
-    connect(m_alarms, &AlarmCard::panelWanted, m_panels, &PanelTabs::open);
+    connect(m_alarms, &AlarmCard::panelWanted, this, [this](AlarmHelp help) {
+        help == AlarmHelp::OpenGuide ? m_side->showStep(GuideStep::Connect) : m_panels->open(help);
+    });
     connect(m_alarms, &AlarmCard::lineWanted, this, [this](const Alarm& alarm) {
         m_panels->bringUp(m_panels->log());
         m_panels->log().showAlarm(alarm);
@@ -204,9 +206,11 @@ void MainWindow::addPrompts()
 {
     m_plotCell->setRowStretch(0, 1);
     m_plotCell->setRowMinimumHeight(1, kFootOfSky);
-    m_plotCell->addWidget(m_pickBar, 0, 0, Qt::AlignHCenter | Qt::AlignBottom);
-    m_plotCell->addWidget(m_controlBar, 0, 0, Qt::AlignLeft | Qt::AlignBottom);
-    m_plotCell->addWidget(m_handBackBar, 0, 0, Qt::AlignHCenter | Qt::AlignBottom);
+    auto* const below = new QVBoxLayout;  // so that none lies on another one
+    m_plotCell->addLayout(below, 0, 0, Qt::AlignBottom);
+    below->addWidget(m_pickBar, 0, Qt::AlignHCenter);
+    below->addWidget(m_handBackBar, 0, Qt::AlignHCenter);
+    below->addWidget(m_controlBar, 0, Qt::AlignLeft);
     m_plotCell->addWidget(m_closeBar, 0, 0, Qt::AlignHCenter | Qt::AlignTop);
     connect(m_closeBar, &ClosePrompt::confirmed, this, &MainWindow::closeRequested);
 }

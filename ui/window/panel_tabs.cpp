@@ -251,6 +251,7 @@ void PanelTabs::open(AlarmHelp help)
         case AlarmHelp::ParkNow:
         case AlarmHelp::OverrideWind:
         case AlarmHelp::UseNewTime:
+        case AlarmHelp::OpenGuide:
             break;
     }
 }

@@ -28,6 +28,7 @@ void PickPrompt::pick(const SkyPointing& direction)
     setText(directionText(direction));
     showVerdict();  // for the same direction the verdict is already known
     show();
+    takeFocus();
     Q_EMIT picked(direction);
 }
 

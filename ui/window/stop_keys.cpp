@@ -2,7 +2,7 @@
 #include "ui/window/stop_keys.h"
 
 #include "ui/kit/asking_panel.h"
-#include "ui/kit/prompt_bar.h"
+#include "ui/kit/leavable.h"
 #include "ui/window/alarm_card.h"
 
 #include <QAbstractItemView>
@@ -83,13 +83,14 @@ bool StopKeys::leave() const
     if (focus == nullptr || focus->window() != &m_window) {
         return false;
     }
-    if (auto* const prompt = around<PromptBar>(focus)) {
-        prompt->dismiss();
-        return true;
-    }
     if (isField(focus) || around<AlarmCard>(focus) != nullptr) {
         focus->clearFocus();
         return true;
+    }
+    for (QWidget* at = focus; at != nullptr; at = at->parentWidget()) {
+        if (auto* const part = dynamic_cast<Leavable*>(at); part != nullptr && part->leave()) {
+            return true;
+        }
     }
     return false;
 }

@@ -164,6 +164,7 @@ TEST(AlarmCatalogue, ARemedyThatNamesAButtonHasIt)
                                                                {"page Protection", AlarmHelp::OpenProtection},
                                                                {"Press Fix", AlarmHelp::OpenProtection},
                                                                {"page Drives", AlarmHelp::OpenDrives},
+                                                               {"Open the guide", AlarmHelp::OpenGuide},
                                                                {"page Clients", AlarmHelp::OpenClients},
                                                                {"the limits if", AlarmHelp::OpenLimits},
                                                                {"page North", AlarmHelp::OpenNorth},
@@ -202,6 +203,14 @@ TEST(AlarmCatalogue, EverySentenceCanBeReadAlone)
                         std::regex_search(all, known))
                 << entry->id << ": " << all;
         }
+    }
+}
+
+// Story: both drives reported fault 40, and each alarm said that the other axis holds.
+TEST(AlarmCatalogue, AFaultOfADriveSaysNothingAboutTheOtherAxis)
+{
+    for (const AlarmEntry& entry : kDriveAlarms) {
+        EXPECT_EQ(std::string_view(entry.action).find("The other axis"), std::string_view::npos) << entry.id;
     }
 }
 

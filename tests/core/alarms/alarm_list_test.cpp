@@ -68,13 +68,13 @@ TEST(AlarmList, WhatGetsWorseOrTurnsIntoSomethingElseIsNew)
     EXPECT_EQ(alarms.list().size(), 1U);
 }
 
-TEST(AlarmList, WhatIsDoneAboutItMayChangeWithoutANewAlarm)
+TEST(AlarmList, AChangingNumberMakesNoNewAlarm)
 {
     AlarmList alarms;
     const AlarmEntry& entry = alarmEntry("target.outside");
     EXPECT_TRUE(alarms.raise(entry, Severity::Advisory, {QStringLiteral("elevation -5.0°")}, {}));
     EXPECT_FALSE(alarms.raise(entry, Severity::Advisory, {QStringLiteral("elevation -6.0°")}, {}));
-    EXPECT_TRUE(alarms.list().front().action.endsWith(QStringLiteral("-6.0°).")));
+    EXPECT_TRUE(alarms.list().front().what.endsWith(QStringLiteral("-6.0°).")));
 }
 
 TEST(AlarmList, AlarmsOfOnePlaceTakeEachOthers)

@@ -17,6 +17,8 @@ namespace {
 class StationCable : public ::testing::Test
 {
 protected:
+    explicit StationCable(const profile::Profile& profile = {}) : rig(profile) {}
+
     void standAt(Angle azimuth)
     {
         rig.run(Seconds(0.2));
@@ -46,7 +48,7 @@ protected:
     }
     [[nodiscard]] std::vector<LogEntry> turnBacks() const
     {
-        return lines(LogKind::MotionStart, QStringLiteral("turns back"));
+        return lines(LogKind::MotionStart, QStringLiteral("unwraps the cable"));
     }
     [[nodiscard]] std::vector<LogEntry> longWays() const
     {
@@ -74,8 +76,8 @@ protected:
 };
 
 constexpr const char* kTurnsBack =
-    "turns back by 360° because the cable ends at axis 450.0°. The target is lost for about 37 s";
-constexpr const char* kDetail = "cable end, turns back 360°";
+    "unwraps the cable by 360° because the cable ends at axis 450.0°. The target is lost for about 37 s";
+constexpr const char* kDetail = "unwraps the cable by 360°";
 
 // Story: at the end of the cable the mount started to turn by 360°, and neither the log nor the screen gave a reason.
 // REQ-CONTROL-31a: Unwrapping at the cable end is a separate motion in the log, with source and reason. While it lasts
@@ -85,7 +87,7 @@ TEST_F(StationCable, ATurnBackIsToldWithWhoAndWhyForAsLongAsItLasts)
     standAt(440_deg);
     stream(440.0, 1.0, 11);
     EXPECT_TRUE(turnBacks().empty());
-    EXPECT_EQ(reason(), "P 90.00° 30.00°");
+    EXPECT_EQ(reason(), "go to 90.00° 30.00°");
     EXPECT_TRUE(rig.point(91.0, 30.0));
     ASSERT_EQ(turnBacks().size(), 1U);
     EXPECT_EQ(turnBacks().front().text.toStdString(), kTurnsBack);
@@ -122,7 +124,7 @@ TEST_F(StationCable, TheOtherEndTurnsItBackTheOtherWay)
     stream(280.0, -1.0, 15);
     ASSERT_EQ(turnBacks().size(), 1U);
     EXPECT_TRUE(turnBacks().front().text.startsWith(
-        QStringLiteral("turns back by 360° because the cable ends at axis -90.0°")));
+        QStringLiteral("unwraps the cable by 360° because the cable ends at axis -90.0°")));
     EXPECT_EQ(reason(), kDetail);
     rig.run(Seconds(60.0));
     EXPECT_NE(reason(), kDetail);
@@ -201,6 +203,71 @@ TEST_F(StationCable, TheOperatorMayHoldAtTheEnd)
     stream(474.0, -1.0, 40);
     EXPECT_TRUE(turnBacks().empty());
     EXPECT_NEAR(rig.azimuthDegrees(), 435.0, 1.5);
+}
+
+// Story: the operator chose to hold at the end. From then on no alarm offered to unwrap, and at the end the status did
+// not show the end any more.
+// REQ-CONTROL-31d: After the choice to hold, an alarm offers to unwrap, before the end and while the mount waits there.
+// The status shows the end for as long as the mount waits. The alarm is the only one about it.
+TEST_F(StationCable, TheChoiceToHoldCanBeChangedUntilTheTargetIsBack)
+{
+    standAt(430_deg);
+    stream(430.0, 1.0, 5);
+    ASSERT_TRUE(rig.ask(request::HoldAtEnd{}));
+    stream(435.0, 1.0, 10);
+    ASSERT_EQ(rig.control.status().alarms.size(), 1U);
+    EXPECT_EQ(rig.control.status().alarms.front().name, QStringLiteral("cable.hold-chosen"));
+    EXPECT_EQ(rig.control.status().alarms.front().help, AlarmHelp::Unwind);
+    stream(445.0, 1.0, 10);
+    stream(455.0, 1.0, 20, [&] {
+        const StationStatus status = rig.control.status();
+        ASSERT_TRUE(status.cableEnd);
+        EXPECT_EQ(status.cableEnd->end, 450_deg);
+        EXPECT_EQ(status.cableEnd->in, Seconds(0.0));
+        ASSERT_TRUE(status.alarms.front().active);
+        EXPECT_EQ(status.alarms.front().what, QStringLiteral("The azimuth is at its cable end (450.0°)."));
+        EXPECT_EQ(status.alarms.front().help, AlarmHelp::Unwind);
+        EXPECT_TRUE(std::ranges::none_of(
+            status.alarms, [](const Alarm& one) { return one.active && one.name == QLatin1String("target.outside"); }));
+    });
+    EXPECT_FALSE(rig.ask(request::HoldAtEnd{})) << "it is chosen already";
+    ASSERT_TRUE(rig.ask(request::Unwind{}));
+    rig.settle();
+    EXPECT_FALSE(rig.control.status().cableEnd);
+    EXPECT_NEAR(rig.azimuthDegrees(), 90.0, 0.1);
+    ASSERT_TRUE(rig.ask(request::GiveAuthority{}));
+    stream(475.0, 1.0, 20);
+    EXPECT_NEAR(rig.azimuthDegrees(), 134.0, 1.5);
+}
+
+class StationCableOfOneWrap : public StationCable
+{
+protected:
+    StationCableOfOneWrap() : StationCable(narrow()) {}
+
+    static profile::Profile narrow()
+    {
+        profile::Profile profile;
+        profile.limits.azimuth = {200_deg, 450_deg};
+        return profile;
+    }
+};
+
+// REQ-CONTROL-31d
+TEST_F(StationCableOfOneWrap, OnlyTheStatusShowsTheEnd)
+{
+    standAt(430_deg);
+    stream(430.0, 1.0, 15);
+    stream(445.0, 1.0, 30);
+    const StationStatus status = rig.control.status();
+    ASSERT_TRUE(status.cableEnd);
+    EXPECT_EQ(status.cableEnd->end, 450_deg);
+    const auto isActive = [&](const char* name) {
+        return std::ranges::any_of(status.alarms,
+                                   [&](const Alarm& one) { return one.active && one.name == QLatin1String(name); });
+    };
+    EXPECT_TRUE(isActive("target.outside"));
+    EXPECT_FALSE(isActive("cable.held"));
 }
 
 // REQ-CONTROL-31b

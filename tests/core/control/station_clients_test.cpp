@@ -82,8 +82,9 @@ TEST_F(StationClients, ATargetOutsideIsToldForAsLongAsItLasts)
     EXPECT_NEAR(shown.target->elevation.degrees(), -5.0, 1e-9) << "the target is shown as it was asked";
     ASSERT_EQ(shown.alarms.size(), 1U);
     EXPECT_EQ(shown.alarms.front().severity, Severity::Advisory);
-    EXPECT_EQ(shown.alarms.front().action.toStdString(),
-              "The mount goes to the nearest permitted point (elevation -5.0° below limit 0.0°).");
+    EXPECT_EQ(shown.alarms.front().what.toStdString(),
+              "The target is outside the limits (elevation -5.0° below limit 0.0°).");
+    EXPECT_EQ(shown.alarms.front().action.toStdString(), "The mount goes to the nearest permitted point.");
     EXPECT_EQ(status(kClient).advice.toStdString(),
               "asks for a position outside the limits (elevation -5.0° below limit 0.0°). The mount goes to the "
               "nearest permitted position");

@@ -143,6 +143,17 @@ TEST(StationOneAxis, TheAzimuthKeepsItsTurnAndTakesTheNearestOne)
     EXPECT_NEAR(rig.azimuthDegrees(), 420.0, 0.01);
 }
 
+// Story: the header said "go to azimuth 400.00°" while all other texts said 40.00°.
+TEST(StationOneAxis, TheTextOfItsAzimuthHasNoTurns)
+{
+    StationRig rig;
+    ASSERT_TRUE(rig.setsOff(50.0, 30.0, Seconds(30.0)));
+    ASSERT_TRUE(rig.ask(request::PointAxis{.axis = Axis::Azimuth, .angle = 400_deg}));
+    EXPECT_EQ(rig.control.status().targetText, QStringLiteral("go to azimuth 40.00°"));
+    ASSERT_TRUE(rig.ask(request::PointAxis{.axis = Axis::Azimuth, .angle = -45_deg}));
+    EXPECT_EQ(rig.control.status().targetText, QStringLiteral("go to azimuth 315.00°"));
+}
+
 // The other axis neither goes on to its old target nor returns to where it was.
 TEST(StationOneAxis, AnAxisThatMovesStops)
 {

@@ -99,7 +99,7 @@ TEST(StationControl, EveryMotionStartNamesSourceAndReason)
     ASSERT_TRUE(rig.point(10.0, 20.0));
     auto lines = rig.log.since(0, 1);
     EXPECT_EQ(lines.back().source, kClient.name);
-    EXPECT_EQ(lines.back().text, QStringLiteral("moves the mount from 0.00° 0.00°: P 10.00° 20.00°"));
+    EXPECT_EQ(lines.back().text, QStringLiteral("moves the mount from 0.00° 0.00°: go to 10.00° 20.00°"));
     ASSERT_TRUE(rig.point(11.0, 20.0));
     EXPECT_EQ(rig.log.since(0, 1).back().number, lines.back().number) << "a stream is one motion";
     ASSERT_TRUE(rig.point(113.0, 10.0, kOperator));

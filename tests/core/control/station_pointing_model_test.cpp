@@ -76,7 +76,7 @@ TEST(StationPointingModel, AClientsTargetIsATrueDirection)
         EXPECT_NEAR((status.azimuth.beam.*beam)->degrees(), 100.0, 1e-3);
         EXPECT_NEAR((status.elevation.beam.*beam)->degrees(), 20.0, 1e-3);
     }
-    EXPECT_EQ(status.targetText, QStringLiteral("P 100.00° 20.00°"));
+    EXPECT_EQ(status.targetText, QStringLiteral("go to 100.00° 20.00°"));
 }
 
 TEST(StationPointingModel, TheOperatorsGoToIsATrueDirectionToo)

@@ -140,6 +140,31 @@ TEST(StationTurns, AnExchangedBoardIsOnlyJoggedSlowlyAndNotBeforeItWasChecked)
     EXPECT_TRUE(rig.ask(request::Jog{{.azimuth = 1_deg_s}})) << "to bring the cable where it can be judged";
 }
 
+// Story: the refusal named the cable wrap of the elevation drive. The elevation has no cable.
+// REQ-CONTROL-1410
+TEST(StationTurns, OfTheElevationThePositionIsUnknown)
+{
+    StationRig rig;
+    rig.run(Seconds(0.5));
+    ASSERT_TRUE(rig.ask(request::PointAxes{{100_deg, 45_deg}}));
+    rig.settle();
+    rig.azimuth.silent = rig.elevation.silent = true;
+    rig.run(Seconds(0.5));
+    rig.azimuth.mode = rig.elevation.mode = moteus::Mode::Stopped;
+    rig.azimuth.silent = rig.elevation.silent = false;
+    auto other = rig.factsOf(Axis::Elevation);
+    other.uuid = QStringLiteral("b0000000-0000-0000-0000-000000000003");
+    rig.learn(Axis::Elevation, other);
+    rig.run(Seconds(1.5));
+    ASSERT_TRUE(rig.ask(request::Rearm{}));
+    rig.run(Seconds(0.5));
+    ASSERT_TRUE(rig.control.isTurnAsked(Axis::Elevation));
+    const Result<> refused = rig.ask(request::GiveAuthority{});
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(textOf(refused.error()),
+              "The position of the elevation drive is unknown. Enter the position of the axis. Only slow jog works.");
+}
+
 TEST(StationTurns, TheAnswerIsWrittenIntoTheDriveAndThePlaceIsKept)
 {
     RestartedRig rig;

@@ -8,11 +8,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace boresight {
 namespace {
 
 // REQ-WIND-43: The page of a web server is read at the interval in the profile, and each page is a reading. If the
-// server does not answer, this is reported.
+// server does not answer, this is reported, and the alarm about the silence has the reason.
 TEST(StationWindPage, IsRead)
 {
     const QTemporaryDir folder;
@@ -29,6 +31,11 @@ TEST(StationWindPage, IsRead)
     EXPECT_EQ(station.status().wind.speed, 9.0);
     web.stopListening();
     ASSERT_TRUE(fakes::waitUntil([&] { return !station.status().wind.trouble.isEmpty(); }));
+    moving.run(Seconds(31.0));
+    const auto alarms = station.status().alarms;
+    EXPECT_TRUE(std::ranges::any_of(alarms, [](const Alarm& one) {
+        return one.name == QLatin1String("wind.silent") && one.what.contains(QLatin1String("/live: "));
+    })) << "the alarm has the reason";
 }
 
 }  // namespace

@@ -121,6 +121,32 @@ TEST_F(WindStowTest, NothingElseMovesUntilTheWindIsOver)
     EXPECT_TRUE(isAt(50.0, 30.0));
 }
 
+// Story: the operator pressed Hand over in a strong wind. After the calm time a client moved the mount, and nobody had
+// acted.
+// REQ-WIND-21a: The operator cannot give control to the clients while the wind forbids motion. The refusal says when it
+// is possible. The operator can while the wind is overridden.
+TEST_F(WindStowTest, ControlIsNotGivenInAStrongWind)
+{
+    goUp();
+    blow(20.0, Seconds(60.0));
+    const std::string why =
+        "The wind reached 20.0 m/s. The limit is 15.0 m/s. Hand over when the wind has stayed below "
+        "10.0 m/s for 1 min.";
+    EXPECT_EQ(refusal(request::GiveAuthority{}), why);
+    EXPECT_EQ(refusal(request::GiveControl{.clientId = 1}), why);
+    EXPECT_EQ(rig.control.status().permissions.reason(Action::GiveAuthority).toStdString(), why);
+    for (int i = 0; i < 70; ++i) {
+        blow(5.0, Seconds(1.0));
+        (void)rig.point(120.0, 50.0);
+    }
+    EXPECT_EQ(rig.state(), StationState::Parked);
+    EXPECT_EQ(refusal(request::GiveAuthority{}), "");
+    EXPECT_TRUE(rig.point(120.0, 50.0));
+    blow(20.0, Seconds(60.0));
+    ASSERT_EQ(refusal(request::OverrideWind{}), "");
+    EXPECT_EQ(refusal(request::GiveAuthority{}), "");
+}
+
 // REQ-WIND-22: The profile may name a separate place for a strong wind. While the wind is strong, Park also goes there.
 TEST_F(WindStowTest, AnOwnPlace)
 {
@@ -258,6 +284,56 @@ TEST_F(WindStowTest, SilenceIsToldOrParks)
               QStringLiteral("The wind was unknown. No reading came after %1.").arg(since.chopped(1)));
     blow(5.0, Seconds(60.0));
     EXPECT_FALSE(isRaised("wind.parks"));
+}
+
+// Story: in a storm the anemometer fell silent. One alarm said that the mount stays parked. The other alarm said that
+// Boresight does not park the mount.
+// REQ-WIND-26a: If the readings end in a strong wind, the alarm about the silence says that the mount stays parked,
+// because the calm time needs readings.
+TEST_F(WindStowTest, SilenceInAStrongWindIsNoContradiction)
+{
+    goUp();
+    blow(20.0, Seconds(60.0));
+    blow(std::nullopt, Seconds(31.0));
+    ASSERT_TRUE(isRaised("wind.parks"));
+    EXPECT_FALSE(isRaised("wind.silent"));
+    ASSERT_TRUE(isRaised("wind.silent-while-strong"));
+    EXPECT_EQ(alarmOf("wind.silent-while-strong")->action,
+              QStringLiteral("The calm time needs readings. Without them the wind counts as strong, and a parked mount "
+                             "stays parked."));
+    blow(std::nullopt, Seconds(90.0));
+    EXPECT_EQ(rig.state(), StationState::Parked);
+    EXPECT_NE(refusal(kGo), "");
+    blow(5.0, Seconds(70.0));
+    EXPECT_FALSE(isRaised("wind.silent-while-strong"));
+    EXPECT_EQ(refusal(kGo), "");
+}
+
+// REQ-WIND-26b: The alarm about the silence says since when no reading has come: since the last one, since the start,
+// or since the profile changed. It has the reason if the source reports one.
+TEST_F(WindStowTest, SilenceHasItsBeginningAndItsReason)
+{
+    StationRig never(withAnemometer());
+    const auto what = [&] {
+        const auto list = never.alarms.list();
+        const auto found =
+            std::ranges::find_if(list, [](const Alarm& one) { return one.name == QLatin1String("wind.silent"); });
+        return found == list.end() ? std::string() : found->what.toStdString();
+    };
+    never.run(Seconds(31.0));
+    EXPECT_THAT(what(), testing::MatchesRegex("The wind is unknown. No reading has come since the start at [0-9:]+Z."));
+    never.control.takeWindTrouble(QStringLiteral("http://anemometer/wind: Connection refused"));
+    never.run(Seconds(0.1));
+    EXPECT_THAT(what(), HasSubstr("Z (http://anemometer/wind: Connection refused)."));
+    profile::Profile changed = withAnemometer();
+    changed.wind.calm = 2.0;
+    never.setProfile(changed);
+    never.run(Seconds(31.0));
+    EXPECT_THAT(what(), HasSubstr("No reading has come since the change of the profile at "));
+    blow(std::nullopt, Seconds(31.0));
+    ASSERT_TRUE(isRaised("wind.silent"));
+    EXPECT_THAT(alarmOf("wind.silent")->what.toStdString(),
+                testing::MatchesRegex("The wind is unknown. No reading has come since [0-9:]+Z."));
 }
 
 // REQ-WIND-26

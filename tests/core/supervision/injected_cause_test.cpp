@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace boresight::supervision {
@@ -331,8 +332,9 @@ TEST_F(InjectedCause, ABlockedAxisIsToldWithTheLimitOfItsDrive)
     mount.run(Seconds(2.0));
     mount.inject(FaultKind::Stall, Axis::Azimuth);
     static_cast<void>(timeTo(Symptom::Stalled, Weight::Stop, Seconds(3.0)));
-    EXPECT_THAT(text(Symptom::Stalled, Weight::Stop),
-                HasSubstr("limit 102 of the drive: Limited by the maximum torque of the command"));
+    const std::string what = text(Symptom::Stalled, Weight::Stop);
+    EXPECT_THAT(what, HasSubstr("limit 102 of the drive: Limited by the maximum torque of the command"));
+    EXPECT_EQ(std::ranges::count(what, '('), 1) << what;
 }
 
 // A cable that becomes tight during the guided unwinding pulls harder and harder.

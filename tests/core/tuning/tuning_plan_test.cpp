@@ -34,7 +34,7 @@ TEST(TuningPlan, GoesToTheSideWithMoreRoom)
     const TuningWay low = planned(TuningRun::Step, Axis::Elevation, 0_deg, 10_deg);
     EXPECT_TRUE(low.plan.obstacle.isEmpty()) << low.plan.obstacle.toStdString();
     EXPECT_NEAR(low.plan.to.degrees(), 12.0, 1e-9);
-    EXPECT_THAT(low.plan.text.toStdString(), HasSubstr("Moves the elevation by 2.00° from 10.0°"));
+    EXPECT_THAT(low.plan.text.toStdString(), HasSubstr("Moves the elevation by 2.00° from axis angle 10.0°"));
     const TuningWay high = planned(TuningRun::Ramp, Axis::Elevation, 0_deg, 89_deg);
     EXPECT_TRUE(high.plan.obstacle.isEmpty());
     EXPECT_NEAR(high.plan.to.degrees(), 87.0, 1e-9);
@@ -59,15 +59,23 @@ TEST(TuningPlan, SaysTheWayOfItsSetPoints)
     const auto says = [](TuningRun run, const tracking::MotionLimits& limits) {
         return planned(run, Axis::Azimuth, 100_deg, 30_deg, limits).plan.text.toStdString();
     };
-    EXPECT_THAT(says(TuningRun::Step, kLimits), HasSubstr("by 2.00° from 100.0°"));
-    EXPECT_THAT(says(TuningRun::Ramp, kLimits), HasSubstr("by 2.00° from 100.0°"));
-    EXPECT_THAT(says(TuningRun::Sweep, kLimits), HasSubstr("±0.27° around 100.0°"));
-    EXPECT_THAT(says(TuningRun::Backlash, kLimits), HasSubstr("±0.20° around 100.0°"));
+    EXPECT_THAT(says(TuningRun::Step, kLimits), HasSubstr("by 2.00° from axis angle 100.0°"));
+    EXPECT_THAT(says(TuningRun::Ramp, kLimits), HasSubstr("by 2.00° from axis angle 100.0°"));
+    EXPECT_THAT(says(TuningRun::Sweep, kLimits), HasSubstr("±0.27° around axis angle 100.0°"));
+    EXPECT_THAT(says(TuningRun::Backlash, kLimits), HasSubstr("±0.20° around axis angle 100.0°"));
     tracking::MotionLimits slow = kLimits;
     slow.speed = 0.3_deg_s;
     EXPECT_THAT(says(TuningRun::Ramp, slow), HasSubstr("by 0.60° from"));
     EXPECT_THAT(says(TuningRun::Sweep, slow), HasSubstr("±0.08° around"));
     EXPECT_NEAR(planned(TuningRun::Ramp, Axis::Elevation, 0_deg, 89_deg, slow).plan.to.degrees(), 88.4, 1e-6);
+}
+
+// Story: the question said "from -42.6°" while the card showed an azimuth of 317.4°.
+// REQ-TUNING-36: The text of a run names the angle where it begins as an axis angle.
+TEST(TuningPlan, NamesItsAxisAngle)
+{
+    EXPECT_THAT(planned(TuningRun::Step, Axis::Azimuth, Angle::fromDegrees(-42.6), 30_deg).plan.text.toStdString(),
+                HasSubstr("Moves the azimuth by 2.00° from axis angle -42.6° and back, in "));
 }
 
 // REQ-TUNING-12: The set-points of a run stay within its room and within the limits of motion.

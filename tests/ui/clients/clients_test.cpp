@@ -304,6 +304,21 @@ TEST_F(ControlPromptTest, WhoIsIgnoredIsNotAskedAboutAgain)
     EXPECT_TRUE(prompt().isVisible());
 }
 
+// Story: the second press of a double click gave control back to the client that had just lost it.
+TEST_F(ControlPromptTest, TheSecondPressOfADoubleClickGivesNothing)
+{
+    click("Allow control");
+    StationStatus other = samples::fighting();
+    std::swap(other.clients[0].id, other.clients[1].id);
+    give(samples::acceptance(other, requests.back().id));
+    click("Allow control");
+    EXPECT_EQ(asked<request::GiveControl>().size(), 1U);
+    elapse(Seconds(1.0));
+    click("Allow control");
+    ASSERT_EQ(asked<request::GiveControl>().size(), 2U);
+    EXPECT_EQ(asked<request::GiveControl>()[1].clientId, 1U);
+}
+
 TEST_F(ControlPromptTest, AsksAboutOneUntilThatIsAnswered)
 {
     StationStatus two = samples::fighting();

@@ -45,6 +45,14 @@ TEST_F(ValueLabelTest, ASentenceThatIsTooLongEndsAtAColon)
         << "a sentence before a colon";
 }
 
+// Story: the last line of the log read "07:00:22 station Cleared" at 1024 × 700.
+TEST_F(ValueLabelTest, AShortWordBeforeAColonIsNotAllThatIsShown)
+{
+    const QString shown = QString::fromStdString(visible(QStringLiteral("Cleared: This computer stalled for 0.13 s"),
+                                                         QStringLiteral("Cleared: This computer stalled")));
+    EXPECT_TRUE(shown.startsWith(QStringLiteral("Cleared: This computer"))) << shown.toStdString();
+}
+
 TEST_F(ValueLabelTest, ASentenceThatIsTooLongIsCut)
 {
     EXPECT_TRUE(

@@ -155,7 +155,7 @@ TEST_F(LimitsTest, ADraggedEdgeCornerAndWholeOfAKeepOut)
 }
 
 // REQ-UI-21
-TEST_F(LimitsTest, EscDuringADragCancelsItAndTheNextStops)
+TEST_F(LimitsTest, EscDuringADragCancelsItThenEndsTheEditingThenStops)
 {
     edit();
     press(180_deg, 28_deg);
@@ -167,6 +167,8 @@ TEST_F(LimitsTest, EscDuringADragCancelsItAndTheNextStops)
     move(180_deg, 70_deg);
     release(180_deg, 70_deg);
     EXPECT_FALSE(named<CommandButton>("Apply")->isEnabled()) << "the rest of the movement is no drag";
+    QTest::keyClick(window.windowHandle(), Qt::Key_Escape);
+    EXPECT_TRUE(asked<request::Stop>().empty()) << "it ends the editing";
     QTest::keyClick(window.windowHandle(), Qt::Key_Escape);
     EXPECT_EQ(asked<request::Stop>().size(), 1u);
 }

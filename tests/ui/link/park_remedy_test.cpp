@@ -6,6 +6,7 @@
 #include "ui/kit/value_label.h"
 #include "ui/link/profile_draft_bar.h"
 
+#include <QLayout>
 #include <QTest>
 
 #include <gtest/gtest.h>
@@ -76,7 +77,12 @@ TEST(ParkRemedy, TheBarSaysItAndOneButtonResolvesIt)
               QStringLiteral("park elevation: 0.0° / 0.0° lies below the horizon (14.5°)"));
     ASSERT_TRUE(button->isVisible());
     EXPECT_EQ(button->text(), QStringLiteral("Move park to 15°"));
+    // Story: Apply moved to the place of this button, and a click on Revert dropped the drawn limits.
+    bar.layout()->activate();
+    const QRect apply = findNamed<CommandButton>(bar, "Apply")->geometry();
     QTest::mouseClick(button, Qt::LeftButton);
+    bar.layout()->activate();
+    EXPECT_EQ(findNamed<CommandButton>(bar, "Apply")->geometry(), apply);
     EXPECT_EQ(draft.edited().park.elevation, 15_deg);
     EXPECT_TRUE(draft.whyNoApply().isEmpty());
     EXPECT_FALSE(button->isVisible());

@@ -70,7 +70,7 @@ TEST_F(AlarmsTest, SaysWhatHappenedWhatWasDoneAndWhatToDo)
         reading(),
         QStringLiteral("2026-11-21 17:05:52.000Z, active, not acknowledged\n"
                        "■ The azimuth drive reports fault 38: The board (75 °C by default) or the motor is too hot.\n"
-                       "Boresight: The drive switched its output off. The other axis holds if its drive can.\n"
+                       "Boresight: The drive switched its output off. An axis without a fault holds if its drive can.\n"
                        "To do: Likely cause: Too much torque for too long, or too little cooling. Let it cool "
                        "down. Lower the torque or improve the cooling. Then press Re-arm."))
         << "the worst is read without a click";

@@ -32,7 +32,7 @@ protected:
     LogTest()
     {
         LogEntry motion = samples::logEntry(2, Severity::Advisory, QStringLiteral("rotctld 10.0.0.7:40112"),
-                                            QStringLiteral("moves the mount from 0.00° 0.00°: P 339.50° 57.00°"));
+                                            QStringLiteral("moves the mount from 0.00° 0.00°: go to 339.50° 57.00°"));
         motion.kind = LogKind::MotionStart;
         panel.append({samples::logEntry(1, Severity::Advisory, QStringLiteral("operator"), QStringLiteral("park")),
                       motion,
@@ -128,7 +128,7 @@ TEST_F(LogTest, TellsWhyItMovedFromTheMotionStartsAlone)
     clickRow(on<QTableView>(panel.motions()), 0);
     EXPECT_EQ(on<QPlainTextEdit>(panel.motions()).toPlainText(),
               QStringLiteral("17:06:01Z  rotctld 10.0.0.7:40112\n"
-                             "moves the mount from 0.00° 0.00°: P 339.50° 57.00°"));
+                             "moves the mount from 0.00° 0.00°: go to 339.50° 57.00°"));
     // By keys too: an arrow key goes to the next choice.
     (*why)->setFocus();
     QTest::keyClick(*why, Qt::Key_Right);
@@ -195,11 +195,11 @@ TEST_F(LogTest, CopiesTheSelectionElseAllThatIsShownWithDate)
     show();
     on<QComboBox>(events()).setCurrentIndex(2);
     press(events(), "Copy");
-    EXPECT_EQ(
-        QApplication::clipboard()->text(),
-        QStringLiteral("2026-11-21 17:06:01.000Z  rotctld 10.0.0.7:40112  moves the mount from 0.00° 0.00°: P 339.50° "
-                       "57.00°\n"
-                       "2026-11-21 17:06:03.000Z  rotctld 10.0.0.8:40113  dropped: line longer than 1000 bytes\n"));
+    EXPECT_EQ(QApplication::clipboard()->text(),
+              QStringLiteral(
+                  "2026-11-21 17:06:01.000Z  rotctld 10.0.0.7:40112  moves the mount from 0.00° 0.00°: go to 339.50° "
+                  "57.00°\n"
+                  "2026-11-21 17:06:03.000Z  rotctld 10.0.0.8:40113  dropped: line longer than 1000 bytes\n"));
     clickRow(on<QTableView>(events()), 1);
     QTest::keyClick(&on<QTableView>(events()), Qt::Key_C, Qt::ControlModifier);
     EXPECT_EQ(QApplication::clipboard()->text().count(QLatin1Char('\n')), 1);

@@ -185,6 +185,22 @@ TEST_F(PlotTest, TheTargetsLabelSparesTheNameOfAKeepOut)
     }
 }
 
+// Story: the label of a target at the horizon was drawn on the cable ring, and hid the degrees beside it.
+TEST_F(PlotTest, TheTargetsLabelStaysInsideTheRim)
+{
+    StationStatus status = samples::idle();
+    status.actual = SkyPointing{10_deg, 80_deg};
+    status.commanded = status.actual;
+    for (int degrees = 0; degrees < 360; degrees += 3) {
+        for (int up = 0; up < 30; up += 3) {
+            status.target = SkyPointing{Angle::fromDegrees(degrees), Angle::fromDegrees(up)};
+            plot.showStatus(status);
+            const QRectF label = plot.markers().targetLabelBox();  // in whole pixels
+            EXPECT_TRUE(plot.markers().projection().contains(label.adjusted(1, 1, -1, -1))) << degrees << ' ' << up;
+        }
+    }
+}
+
 TEST_F(PlotTest, ThePastPathGrowsWithTheMotionAndNotWithOldData)
 {
     for (int second = 0; second < 60; ++second) {

@@ -269,6 +269,15 @@ TEST_F(SkyLook, AnUnknownWrapShowsNoUsedPart)
         QStringLiteral("The azimuth cable is at 397°. Its travel is from -90° to 450°. The nearer end is 53° away. It "
                        "ends at 450° in 27 s.")))
         << plot.accessibleDescription().toStdString();
+    // Story: at 460° of 460° the words were plain.
+    status.azimuth.actual = 449.9_deg;
+    status.cableEnd = CableEnd{.end = 450_deg, .in = Seconds(0.0)};
+    show(status);
+    EXPECT_EQ(words("Travel of the azimuth cable"), QStringLiteral("at the end"));
+    EXPECT_TRUE(cableWords(status).isWarning);
+    plot.describe(status);
+    EXPECT_TRUE(plot.accessibleDescription().endsWith(QStringLiteral("It is at the end.")))
+        << plot.accessibleDescription().toStdString();
 }
 
 // REQ-UI-1653: A rotator that counts its turns itself never has an unknown wrap. While it is silent only its position

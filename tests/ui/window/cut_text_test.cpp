@@ -112,7 +112,7 @@ TEST_P(CutTextTest, ThatTheMountTurnsBackIsWholeBelowTheState)
 {
     StationStatus status = samples::cableEnding();
     status.state = StationState::Slew;
-    status.stateReason = Text::tr("cable end, turns back %1").arg(QStringLiteral("360°"));
+    status.stateReason = Text::tr("unwraps the cable by %1").arg(QStringLiteral("360°"));
     give(samples::update(status));
     const auto labels = window.findChildren<ValueLabel*>();
     const auto reason = std::ranges::find(labels, status.stateReason, &ValueLabel::text);

@@ -43,7 +43,7 @@ TEST_P(EditingPictures, AreTakenOfTheViewsOfTheLog)
     show(samples::faulted(), '5');
     StationUpdate update = samples::update(samples::faulted());
     update.log.push_back(samples::logEntry(12, Severity::Advisory, QStringLiteral("rotctld 127.0.0.1:51234"),
-                                           QStringLiteral("moves the mount from 10.00° 20.00°: P 339.50° 57.00°")));
+                                           QStringLiteral("moves the mount from 10.00° 20.00°: go to 339.50° 57.00°")));
     update.log.back().kind = LogKind::MotionStart;
     give(update);
     for (const auto& [scene, choice] :

@@ -204,7 +204,8 @@ TEST_F(StopTest, EscStopsUnlessAMenuOrDialogIsOpen)
 }
 
 // REQ-UI-800: Esc first leaves the part that has the keyboard: a text field, a search, a list, a table, a spin box, a
-// combo box, a prompt or the alarm card. The next Esc stops the mount. Pause and F12 stop at once.
+// combo box, a prompt, the presets, the editing of the sky, or the alarm card. The next Esc stops the mount. Pause and
+// F12 stop at once.
 TEST_F(StopTest, EscLeavesAFieldFirst)
 {
     give(samples::update(samples::factoryDrives()));
@@ -248,9 +249,36 @@ TEST_F(StopTest, EscDismissesAPromptThatHasTheKeyboard)
     QTest::mouseClick(sky, Qt::LeftButton, {}, sky->projection().zenith.toPoint());
     auto* const goHere = named<CommandButton>("Go here");
     ASSERT_TRUE(goHere->isVisible());
-    goHere->setFocus();
-    QTest::keyClick(goHere, Qt::Key_Escape);
+    EXPECT_FALSE(goHere->hasFocus()) << "Space would move the mount";
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
     EXPECT_FALSE(goHere->isVisible());
+    EXPECT_EQ(stops(), 0u);
+    QTest::keyClick(&window, Qt::Key_Escape);
+    EXPECT_EQ(stops(), 1u);
+}
+
+// REQ-UI-800
+TEST_F(StopTest, EscHidesThePresetsFirst)
+{
+    auto* const presets = named<QPushButton>("Presets, home, horizon, unwrap");
+    presets->click();
+    presets->setFocus();
+    QTest::keyClick(presets, Qt::Key_Escape);
+    EXPECT_FALSE(presets->isChecked());
+    EXPECT_EQ(stops(), 0u);
+    QTest::keyClick(presets, Qt::Key_Escape);
+    EXPECT_EQ(stops(), 1u);
+}
+
+// REQ-UI-800
+TEST_F(StopTest, EscEndsTheEditingOfTheSkyFirst)
+{
+    auto& plot = *window.findChild<PolarPlot*>();
+    plot.setEditing(true);
+    QTest::mouseClick(&plot.editor(), Qt::LeftButton, {}, plot.editor().rect().center());
+    ASSERT_TRUE(plot.editor().hasFocus());
+    QTest::keyClick(&plot.editor(), Qt::Key_Escape);
+    EXPECT_FALSE(plot.editor().isEditing());
     EXPECT_EQ(stops(), 0u);
     QTest::keyClick(&window, Qt::Key_Escape);
     EXPECT_EQ(stops(), 1u);
