@@ -201,7 +201,7 @@ const Subcommand kPlanCommand{
 Each row is one way to track the whole pass. The first row is the chosen plan. Columns:
   plan        direct; over-the-top (elevations above 90°); through-the-zenith (changes between both at the highest point);
               other-way-round (the azimuth goes round through the other side at the highest point); waits (at the end of the
-              cable); unwraps (turns back by 360° in the pass)
+              cable); unwraps (the cable, by 360° in the pass)
   chosen      yes or no
   start_az, start_el, end_az      angles of the axes. The azimuth counts turns of the cable
   peak_deg, rms_deg, peak_db      pointing error. peak_db is the loss for the beam width, empty beyond one beam width

@@ -199,11 +199,13 @@ inline constexpr std::array kAxisAlarms{
         .severity = Severity::Alarm,
         .what = "%1",
         .action = QT_TRANSLATE_NOOP("Text", "Boresight stopped the mount and holds it"),
-        .remedy = QT_TRANSLATE_NOOP("Text", "Check whether the cable is wrapped around the mount. Jog the other way."),
+        .remedy = QT_TRANSLATE_NOOP(
+            "Text",
+            "Look for what blocks the axis, such as a cable that is wrapped around the mount. Jog the other way."),
         .thenRearm = true,
         .help = AlarmHelp::Rearm,
         .kin = AlarmKin::Drive,
-        .examples = {"the azimuth needs 6.0 Nm, 40 % of the 15.0 Nm allowed, while its cable wrap is unknown"}},
+        .examples = {"the azimuth needs 6.0 Nm, 40 % of the 15.0 Nm allowed, while its position is unknown"}},
 };
 
 }  // namespace boresight

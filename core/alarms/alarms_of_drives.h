@@ -217,7 +217,7 @@ inline constexpr std::array kDriveAlarms{
                .source = "%1 drive",
                .severity = Severity::Warning,
                .what = QT_TRANSLATE_NOOP("Text", "Boresight did not use --standing-at for the %1: %2"),
-               .action = QT_TRANSLATE_NOOP("Text", "The cable wrap stays unknown"),
+               .action = QT_TRANSLATE_NOOP("Text", "The position of the axis stays unknown"),
                .remedy = QT_TRANSLATE_NOOP("Text",
                                            "Enter the position of the axis in the window. Without a window, restart "
                                            "with the present position and time"),

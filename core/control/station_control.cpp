@@ -419,7 +419,7 @@ void StationControl::watchCable()
                   endHeld());
 }
 
-// The end of the azimuth where the mount waits for a target beyond it.
+// The end of the azimuth where the mount waits, because its target is limited or the operator chose to hold there.
 std::optional<Angle> StationControl::endHeld() const
 {
     constexpr Angle kSamePlace = Angle::fromDegrees(0.1);
@@ -439,10 +439,12 @@ std::optional<Angle> StationControl::endHeld() const
     return std::nullopt;
 }
 
-// Where the operator chose to wait at the cable end, the alarm about the cable gives the reason.
+// Where the operator chose to wait at the cable end instead of unwrapping, the alarm about the cable gives the reason.
 void StationControl::watchLimited()
 {
-    const bool isChosen = m_current.keepsWrap() && endHeld();
+    const std::optional<Angle> end = endHeld();
+    const bool isChosen =
+        end && m_current.keepsWrap() && CableGuard::hasOtherWrap(*end, m_motion.region().ranges().azimuth);
     m_targetAlarm.update(isChosen ? QString() : limitedReason());
 }
 

@@ -40,12 +40,6 @@ std::optional<Seconds> lostByWaiting(AngularRate azimuthRate, const tracking::Mo
     return kCoarseTime * std::round(lost / kCoarseTime);
 }
 
-// Beyond this end the cable can be unwrapped by 360°.
-bool hasOtherWrap(Angle end, const TravelRange& range)
-{
-    return range.contains(end + Angle::fromTurns(end == range.max ? -1.0 : 1.0));
-}
-
 QString timeText(Seconds time)
 {
     return time < Seconds(100.0) ? QStringLiteral("%1 s").arg(std::lround(time.count()))
@@ -67,6 +61,11 @@ std::optional<AxisPosition> CableGuard::leastWound(const AxisPosition& place, co
         }
     }
     return best;
+}
+
+bool CableGuard::hasOtherWrap(Angle end, const TravelRange& range)
+{
+    return range.contains(end + Angle::fromTurns(end == range.max ? -1.0 : 1.0));
 }
 
 // Judges from where the axis is going and from where it is. Only if both ways lead beyond the end, the mount unwraps.

@@ -48,6 +48,9 @@ public:
     [[nodiscard]] QString begin(const TurnBack& back, const tracking::MotionLimits& limits);
     void forgetTurnBack() { m_turnBack.reset(); }
 
+    // Beyond this end of the range the cable can be unwrapped by 360°.
+    [[nodiscard]] static bool hasOtherWrap(Angle end, const TravelRange& range);
+
     // Once per tick. `path` is the path that is tracked. `left` is the angle that the azimuth has yet to go. Empty:
     // there is no such path or angle. `keepsWrap`: the operator chose to wait at the end of the cable. `heldAt`: the
     // end where the mount waits now. Empty: it does not.

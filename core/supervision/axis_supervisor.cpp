@@ -264,7 +264,7 @@ void AxisSupervisor::judgeTorque(const AxisObservation& seen)
         {.stop = m_profile->supervision.torqueUnwind,
          .release = 0.85 * m_profile->supervision.torqueUnwind,
          .after = kConfirm},
-        [&] { return needs(Text::tr("%1 needs %2 Nm, %3 % of the %4 Nm allowed, while its cable wrap is unknown")); });
+        [&] { return needs(Text::tr("%1 needs %2 Nm, %3 % of the %4 Nm allowed, while its position is unknown")); });
 }
 
 // Finds an axis that is blocked just before its target. The rest of the way is too short for judgeProgress().

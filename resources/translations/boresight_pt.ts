@@ -432,8 +432,8 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
         <translation>Cliente</translation>
     </message>
     <message>
-        <source>Turning: which motor is which, and which way does it turn?</source>
-        <translation>Sentido: qual motor é qual, e para que lado gira?</translation>
+        <source>Turning: which motor turns which axis, and which way?</source>
+        <translation>Sentido: que motor move que eixo, e para que lado?</translation>
     </message>
     <message>
         <source>Travel: how far may each axis and its cable go?</source>
@@ -3255,10 +3255,6 @@ até %1</translation>
         <translation>o relógio deste computador não está sincronizado</translation>
     </message>
     <message>
-        <source>The cable wrap stays unknown</source>
-        <translation>A volta do cabo continua desconhecida</translation>
-    </message>
-    <message>
         <source>%1 is outside the travel (%2 to %3) by more than %4. Enter the angle of the axis.</source>
         <translation>%1 está fora do curso (%2 a %3) por mais de %4. Escreva o ângulo do eixo.</translation>
     </message>
@@ -3502,10 +3498,6 @@ até %1</translation>
     <message>
         <source>the reported angle of %1 jumped by %2 in %3 to %4, faster than the axis can move</source>
         <translation>o ângulo comunicado de %1 saltou %2 em %3 para %4, mais depressa do que o eixo se pode mover</translation>
-    </message>
-    <message>
-        <source>%1 needs %2 Nm, %3 % of the %4 Nm allowed, while its cable wrap is unknown</source>
-        <translation>%1 precisa de %2 Nm, %3 % dos %4 Nm permitidos, enquanto a volta do cabo é desconhecida</translation>
     </message>
     <message>
         <source>the check of %1 ended early: %2</source>
@@ -8280,10 +8272,6 @@ até %1</translation>
         <translation>%1 não é um ficheiro</translation>
     </message>
     <message>
-        <source>Check whether the cable is wrapped around the mount. Jog the other way.</source>
-        <translation>Verifique se o cabo está enrolado à volta da montagem. Mova para o outro lado.</translation>
-    </message>
-    <message>
         <source>The Moon of azel.dat is %1 away from the Moon that Boresight computes for the site</source>
         <translation>A Lua de azel.dat está a %1 da Lua que o Boresight calcula para o local</translation>
     </message>
@@ -11402,6 +11390,18 @@ até %1</translation>
     <message>
         <source>Moves the %1 by %2 from axis angle %3 and back, in %4 s.</source>
         <translation>Move o %1 %2 a partir do ângulo do eixo %3 e volta, em %4 s.</translation>
+    </message>
+    <message>
+        <source>Look for what blocks the axis, such as a cable that is wrapped around the mount. Jog the other way.</source>
+        <translation>Procure o que bloqueia o eixo, por exemplo um cabo enrolado à volta da montagem. Mova para o outro lado.</translation>
+    </message>
+    <message>
+        <source>The position of the axis stays unknown</source>
+        <translation>A posição do eixo continua desconhecida</translation>
+    </message>
+    <message>
+        <source>%1 needs %2 Nm, %3 % of the %4 Nm allowed, while its position is unknown</source>
+        <translation>%1 precisa de %2 Nm, %3 % dos %4 Nm permitidos, enquanto a sua posição é desconhecida</translation>
     </message>
 </context>
 <context>
@@ -14773,10 +14773,6 @@ trocar os motores</translation>
         <translation>Parar</translation>
     </message>
     <message>
-        <source>leave a field, list, menu or question. The next Esc is STOP</source>
-        <translation>sair de um campo, lista, menu ou pergunta. O Esc seguinte é STOP</translation>
-    </message>
-    <message>
         <source>Move by hand</source>
         <translation>Mover à mão</translation>
     </message>
@@ -14881,6 +14877,10 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
     <message>
         <source>move while held. First arm the pad (click it, or press Enter)</source>
         <translation>mover enquanto premida. Arme primeiro o painel (clique nele ou prima Enter)</translation>
+    </message>
+    <message>
+        <source>leave a field, list, menu, card or question. The next Esc is STOP</source>
+        <translation>sair de um campo, lista, menu, cartão ou pergunta. O Esc seguinte é STOP</translation>
     </message>
 </context>
 <context>

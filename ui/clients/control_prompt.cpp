@@ -71,7 +71,7 @@ void ControlPrompt::showStatus(const StationStatus& status)
     if (m_asking != found->id || isHidden()) {
         notice().setValue({});
     }
-    if (m_asking != 0 && m_asking != found->id) {
+    if (isHidden() || m_asking != found->id) {
         m_guard.begin();  // the client that lost control asks at once
     }
     m_asking = found->id;

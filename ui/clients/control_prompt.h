@@ -29,7 +29,7 @@ private:
     CommandButton* m_give;
     std::uint64_t m_asking = 0;  // the client in the text
     std::set<std::uint64_t> m_ignored;
-    PressGuard m_guard{this};  // after another client has taken the place in the text
+    PressGuard m_guard{this};  // after the prompt has come, or names another client
 };
 
 }  // namespace boresight::ui

@@ -168,7 +168,7 @@ QString title(GuideStep step)
 {
     const std::array titles{GuideWords::tr("Connect: what turns the mount?"),
                             GuideWords::tr("Protect: are the safety settings of each drive right?"),
-                            GuideWords::tr("Turning: which motor is which, and which way does it turn?"),
+                            GuideWords::tr("Turning: which motor turns which axis, and which way?"),
                             GuideWords::tr("Travel: how far may each axis and its cable go?"),
                             GuideWords::tr("Level: where is elevation 0°?"),
                             GuideWords::tr("North: where is azimuth 0°?"),

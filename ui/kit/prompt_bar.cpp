@@ -5,6 +5,7 @@
 #include "ui/kit/value_label.h"
 #include "ui/kit/widest.h"
 
+#include <QApplication>
 #include <QGridLayout>
 #include <QPushButton>
 
@@ -59,6 +60,16 @@ bool PromptBar::leave()
 void PromptBar::takeFocus()
 {
     declining()->setFocus();
+}
+
+// Qt would give the keyboard to the next button, so that a second press acts there, or the next Esc only leaves it.
+void PromptBar::hideEvent(QHideEvent* event)
+{
+    QWidget* const focus = QApplication::focusWidget();
+    if (focus != nullptr && isAncestorOf(focus)) {
+        focus->clearFocus();
+    }
+    QFrame::hideEvent(event);
 }
 
 void PromptBar::setText(const QString& text)

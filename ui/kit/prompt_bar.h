@@ -31,6 +31,9 @@ public:
 
     [[nodiscard]] ValueLabel& notice() { return *m_notice; }
 
+protected:
+    void hideEvent(QHideEvent* event) override;
+
 private:
     [[nodiscard]] QPushButton* declining() const;
 

@@ -78,14 +78,11 @@ bool PlotEditor::cancelDrag()
 
 bool PlotEditor::leave()
 {
-    if (cancelDrag()) {
+    if (m_editing) {
+        Q_EMIT leaveWanted();
         return true;
     }
-    if (!m_editing) {
-        return false;
-    }
-    Q_EMIT leaveWanted();
-    return true;
+    return false;
 }
 
 // The tables and Revert also change the draft, so the selected or dragged part may be gone.

@@ -31,7 +31,7 @@ public:
     void addSector(const SkyPointing& centre);  // a keep-out
     bool cancelDrag();                          // true if a drag was cancelled and undone
 
-    bool leave() override;  // a drag first, then the editing
+    bool leave() override;  // ends the editing
 
     [[nodiscard]] bool isEditing() const { return m_editing; }
     [[nodiscard]] bool isDragging() const { return m_drag.has_value(); }

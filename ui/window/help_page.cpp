@@ -24,7 +24,7 @@ constexpr Line kLines[] = {
     {QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "Pause, F12"),
      QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "STOP from anywhere")},
     {QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "Esc"),
-     QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "leave a field, list, menu or question. The next Esc is STOP")},
+     QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "leave a field, list, menu, card or question. The next Esc is STOP")},
     {nullptr, QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "Move by hand")},
     {QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "arrows"),
      QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "move while held. First arm the pad (click it, or press Enter)")},

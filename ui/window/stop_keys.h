@@ -9,8 +9,8 @@ class QWidget;
 
 // The keys that stop the mount. Pause and F12 stop from anywhere in the program, also in a modal dialog or an open
 // menu, which a QShortcut would not reach. Esc first leaves the part that has the keyboard: a field, a list or a table
-// loses the focus, a question or a prompt closes, a drag of the mouse ends. If there is nothing to leave Esc stops the
-// mount. Auto-repeat is ignored. Gui thread.
+// loses the focus, a question or a prompt closes, the presets hide, a drag of the mouse or the editing of the sky ends.
+// If there is nothing to leave Esc stops the mount. Auto-repeat is ignored. Gui thread.
 namespace boresight::ui {
 
 class StopKeys : public QObject

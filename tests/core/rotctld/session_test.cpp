@@ -127,7 +127,7 @@ TEST_F(RotctldSession, RunsNothingBehindAPauseOfWhoLeft)
 
 // Story: a connection closed after "P 10 5" without a line end, and the mount moved. The rest of "P 10 55" can be lost.
 // REQ-ROTCTLD-1415: When the connection closes in the middle of a line, a command in it that moves the mount does not
-// run. Other commands run.
+// run. Other commands of one letter run.
 TEST(RotctldHalfLine, MovesNothing)
 {
     const auto closesAfter = [](std::string_view bytes, fakes::DummyRotator& rotator, const Clock& clock) {

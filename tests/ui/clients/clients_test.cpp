@@ -274,7 +274,11 @@ TEST_F(ClientsPanelTest, ShowsWhoMayConnect)
 class ControlPromptTest : public WindowFixture
 {
 protected:
-    ControlPromptTest() { give(samples::update(samples::fighting())); }
+    ControlPromptTest()
+    {
+        give(samples::update(samples::fighting()));
+        elapse(Seconds(1.0));
+    }
     ControlPrompt& prompt() { return *window.findChild<ControlPrompt*>(); }
     void click(const char* name) { QTest::mouseClick(findNamed<QPushButton>(prompt(), name), Qt::LeftButton); }
 };

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/alarms/catalogue.h"
+#include "tests/ui/sample_alarms.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/kit/command_button.h"
 #include "ui/sky/sky_markers.h"
@@ -253,6 +255,23 @@ TEST_F(StopTest, EscDismissesAPromptThatHasTheKeyboard)
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
     EXPECT_FALSE(goHere->isVisible());
     EXPECT_EQ(stops(), 0u);
+    QTest::keyClick(&window, Qt::Key_Escape);
+    EXPECT_EQ(stops(), 1u);
+}
+
+// Story: after Go here the keyboard went to a button of the alarm card, and the first Esc did not stop the mount.
+// REQ-UI-800
+TEST_F(StopTest, AfterGoHereTheFirstEscStops)
+{
+    give(samples::update(samples::alarmed(alarmEntry("north.not-set"))));
+    auto* const sky = window.findChild<SkyMarkers*>();
+    QTest::mouseClick(sky, Qt::LeftButton, {}, sky->projection().zenith.toPoint());
+    auto* const goHere = named<CommandButton>("Go here");
+    QTest::mouseClick(goHere, Qt::LeftButton);
+    ASSERT_FALSE(requests.empty());
+    give(samples::acceptance(samples::alarmed(alarmEntry("north.not-set")), requests.back().id));
+    ASSERT_FALSE(goHere->isVisible());
+    EXPECT_EQ(QApplication::focusWidget(), nullptr);
     QTest::keyClick(&window, Qt::Key_Escape);
     EXPECT_EQ(stops(), 1u);
 }
