@@ -105,14 +105,10 @@ bool Session::inputTaken(std::string& reply)
     if (!m_inputEnded) {
         return false;
     }
-    if (m_parser.finish() != Event::Command) {
-        m_ending = Text::tr("closed the connection");
-    } else if (asksForMotion(m_parser.command())) {
-        // "P 10 5" may be the beginning of "P 10 55".
-        m_ending = Text::tr("closed the connection in the middle of \"%1\", so the command did not run")
-                       .arg(shownText(m_parser.lineHead()));
-    } else {
+    if (m_parser.finish() == Event::Command) {
         run(reply);
+    } else {
+        m_ending = Text::tr("closed the connection");
     }
     return true;
 }

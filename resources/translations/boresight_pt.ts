@@ -11376,10 +11376,6 @@ até %1</translation>
         <translation>O que a montagem faz depois de uma passagem enquanto a agenda está armada. &quot;unwind&quot; desenrola o cabo.</translation>
     </message>
     <message>
-        <source>closed the connection in the middle of &quot;%1&quot;, so the command did not run</source>
-        <translation>fechou a ligação a meio de &quot;%1&quot;, por isso o comando não foi executado</translation>
-    </message>
-    <message>
         <source>%1 does not move: it moved %2 in %3 instead of %4</source>
         <translation>%1 não se move: moveu-se %2 em %3 em vez de %4</translation>
     </message>

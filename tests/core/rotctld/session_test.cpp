@@ -125,34 +125,6 @@ TEST_F(RotctldSession, RunsNothingBehindAPauseOfWhoLeft)
     EXPECT_EQ(rotator.actions, 0);
 }
 
-// Story: a connection closed after "P 10 5" without a line end, and the mount moved. The rest of "P 10 55" can be lost.
-// REQ-ROTCTLD-1415: When the connection closes in the middle of a line, a command in it that moves the mount does not
-// run. Other commands of one letter run.
-TEST(RotctldHalfLine, MovesNothing)
-{
-    const auto closesAfter = [](std::string_view bytes, fakes::DummyRotator& rotator, const Clock& clock) {
-        Session session{{.id = 7, .address = "127.0.0.1:5"}, rotator, clock, DumpStateForm::OldAndNew};
-        session.receive(bytes);
-        session.endOfInput();
-        std::string reply;
-        while (session.step(reply)) {
-        }
-        return reply + session.ending().toStdString();
-    };
-    fakes::ManualClock clock;
-    for (const char* const line : {"P 10 5", "\\set_pos 10 5", "M UP 5", "K", "p P 10 5"}) {
-        fakes::DummyRotator rotator(clock);
-        EXPECT_NE(closesAfter(line, rotator, clock).find("so the command did not run"), std::string::npos) << line;
-        EXPECT_FALSE(rotator.lastRequest.has_value()) << line;
-        EXPECT_EQ(rotator.actions, 0) << line;
-    }
-    fakes::DummyRotator rotator(clock);
-    EXPECT_EQ(closesAfter("V SPEED 2", rotator, clock), "RPRT 0\nclosed the connection");
-    EXPECT_EQ(closesAfter("S", rotator, clock), "RPRT 0\nclosed the connection");
-    EXPECT_EQ(closesAfter("P 10 5\n", rotator, clock), "RPRT 0\nclosed the connection");
-    EXPECT_TRUE(rotator.lastRequest.has_value());
-}
-
 TEST_F(RotctldSession, BoundsWhatWaitsBehindAPause)
 {
     EXPECT_EQ(answer("\\pause 60\n"), "");
