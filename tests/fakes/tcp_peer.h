@@ -35,7 +35,7 @@ public:
     std::string receiveLines(int count);  // until this number of line feeds has arrived
     // Sends one command. Returns its reply of `lines` lines, or the single line that refuses it.
     std::string ask(std::string_view command, int lines = 1);
-    std::string receiveUntilClosed(std::chrono::milliseconds patience = std::chrono::seconds(5));
+    std::string receiveUntilClosed(std::chrono::milliseconds patience = std::chrono::minutes(1));
     [[nodiscard]] bool closedByServer();                                                   // looks without waiting long
     [[nodiscard]] const std::vector<std::size_t>& segments() const { return m_segments; }  // sizes of all reads
 

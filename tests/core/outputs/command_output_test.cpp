@@ -70,6 +70,14 @@ protected:
         ASSERT_TRUE(go.open(QIODevice::WriteOnly));
     }
 
+    // The process of a program that wrote its number is gone, so its end is known before that of a later one.
+    [[nodiscard]] bool hasEnded(const char* word) const
+    {
+        QFile number(folder.filePath(QStringLiteral("pid-%1").arg(QLatin1String(word))));
+        return number.open(QIODevice::ReadOnly) &&
+               !QFile::exists(QStringLiteral("/proc/%1").arg(QString::fromLatin1(number.readAll().trimmed())));
+    }
+
     QTemporaryDir folder;
     std::unique_ptr<CommandOutput> output;
     std::vector<std::string> told;
@@ -146,11 +154,11 @@ TEST_F(CommandOutputTest, OffRunsAgainWhenOnEndedWithinIt)
 // REQ-TRANSMIT-17
 TEST_F(CommandOutputTest, OnRunsAgainWhenOffRanBesideIt)
 {
-    ASSERT_NO_FATAL_FAILURE(switchOffDuringOn(
-        QStringLiteral("echo $2 >>\"$0/journal\"; while [ ! -e \"$0/go-$2\" ]; do sleep 0.05; done")));
+    ASSERT_NO_FATAL_FAILURE(switchOffDuringOn(QStringLiteral(
+        "echo $$ >\"$0/pid-$2\"; echo $2 >>\"$0/journal\"; while [ ! -e \"$0/go-$2\" ]; do sleep 0.05; done")));
     output->set(true);
     letGo("on");
-    ASSERT_TRUE(fakes::waitUntil([this] { return !output->isIdle(); }));
+    ASSERT_TRUE(fakes::waitUntil([this] { return hasEnded("on"); }));
     letGo("off");
     ASSERT_TRUE(tells(1));
     EXPECT_EQ(journal(), "on\noff\non\n");
