@@ -416,33 +416,13 @@ void StationControl::watchCable()
     const auto target = moves() && m_motion.noWay().isEmpty() ? m_motion.target(m_now) : std::nullopt;
     const auto left = target ? std::optional(target->azimuth - m_motion.place().azimuth) : std::nullopt;
     m_cable.watch(path, left, m_motion.region().ranges().azimuth, m_motion.limits(Axis::Azimuth), m_current.keepsWrap(),
-                  endHeld());
-}
-
-// The end of the azimuth where the mount waits, because its target is limited or the operator chose to hold there.
-std::optional<Angle> StationControl::endHeld() const
-{
-    constexpr Angle kSamePlace = Angle::fromDegrees(0.1);
-    constexpr Angle kThere = Angle::fromDegrees(1.0);
-    const bool waits = m_current.keepsWrap() || !m_current.limitedReason().isEmpty();
-    const bool hasCable = m_mount.capabilities().has(Axis::Azimuth) && !pointing().isXY() && turnsKnown();
-    if (!m_current.is(Activity::Streaming) || !waits || !hasCable) {
-        return std::nullopt;
-    }
-    const std::optional<AxisPosition> target = m_motion.target(m_now);
-    const TravelRange& range = m_motion.region().ranges().azimuth;
-    for (const Angle end : {range.min, range.max}) {
-        if (target && abs(target->azimuth - end) < kSamePlace && abs(m_motion.place().azimuth - end) < kThere) {
-            return end;
-        }
-    }
-    return std::nullopt;
+                  whereabouts().cableEnd());
 }
 
 // Where the operator chose to wait at the cable end instead of unwrapping, the alarm about the cable gives the reason.
 void StationControl::watchLimited()
 {
-    const std::optional<Angle> end = endHeld();
+    const std::optional<Angle> end = whereabouts().cableEnd();
     const bool isChosen =
         end && m_current.keepsWrap() && CableGuard::hasOtherWrap(*end, m_motion.region().ranges().azimuth);
     m_targetAlarm.update(isChosen ? QString() : limitedReason());

@@ -215,7 +215,6 @@ private:
     void watchRegion();
     void watchSun() { m_region.step(); }
     void watchCable();
-    [[nodiscard]] std::optional<Angle> endHeld() const;
     void watchLimited();
     void finishRearm();
     void moveOn(Seconds step);

@@ -53,4 +53,24 @@ AxisPosition Whereabouts::untrimmedGoal() const
     return {.azimuth = goal.azimuth - trim.azimuth, .elevation = goal.elevation - trim.elevation};
 }
 
+std::optional<Angle> Whereabouts::cableEnd() const
+{
+    constexpr Angle kSamePlace = Angle::fromDegrees(0.1);
+    constexpr Angle kThere = Angle::fromDegrees(1.0);
+    const bool waits = m_of.current.keepsWrap() || !m_of.current.limitedReason().isEmpty();
+    const bool hasCable =
+        m_of.mount.capabilities().has(Axis::Azimuth) && !m_of.model.pointing().isXY() && m_of.mount.wrapsKnown();
+    if (!m_of.current.is(Activity::Streaming) || !waits || !hasCable) {
+        return std::nullopt;
+    }
+    const std::optional<AxisPosition> target = m_of.motion.target(m_of.now);
+    const TravelRange& range = m_of.motion.region().ranges().azimuth;
+    for (const Angle end : {range.min, range.max}) {
+        if (target && abs(target->azimuth - end) < kSamePlace && abs(m_of.motion.place().azimuth - end) < kThere) {
+            return end;
+        }
+    }
+    return std::nullopt;
+}
+
 }  // namespace boresight

@@ -27,6 +27,9 @@ public:
     [[nodiscard]] std::optional<AxisPosition> streamGoal() const;
     // Where the axes go, without the trim. If they go nowhere: where they stop or stand.
     [[nodiscard]] AxisPosition untrimmedGoal() const;
+    // The end of the azimuth where the mount waits, because its target is limited or the operator chose to hold there.
+    // Empty: it does not wait at an end.
+    [[nodiscard]] std::optional<Angle> cableEnd() const;
 
 private:
     ControlParts m_of;

@@ -14098,8 +14098,8 @@ trocar os motores</translation>
         <translation>Mostrar os painéis. F3 volta a este passo.</translation>
     </message>
     <message>
-        <source>The cable wrap of the %1 is unknown. Press Ctrl+9 to enter it, and F3 to return</source>
-        <translation>A volta do cabo do %1 é desconhecida. Prima Ctrl+9 para a indicar e F3 para voltar</translation>
+        <source>The cable wrap of the %1 is unknown. Press Ctrl+9 to enter it. F3 returns here</source>
+        <translation>A volta do cabo do %1 é desconhecida. Prima Ctrl+9 para a indicar. F3 volta aqui</translation>
     </message>
     <message>
         <source>To the previous step (Alt+Left)</source>
@@ -14110,8 +14110,8 @@ trocar os motores</translation>
         <translation>Nada se pode mover antes de o passo %1 (%2) estar feito: %3</translation>
     </message>
     <message>
-        <source>The position of the %1 is unknown. Press Ctrl+9 to enter it, and F3 to return</source>
-        <translation>A posição do %1 é desconhecida. Prima Ctrl+9 para a indicar e F3 para voltar</translation>
+        <source>The position of the %1 is unknown. Press Ctrl+9 to enter it. F3 returns here</source>
+        <translation>A posição do %1 é desconhecida. Prima Ctrl+9 para a indicar. F3 volta aqui</translation>
     </message>
 </context>
 <context>

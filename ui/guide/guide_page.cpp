@@ -325,8 +325,8 @@ void GuidePage::showHint()
     QString hint;
     if (const auto axis = askingAxis(m_status); axis && !full) {
         hint = (*axis == Axis::Azimuth
-                    ? tr("The cable wrap of the %1 is unknown. Press Ctrl+9 to enter it, and F3 to return")
-                    : tr("The position of the %1 is unknown. Press Ctrl+9 to enter it, and F3 to return"))
+                    ? tr("The cable wrap of the %1 is unknown. Press Ctrl+9 to enter it. F3 returns here")
+                    : tr("The position of the %1 is unknown. Press Ctrl+9 to enter it. F3 returns here"))
                    .arg(name(*axis));
     } else if (moves(step) && !drivesOf(m_status).armingObstacle.isEmpty() &&
                drivesOf(m_status).driveCheck == DriveCheckState::Done) {

@@ -12,6 +12,21 @@
 namespace boresight {
 namespace {
 
+// The mount stands at 100° 45° and loses its power. When it is back, this axis has another board.
+void exchangeBoard(StationRig& rig, Axis axis)
+{
+    rig.run(Seconds(0.5));
+    ASSERT_TRUE(rig.ask(request::PointAxes{{100_deg, 45_deg}}));
+    rig.settle();
+    rig.azimuth.silent = rig.elevation.silent = true;
+    rig.run(Seconds(0.5));
+    rig.azimuth.mode = rig.elevation.mode = moteus::Mode::Stopped;
+    rig.azimuth.silent = rig.elevation.silent = false;
+    auto other = rig.factsOf(axis);
+    other.uuid = QStringLiteral("b0000000-0000-0000-0000-000000000003");
+    rig.learn(axis, other);
+}
+
 using moteus::HomeState;
 using moteus::Register;
 
@@ -117,16 +132,7 @@ TEST(StationTurns, ControlIsHandedBackOnlyAfterTheAnswer)
 TEST(StationTurns, AnExchangedBoardIsOnlyJoggedSlowlyAndNotBeforeItWasChecked)
 {
     StationRig rig;
-    rig.run(Seconds(0.5));
-    ASSERT_TRUE(rig.ask(request::PointAxes{{100_deg, 45_deg}}));
-    rig.settle();
-    rig.azimuth.silent = rig.elevation.silent = true;
-    rig.run(Seconds(0.5));
-    rig.azimuth.mode = rig.elevation.mode = moteus::Mode::Stopped;
-    rig.azimuth.silent = rig.elevation.silent = false;
-    auto other = rig.factsOf(Axis::Azimuth);
-    other.uuid = QStringLiteral("b0000000-0000-0000-0000-000000000003");
-    rig.learn(Axis::Azimuth, other);
+    ASSERT_NO_FATAL_FAILURE(exchangeBoard(rig, Axis::Azimuth));
     rig.mount.setInterlock(failure(ErrorCode::Refused, QStringLiteral("The drive check has not run yet.")));
     rig.run(Seconds(1.5));
     ASSERT_TRUE(rig.ask(request::Rearm{}));
@@ -145,16 +151,7 @@ TEST(StationTurns, AnExchangedBoardIsOnlyJoggedSlowlyAndNotBeforeItWasChecked)
 TEST(StationTurns, OfTheElevationThePositionIsUnknown)
 {
     StationRig rig;
-    rig.run(Seconds(0.5));
-    ASSERT_TRUE(rig.ask(request::PointAxes{{100_deg, 45_deg}}));
-    rig.settle();
-    rig.azimuth.silent = rig.elevation.silent = true;
-    rig.run(Seconds(0.5));
-    rig.azimuth.mode = rig.elevation.mode = moteus::Mode::Stopped;
-    rig.azimuth.silent = rig.elevation.silent = false;
-    auto other = rig.factsOf(Axis::Elevation);
-    other.uuid = QStringLiteral("b0000000-0000-0000-0000-000000000003");
-    rig.learn(Axis::Elevation, other);
+    ASSERT_NO_FATAL_FAILURE(exchangeBoard(rig, Axis::Elevation));
     rig.run(Seconds(1.5));
     ASSERT_TRUE(rig.ask(request::Rearm{}));
     rig.run(Seconds(0.5));
