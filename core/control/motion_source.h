@@ -6,6 +6,7 @@
 #include "core/messages/request.h"
 #include "core/messages/rotator_report.h"
 #include "core/position/position_text.h"
+#include "core/recognise/recognise.h"
 
 #include <cstdint>
 #include <functional>
@@ -31,11 +32,13 @@ struct RequestList
 using MotionRequests =
     RequestList<request::PointSky, request::PointAxes, request::PointAxis, request::Jog, request::Move, request::Step,
                 request::Follow, request::Track, request::Nudge, request::Horizon, request::Park, request::Home,
-                request::Unwind, request::Trial, request::FollowAzel, request::FollowPosition, request::FollowRotator>;
+                request::Unwind, request::Trial, request::FollowAzel, request::FollowPosition, request::FollowRotator,
+                request::TrackForClient>;
 
-// What a source receives from outside: the content of azel.dat, a position report of a vehicle, or the direction of
-// another rotator.
-using SourceReport = std::variant<azel::AzelReading, Result<position::PositionText>, RotatorReport>;
+// What a source receives from outside: the content of azel.dat, a position report of a vehicle, the direction of
+// another rotator, or the satellites with known elements.
+using SourceReport =
+    std::variant<azel::AzelReading, Result<position::PositionText>, RotatorReport, recognise::SharedSatellites>;
 
 class MotionSource
 {
@@ -90,13 +93,13 @@ public:
 
 protected:
     // False leaves this request to another source that takes the same type from other askers.
-    [[nodiscard]] virtual bool serves(const Source& /*by*/) const { return true; }
+    [[nodiscard]] virtual bool serves(const Request& /*request*/, const Source& /*by*/) const { return true; }
 
 private:
     template <class One>
     void answerIf(const Request& request, const Source& by, std::optional<Result<>>& answer)
     {
-        if (const One* const wanted = std::get_if<One>(&request); wanted && serves(by)) {
+        if (const One* const wanted = std::get_if<One>(&request); wanted && serves(request, by)) {
             answer = static_cast<Derived&>(*this).ask(*wanted, by);
         }
     }

@@ -73,6 +73,11 @@ struct TrackFile  // the same with the table of a file. The answer comes after t
 {
     QString path;  // absolute
 };
+struct TrackForClient  // the answer to an offer: track the target of this client from Boresight's own orbit, or do not
+{
+    std::uint64_t clientId = 0;
+    bool isWanted = true;  // false: the target is not offered to this client again
+};
 struct FollowAzel  // track the Moon by azel.dat of WSJT-X; while the Moon is below the horizon the mount is parked
 {};
 struct FollowPosition  // keep the beam on the balloon or rocket that reports its position
@@ -325,8 +330,9 @@ using AnyRequest =
                  request::TakeBus, request::ChooseTurn, request::ProveCrashStop, request::EndProof, request::ReadGains,
                  request::TypeLine, request::MakeHomeRun, request::SetGain, request::PutGainsBack, request::StoreGains,
                  request::Trial, request::FollowAzel, request::FollowPosition, request::FollowRotator,
-                 request::Rehearse, request::TrackFile, request::UseAntenna, request::OverrideWind, request::UseNewTime,
-                 request::JogThirdAxis, TuningRequest, CalibrationRequest, ScheduleRequest>;
+                 request::TrackForClient, request::Rehearse, request::TrackFile, request::UseAntenna,
+                 request::OverrideWind, request::UseNewTime, request::JogThirdAxis, TuningRequest, CalibrationRequest,
+                 ScheduleRequest>;
 
 // Copying so many alternatives is compiled once in request.cpp, and not in every source that includes this header.
 struct Request : AnyRequest

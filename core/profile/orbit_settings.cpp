@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Settings of satellites and refraction, of the Moon from azel.dat, and of the position of a balloon or rocket.
+// Settings of satellites and refraction, of the lock to the target of a client, of the Moon from azel.dat, and of the
+// position of a balloon or rocket.
 #include "core/base/control_characters.h"
 #include "core/base/text.h"
 #include "core/elements/element_address.h"
@@ -116,6 +117,19 @@ void addOrbit(std::vector<Setting>& list)
                            "radio sources like radio waves, satellites not at all. The other values hold for all "
                            "targets. AOS and LOS of satellites stay geometric.")},
         [](auto& p) -> auto& { return p.orbit.refraction; }));
+}
+
+void addClientLock(std::vector<Setting>& list)
+{
+    list.push_back(choice(
+        "clients.lock", {"always", "ask", "never"}, kNow,
+        {QT_TRANSLATE_NOOP("Text", "Lock to the target of a client"),
+         QT_TRANSLATE_NOOP("Text",
+                           "What Boresight does when it recognises the target that a client tracks, such as a "
+                           "satellite of Gpredict. \"always\": it tracks the target from its own orbit at once. "
+                           "\"ask\": the window offers this. \"never\": only the points of the client move the "
+                           "mount.")},
+        [](auto& p) -> auto& { return p.clientLock; }));
 }
 
 void addAzel(std::vector<Setting>& list)

@@ -10,6 +10,7 @@
 #include "core/pointing/region.h"
 #include "core/profile/axis_driver.h"
 #include "core/profile/brake_settings.h"
+#include "core/profile/client_lock.h"
 #include "core/profile/end_switch_settings.h"
 #include "core/profile/position_settings.h"
 #include "core/profile/power_settings.h"
@@ -447,6 +448,7 @@ struct Profile
     OrbitSettings orbit;
     orbit::SatelliteMarks satellites;  // favourites and notes of the operator
     AzelSettings azel;
+    ClientLock clientLock = ClientLock::Ask;
     PositionSettings position;
     ScheduleSettings schedule;
     SunSettings sun;

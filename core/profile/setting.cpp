@@ -418,6 +418,7 @@ std::vector<Setting> makeSettings()
     addSun(list);
     addJog(list);
     addClients(list);
+    addClientLock(list);
     addSupervision(list);
     addRecovery(list);
     addSensor(list);

@@ -21,6 +21,7 @@ void addAzel(std::vector<Setting>& list);
 void addPosition(std::vector<Setting>& list);
 void addSchedule(std::vector<Setting>& list);
 void addSun(std::vector<Setting>& list);
+void addClientLock(std::vector<Setting>& list);
 void addSupervision(std::vector<Setting>& list);
 void addRecovery(std::vector<Setting>& list);
 void addSensor(std::vector<Setting>& list);

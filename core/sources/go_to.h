@@ -16,7 +16,10 @@ public:
     Result<> ask(const request::PointAxis& wanted, const Source& by);
 
 protected:
-    [[nodiscard]] bool serves(const Source& by) const override { return by.kind != SourceKind::Client; }
+    [[nodiscard]] bool serves(const Request& /*request*/, const Source& by) const override
+    {
+        return by.kind != SourceKind::Client;
+    }
 };
 
 }  // namespace boresight::sources

@@ -146,6 +146,13 @@ Result<> TargetTrack::ask(const request::Track& wanted, const Source& by)
         });
 }
 
+Result<> TargetTrack::trackFor(const Source& client, const targets::Target& target)
+{
+    return helm().mayPoint(client).and_then([&] { return plan(target, client); }).and_then([&](Tracked tracked) {
+        return begin(std::move(tracked));
+    });
+}
+
 Result<> TargetTrack::begin(Tracked tracked)
 {
     m_utc = {};
@@ -158,7 +165,7 @@ Result<> TargetTrack::begin(Tracked tracked)
     tracked.place = roomyStart(helm().view(), *tracked.way);
     const bool goesOn = helm().current().continues(Activity::Streaming, tracked.by);
     return follow(tracked, from).map([&](const AxisPosition& place) {
-        if (goesOn) {  // no new motion begins, so the log would not show the new target
+        if (goesOn && tracked.by.kind != SourceKind::Client) {  // otherwise the log would not show the new target
             helm().note(Severity::Advisory, Text::tr("tracks %1 from now on").arg(tracked.target.name));
         }
         tracked.place = place;
@@ -343,8 +350,10 @@ void TargetTrack::watchClock()
 
 void TargetTrack::forget()
 {
+    if (m_tracked && m_tracked->by.kind != SourceKind::Client) {
+        helm().endTracking();
+    }
     m_tracked.reset();
-    helm().endTracking();
     helm().clearAlarm(alarmEntry("track.clock"));
 }
 

@@ -25,6 +25,14 @@ public:
     void describe(StationStatus& status) const override;
     [[nodiscard]] std::optional<SkyPointing> targetAt(UtcTime utc) override;
 
+    // Tracks the target for this client, which stays the source of the motion. The antenna in use stays in use.
+    Result<> trackFor(const Source& client, const targets::Target& target);
+    [[nodiscard]] bool isTracking() const { return m_tracked.has_value(); }
+    // When the target rises, or rose. Call while it is tracked.
+    [[nodiscard]] UtcTime rises() const { return m_tracked->up.rises; }
+    // Ends the tracking, but not the motion.
+    void forget();
+
 private:
     struct Tracked
     {
@@ -62,7 +70,6 @@ private:
     void renewWay(UtcTime utc);
     [[nodiscard]] Result<> planAgain(UtcTime utc);
     void watchClock();
-    void forget();
     void end(Severity severity, const QString& why);
 
     SteeredUtc m_utc;

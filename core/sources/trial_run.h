@@ -16,7 +16,10 @@ public:
     void step(SteadyTime now) override;
 
 protected:
-    [[nodiscard]] bool serves(const Source& by) const override { return by.kind == SourceKind::Operator; }
+    [[nodiscard]] bool serves(const Request& /*request*/, const Source& by) const override
+    {
+        return by.kind == SourceKind::Operator;
+    }
 
 private:
     SteadyTime m_deadline{};

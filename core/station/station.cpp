@@ -96,8 +96,10 @@ Station::Station(const profile::Profile& profile, const MountMaker& mount, const
     });
     connect(&m_updateTimer, &QTimer::timeout, this, &Station::publish);
     connect(&m_reopenTimer, &QTimer::timeout, this, &Station::openMount);
-    connect(&m_inputs.elements(), &StationElements::changed, this,
-            [this] { m_night.setSatellites(m_inputs.elements().satellites()); });
+    connect(&m_inputs.elements(), &StationElements::changed, this, [this] {
+        m_night.setSatellites(m_inputs.elements().satellites());
+        (void)m_control.receive(m_inputs.elements().satellites());
+    });
     connect(&m_inputs.power(), &StationPower::received, this,
             [this](const power::Value& value) { m_calibration.take(value); });
     connect(&m_eventFile, &EventFile::failed, this,

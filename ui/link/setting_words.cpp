@@ -47,6 +47,7 @@ constexpr Title kTitles[] = {{"mount", QT_TRANSLATE_NOOP("SettingWords", "Mount"
                              {"jog", QT_TRANSLATE_NOOP("SettingWords", "Jog")},
                              {"rotctld", QT_TRANSLATE_NOOP("SettingWords", "rotctld server")},
                              {"listeners", QT_TRANSLATE_NOOP("SettingWords", "Further listeners")},
+                             {"clients", QT_TRANSLATE_NOOP("SettingWords", "Clients")},
                              {"supervision", QT_TRANSLATE_NOOP("SettingWords", "Supervision")},
                              {"recovery", QT_TRANSLATE_NOOP("SettingWords", "Recovery")},
                              {"sensor", QT_TRANSLATE_NOOP("SettingWords", "Orientation sensor")},
