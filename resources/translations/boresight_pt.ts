@@ -1147,6 +1147,10 @@ até %1</translation>
         <source>Third axis</source>
         <translation>Terceiro eixo</translation>
     </message>
+    <message>
+        <source>Clients</source>
+        <translation>Clientes</translation>
+    </message>
 </context>
 <context>
     <name>SkyBodies</name>
@@ -11399,6 +11403,82 @@ até %1</translation>
         <source>%1 needs %2 Nm, %3 % of the %4 Nm allowed, while its position is unknown</source>
         <translation>%1 precisa de %2 Nm, %3 % dos %4 Nm permitidos, enquanto a sua posição é desconhecida</translation>
     </message>
+    <message>
+        <source>Boresight no longer tracks %1 from its own orbit: %2</source>
+        <translation>O Boresight já não segue %1 pela sua própria órbita: %2</translation>
+    </message>
+    <message>
+        <source>Nothing to do if the client has another target, or has ended</source>
+        <translation>Nada a fazer se o cliente tem outro alvo, ou terminou</translation>
+    </message>
+    <message>
+        <source>Lock to the target of a client</source>
+        <translation>Fixar no alvo de um cliente</translation>
+    </message>
+    <message>
+        <source>What Boresight does when it recognises the target that a client tracks, such as a satellite of Gpredict. &quot;always&quot;: it tracks the target from its own orbit at once. &quot;ask&quot;: the window offers this. &quot;never&quot;: only the points of the client move the mount.</source>
+        <translation>O que o Boresight faz quando reconhece o alvo que um cliente segue, como um satélite do Gpredict. &quot;always&quot;: segue logo o alvo pela sua própria órbita. &quot;ask&quot;: a janela propõe-no. &quot;never&quot;: só os pontos do cliente movem a montagem.</translation>
+    </message>
+    <message>
+        <source>Boresight offers no target of this client any more.</source>
+        <translation>O Boresight já não propõe nenhum alvo deste cliente.</translation>
+    </message>
+    <message>
+        <source>tracks %1. Boresight tracks it from its own orbit from now on</source>
+        <translation>segue %1. A partir de agora o Boresight segue-o pela sua própria órbita</translation>
+    </message>
+    <message>
+        <source>the client stopped the mount</source>
+        <translation>o cliente parou a montagem</translation>
+    </message>
+    <message>
+        <source>the client parked the mount</source>
+        <translation>o cliente estacionou a montagem</translation>
+    </message>
+    <message>
+        <source>the client was silent for %1 s</source>
+        <translation>o cliente esteve %1 s em silêncio</translation>
+    </message>
+    <message>
+        <source>points more than %1° away from %2</source>
+        <translation>aponta a mais de %1° de %2</translation>
+    </message>
+    <message>
+        <source>the points of the client are more than %1° away from it</source>
+        <translation>os pontos do cliente estão a mais de %1° dele</translation>
+    </message>
+    <message>
+        <source>The points fit several targets alike: %1. Boresight follows the points</source>
+        <translation>Os pontos servem igualmente a vários alvos: %1. O Boresight segue os pontos</translation>
+    </message>
+    <message>
+        <source>%1 is at the same place as %2</source>
+        <translation>%1 está no mesmo lugar que %2</translation>
+    </message>
+    <message>
+        <source>tracks %1. Boresight can track it from its own orbit: press Track it in the window, or set clients.lock to &quot;always&quot;</source>
+        <translation>segue %1. O Boresight pode segui-lo pela sua própria órbita: prima Segui-lo na janela, ou ponha clients.lock em &quot;always&quot;</translation>
+    </message>
+    <message>
+        <source>tracks %1. Boresight follows the points: %2</source>
+        <translation>segue %1. O Boresight segue os pontos: %2</translation>
+    </message>
+    <message>
+        <source>the client has disconnected</source>
+        <translation>o cliente desligou-se</translation>
+    </message>
+    <message>
+        <source>its elements have changed</source>
+        <translation>os seus elementos mudaram</translation>
+    </message>
+    <message>
+        <source>the setting clients.lock was changed</source>
+        <translation>a definição clients.lock foi alterada</translation>
+    </message>
+    <message>
+        <source>From now on only points of the client move the mount</source>
+        <translation>A partir de agora só os pontos do cliente movem a montagem</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>
@@ -12852,6 +12932,10 @@ Depois a montagem aponta por este resultado. O registo anota que o aplicou mesmo
     <message>
         <source>Control goes to: %1</source>
         <translation>Quem move: %1</translation>
+    </message>
+    <message>
+        <source>Boresight tracks %1</source>
+        <translation>O Boresight segue %1</translation>
     </message>
 </context>
 <context>
@@ -15424,6 +15508,37 @@ EL %2</translation>
     <message>
         <source>Save all lines of the list to a text file</source>
         <translation>Gravar todas as linhas da lista num ficheiro de texto</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::LockPrompt</name>
+    <message>
+        <source>%1 is tracking %2. Track it from Boresight&apos;s own orbit?</source>
+        <translation>%1 segue %2. Segui-lo pela órbita do próprio Boresight?</translation>
+    </message>
+    <message>
+        <source>A client</source>
+        <translation>Um cliente</translation>
+    </message>
+    <message>
+        <source>Boresight knows the target of a client</source>
+        <translation>O Boresight conhece o alvo de um cliente</translation>
+    </message>
+    <message>
+        <source>Track it</source>
+        <translation>Segui-lo</translation>
+    </message>
+    <message>
+        <source>Boresight computes the target itself, so the beam stays on it. The client keeps control</source>
+        <translation>O próprio Boresight calcula o alvo, por isso o feixe fica nele. O cliente mantém o controlo</translation>
+    </message>
+    <message>
+        <source>Not now</source>
+        <translation>Agora não</translation>
+    </message>
+    <message>
+        <source>The points of the client move the mount. Boresight does not ask again about this target</source>
+        <translation>Os pontos do cliente movem a montagem. O Boresight não volta a perguntar por este alvo</translation>
     </message>
 </context>
 <context>

@@ -17,7 +17,13 @@ constexpr std::size_t kReadSize = 128;  // Gpredict receives with one recv of th
 }  // namespace
 
 GpredictClient::GpredictClient(std::unique_ptr<fakes::TcpPeer> peer, const SatellitePass& pass, Angle threshold)
-    : m_peer(std::move(peer)), m_pass(pass), m_threshold(threshold)
+    : GpredictClient(std::move(peer),
+                     {.at = [&pass](Seconds time) { return pass.at(time); }, .halfDuration = pass.halfDuration()},
+                     threshold)
+{}
+
+GpredictClient::GpredictClient(std::unique_ptr<fakes::TcpPeer> peer, Pass pass, Angle threshold)
+    : m_peer(std::move(peer)), m_pass(std::move(pass)), m_threshold(threshold)
 {}
 
 bool GpredictClient::apart(const SatellitePass::Look& one, const SatellitePass::Look& other) const
@@ -51,7 +57,7 @@ void GpredictClient::decide(Seconds now)
 {
     SatellitePass::Look wanted = m_pass.at(now);
     if (wanted.elevation < Angle()) {  // before the rise and after the set: that point of the horizon
-        const Seconds edge = now < Seconds(0.0) ? -m_pass.halfDuration() : m_pass.halfDuration();
+        const Seconds edge = now < Seconds(0.0) ? -m_pass.halfDuration : m_pass.halfDuration;
         wanted = {.azimuth = m_pass.at(edge).azimuth, .elevation = Angle()};
     }
     if (m_read && apart(wanted, *m_read)) {
@@ -62,7 +68,7 @@ void GpredictClient::decide(Seconds now)
 // Searches the lead by halving its steps, as Gpredict does, down to kFinestLead.
 SatellitePass::Look GpredictClient::leading(Seconds now) const
 {
-    const Seconds untilSet = m_pass.halfDuration() - now;
+    const Seconds untilSet = m_pass.halfDuration - now;
     Seconds lead = untilSet / 2;
     for (Seconds step = untilSet / 4; step > kFinestLead; step /= 2) {
         lead += apart(m_pass.at(now + lead), m_pass.at(now)) ? -step : step;

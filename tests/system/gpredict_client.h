@@ -5,6 +5,7 @@
 #include "tests/fakes/tcp_peer.h"
 #include "tests/system/satellite_pass.h"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -21,7 +22,16 @@ class GpredictClient
 public:
     static constexpr Angle kThreshold = Angle::fromDegrees(0.1);
 
+    // A pass in which the satellite rises and sets at this time before and after 0 s.
+    struct Pass
+    {
+        std::function<SatellitePass::Look(Seconds)> at;
+        Seconds halfDuration{};
+    };
+
+    // The pass outlives this.
     GpredictClient(std::unique_ptr<fakes::TcpPeer> peer, const SatellitePass& pass, Angle threshold = kThreshold);
+    GpredictClient(std::unique_ptr<fakes::TcpPeer> peer, Pass pass, Angle threshold);
 
     // Sends what is due. The time is that of the pass.
     void tick(Seconds now);
@@ -41,7 +51,7 @@ private:
     std::string exchange(const std::string& command, int lines);
 
     std::unique_ptr<fakes::TcpPeer> m_peer;
-    const SatellitePass& m_pass;
+    Pass m_pass;
     Angle m_threshold;
     std::optional<SatellitePass::Look> m_due;
     std::optional<SatellitePass::Look> m_read;

@@ -201,7 +201,8 @@ const ClientStatus* ClientsPanel::selected() const
 void ClientsPanel::showStatus(const StationStatus& status)
 {
     m_status = status;
-    m_model->show(status.clients);
+    nameLockedTarget();
+    m_model->show(m_status.clients);
     const int row = m_selected ? m_model->rowOf(*m_selected).value_or(-1) : -1;
     if (row >= 0 && row != m_table->currentIndex().row()) {
         m_table->selectRow(row);  // the rows have moved when clients came or left
@@ -211,6 +212,19 @@ void ClientsPanel::showStatus(const StationStatus& status)
     showAccess();
     showBroker();
     showSelected();
+}
+
+// The points of a client whose target Boresight tracks do not move the mount.
+void ClientsPanel::nameLockedTarget()
+{
+    if (!m_status.clientTarget || !m_status.clientTarget->isLocked) {
+        return;
+    }
+    for (ClientStatus& client : m_status.clients) {
+        if (client.id == m_status.clientTarget->clientId) {
+            client.lastCommand = tr("Boresight tracks %1").arg(m_status.clientTarget->name);
+        }
+    }
 }
 
 void ClientsPanel::showRules()

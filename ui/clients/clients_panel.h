@@ -39,6 +39,7 @@ private:
     QTableView* makeTable();
     QWidget* makeRules();
     QWidget* makeGpredict();
+    void nameLockedTarget();
     void showRules();
     void showAccess();
     void showBroker();

@@ -5,6 +5,7 @@
 #include "ui/charts/strip_charts.h"
 #include "ui/clients/control_prompt.h"
 #include "ui/clients/hand_back_prompt.h"
+#include "ui/clients/lock_prompt.h"
 #include "ui/jog/gamepad.h"
 #include "ui/jog/jog_panel.h"
 #include "ui/jog/places_bar.h"
@@ -93,6 +94,7 @@ MainWindow::MainWindow(const Clock& clock, const WindowSettings& settings, QWidg
       m_lastCommand(new ValueLabel(tr("Last line of the log"), fonts::label(), {}, this)),
       m_controlBar(new ControlPrompt(m_desk, this)),
       m_handBackBar(new HandBackPrompt(m_desk, this)),
+      m_lockBar(new LockPrompt(m_desk, this)),
       m_pickBar(new PickPrompt(m_desk, this)),
       m_closeBar(new ClosePrompt(this)),
       m_help(new HelpPage(this)),
@@ -210,6 +212,7 @@ void MainWindow::addPrompts()
     m_plotCell->addLayout(below, 0, 0, Qt::AlignBottom);
     below->addWidget(m_pickBar, 0, Qt::AlignHCenter);
     below->addWidget(m_handBackBar, 0, Qt::AlignHCenter);
+    below->addWidget(m_lockBar, 0, Qt::AlignLeft);
     below->addWidget(m_controlBar, 0, Qt::AlignLeft);
     m_plotCell->addWidget(m_closeBar, 0, 0, Qt::AlignHCenter | Qt::AlignTop);
     connect(m_closeBar, &ClosePrompt::confirmed, this, &MainWindow::closeRequested);
@@ -291,6 +294,7 @@ void MainWindow::showStatus(const StationStatus& status)
     m_side->showStatus(status);
     m_controlBar->showStatus(status);
     m_handBackBar->showStatus(status);
+    m_lockBar->showStatus(status);
     if (!isMoving(status)) {
         m_closeBar->withdraw();
     }

@@ -31,6 +31,7 @@ class GuideRoom;
 class HeaderBar;
 class HandBackPrompt;
 class HelpPage;
+class LockPrompt;
 class ControlPrompt;
 class MainMenu;
 class ManualWindow;
@@ -124,6 +125,7 @@ private:
     ValueLabel* m_lastCommand;
     ControlPrompt* m_controlBar;
     HandBackPrompt* m_handBackBar;
+    LockPrompt* m_lockBar;
     PickPrompt* m_pickBar;
     ClosePrompt* m_closeBar;
     HelpPage* m_help;
