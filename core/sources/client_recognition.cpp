@@ -15,7 +15,8 @@ namespace {
 
 constexpr std::size_t kMostPoints = 5;
 constexpr Angle kApart = 0.1_deg;  // points that are nearer to each other show no rate
-constexpr std::chrono::seconds kBetween{1};
+// The pause between two computations of moving points is 1 s at first, and doubles up to 8 s.
+constexpr int kMostDoublings = 3;
 // A client that sends one point and leaves the mount there does not wait for a rise.
 constexpr std::chrono::seconds kWaits{3};
 constexpr std::chrono::minutes kRisesAgain{1};  // another satellite may rise within the next half hour now
@@ -67,11 +68,13 @@ bool ClientRecognition::isDue(SteadyTime now) const
     if (m_points.empty() || m_future.isValid()) {
         return false;
     }
-    const SteadyTime::duration between = m_isNew ? SteadyTime::duration(kBetween) : kRisesAgain;
-    if (m_asked != SteadyTime{} && now - m_asked < between) {
+    const bool isMoving = m_points.size() > 1;
+    const SteadyTime::duration pause =
+        isMoving ? SteadyTime::duration(std::chrono::seconds(1 << std::min(m_tries, kMostDoublings))) : kRisesAgain;
+    if (m_tries > 0 && now - m_asked < pause) {
         return false;
     }
-    return m_points.size() > 1 ? m_isNew : now - m_began >= kWaits && now - m_seen < kWaits;
+    return isMoving ? m_isNew && recognise::showsMotion(m_points) : now - m_began >= kWaits && now - m_seen < kWaits;
 }
 
 // The work owns its promise and its copies, so it can end safely after this was deleted.
@@ -81,6 +84,7 @@ void ClientRecognition::step(const recognise::Sky& sky, SteadyTime now)
         return;
     }
     m_asked = now;
+    ++m_tries;
     m_isNew = false;
     recognise::SentPoints points = m_points;
     if (points.size() == 1) {

@@ -34,7 +34,8 @@ private:
     SteadyTime m_began{};            // of the points
     SteadyTime m_seen{};             // when the client sent its last point, or read the position
     SteadyTime m_asked{};            // when it was computed last
-    bool m_isNew = false;            // a point came since then
+    int m_tries = 0;
+    bool m_isNew = false;  // a point came since then
     QFuture<recognise::Recognition> m_future;
     recognise::Recognition m_found;
 };

@@ -33,6 +33,12 @@ const orbit::ElementSet* elementsOf(const targets::Target& target)
 
 }  // namespace
 
+bool OrbitLock::locks(const Source& client) const
+{
+    const CurrentMotion& current = m_helm.current();
+    return isLocked() && m_track.isTracking() && *m_client == client && current.continues(Activity::Streaming, client);
+}
+
 SkyPointing OrbitLock::directionOf(const Point& point) const
 {
     const auto* const place = std::get_if<AxisPosition>(&point);
@@ -42,6 +48,9 @@ SkyPointing OrbitLock::directionOf(const Point& point) const
 void OrbitLock::sent(const Source& client, const Point& point)
 {
     const CurrentMotion& current = m_helm.current();
+    if (isLocked()) {  // it stopped since the last tick, and goes on
+        over(Text::tr("the client stopped the mount"));
+    }
     if (!m_client || *m_client != client || m_motionId != current.motionId()) {
         forget();
         m_client = client;
@@ -225,7 +234,7 @@ void OrbitLock::take(const recognise::Recognition& found)
         for (const targets::Target& target : found.fits) {
             names.push_back(target.name);
         }
-        tellOnce(Text::tr("The points fit several targets alike: %1. Boresight follows the points")
+        tellOnce(Text::tr("The points fit several targets alike: %1. The points move the mount")
                      .arg(names.join(QStringLiteral(", "))));
     } else if (found.fits.size() == 1 && (rule() == profile::ClientLock::Always ||
                                           !m_answered[m_client->clientId].contains(found.fits.front().name))) {
@@ -247,7 +256,8 @@ void OrbitLock::offer(const targets::Target& target, const QStringList& together
         return;
     }
     if (const Result<> locked = lock(); !locked) {
-        tellOnce(Text::tr("tracks %1. Boresight follows the points: %2").arg(target.name, locked.error().text));
+        tellOnce(Text::tr("tracks %1, but Boresight cannot track it from its own orbit: %2")
+                     .arg(target.name, locked.error().text));
     }
 }
 
@@ -272,7 +282,7 @@ void OrbitLock::gone(const Source& client)
 void OrbitLock::setSatellites(const recognise::SharedSatellites& satellites)
 {
     m_satellites = satellites;
-    const orbit::ElementSet* const locked = isLocked() ? elementsOf(*m_target) : nullptr;
+    const orbit::ElementSet* const locked = m_client && locks(*m_client) ? elementsOf(*m_target) : nullptr;
     if (locked != nullptr && std::ranges::find(*satellites, *locked) == satellites->end()) {
         endAndHold(Text::tr("its elements have changed"));
     }
@@ -281,9 +291,12 @@ void OrbitLock::setSatellites(const recognise::SharedSatellites& satellites)
 void OrbitLock::profileChanged(const profile::Profile& before, const profile::Profile& after)
 {
     const bool isElsewhere = before.site.known != after.site.known || before.site.place() != after.site.place();
-    if (isLocked() && isElsewhere) {
+    if (!m_client || !locks(*m_client)) {
+        return;
+    }
+    if (isElsewhere) {
         endAndHold(Text::tr("the site of the mount was changed"));
-    } else if (isLocked() && after.clientLock == profile::ClientLock::Never) {
+    } else if (after.clientLock == profile::ClientLock::Never) {
         endAndHold(Text::tr("the setting clients.lock was changed"));
     }
 }

@@ -27,7 +27,7 @@ public:
     explicit OrbitLock(Helm& helm) : m_helm(helm), m_track(helm) {}
 
     // Boresight tracks the target of this client, so its points do not move the mount.
-    [[nodiscard]] bool locks(const Source& client) const { return m_client && *m_client == client && isLocked(); }
+    [[nodiscard]] bool locks(const Source& client) const;
     // A point of the locked client.
     void compare(const Point& point);
     // A point that moved the mount.

@@ -11448,20 +11448,12 @@ até %1</translation>
         <translation>os pontos do cliente estão a mais de %1° dele</translation>
     </message>
     <message>
-        <source>The points fit several targets alike: %1. Boresight follows the points</source>
-        <translation>Os pontos servem igualmente a vários alvos: %1. O Boresight segue os pontos</translation>
-    </message>
-    <message>
         <source>%1 is at the same place as %2</source>
         <translation>%1 está no mesmo lugar que %2</translation>
     </message>
     <message>
         <source>tracks %1. Boresight can track it from its own orbit: press Track it in the window, or set clients.lock to &quot;always&quot;</source>
         <translation>segue %1. O Boresight pode segui-lo pela sua própria órbita: prima Segui-lo na janela, ou ponha clients.lock em &quot;always&quot;</translation>
-    </message>
-    <message>
-        <source>tracks %1. Boresight follows the points: %2</source>
-        <translation>segue %1. O Boresight segue os pontos: %2</translation>
     </message>
     <message>
         <source>the client has disconnected</source>
@@ -11478,6 +11470,14 @@ até %1</translation>
     <message>
         <source>From now on only points of the client move the mount</source>
         <translation>A partir de agora só os pontos do cliente movem a montagem</translation>
+    </message>
+    <message>
+        <source>The points fit several targets alike: %1. The points move the mount</source>
+        <translation>Os pontos servem igualmente a vários alvos: %1. Os pontos movem a montagem</translation>
+    </message>
+    <message>
+        <source>tracks %1, but Boresight cannot track it from its own orbit: %2</source>
+        <translation>segue %1, mas o Boresight não o pode seguir pela sua própria órbita: %2</translation>
     </message>
 </context>
 <context>

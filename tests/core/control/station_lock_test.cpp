@@ -229,7 +229,7 @@ TEST_F(StationLock, NothingIsRecognisedWithoutASite)
     EXPECT_EQ(rig.state(), StationState::Track);
 }
 
-// REQ-TRACK-1814: If several satellites fit alike, Boresight follows the points of the client. One line of the log
+// REQ-TRACK-1814: If several satellites fit alike, the points of the client move the mount. One line of the log
 // names them.
 TEST_F(StationLock, AmbiguityIsReportedOnce)
 {
