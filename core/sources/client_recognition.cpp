@@ -14,7 +14,7 @@ namespace boresight::sources {
 namespace {
 
 constexpr std::size_t kMostPoints = 5;
-constexpr Angle kApart = 0.1_deg;  // points that are nearer to each other show no rate
+constexpr Angle kPointsApart = 0.1_deg;  // points that are nearer to each other show no rate
 // The pause between two computations of moving points is 1 s at first, and doubles up to 8 s.
 constexpr int kMostDoublings = 3;
 // A client that sends one point and leaves the mount there does not wait for a rise.
@@ -48,7 +48,7 @@ void ClientRecognition::add(const recognise::SentPoint& point, SteadyTime now)
     const auto unit = recognise::unitOf(point.direction);
     if (m_points.empty()) {
         m_began = now;
-    } else if (recognise::angleBetween(recognise::unitOf(m_points.back().direction), unit) < kApart) {
+    } else if (recognise::angleBetween(recognise::unitOf(m_points.back().direction), unit) < kPointsApart) {
         return;
     }
     m_points.push_back(point);

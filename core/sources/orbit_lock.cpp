@@ -26,7 +26,7 @@ UtcTime later(UtcTime utc, Seconds time)
     return utc + std::chrono::round<UtcTime::duration>(time);
 }
 
-const orbit::ElementSet* elementsOf(const targets::Target& target)
+const orbit::ElementSet* satelliteOf(const targets::Target& target)
 {
     return std::get_if<orbit::ElementSet>(&target.kind);
 }
@@ -282,7 +282,7 @@ void OrbitLock::gone(const Source& client)
 void OrbitLock::setSatellites(const recognise::SharedSatellites& satellites)
 {
     m_satellites = satellites;
-    const orbit::ElementSet* const locked = m_client && locks(*m_client) ? elementsOf(*m_target) : nullptr;
+    const orbit::ElementSet* const locked = m_client && locks(*m_client) ? satelliteOf(*m_target) : nullptr;
     if (locked != nullptr && std::ranges::find(*satellites, *locked) == satellites->end()) {
         endAndHold(Text::tr("its elements have changed"));
     }

@@ -92,10 +92,11 @@ protected:
             rig.tick();
         }
     }
+    // The way to the satellite takes 30 s.
     void beginInThePass()
     {
         runUntil(found.pass.aos.utc + std::chrono::seconds(60));
-        track(Seconds(20.0));
+        track(Seconds(40.0));
     }
     [[nodiscard]] std::optional<ClientTarget> shown() const { return rig.control.status().clientTarget; }
     [[nodiscard]] bool isLocked() const { return shown() && shown()->isLocked; }
