@@ -151,21 +151,25 @@ void OrbitLock::step(SteadyTime now)
 void OrbitLock::watch(SteadyTime now)
 {
     m_track.step(now);
-    const CurrentMotion& current = m_helm.current();
     if (!m_track.isTracking()) {
-        const bool isStopped = current.heldBy() == m_client;
-        const bool isParked = current.is(Activity::Parking) && current.isFor(*m_client);
-        if (isStopped || isParked) {
-            over(isStopped ? Text::tr("the client stopped the mount") : Text::tr("the client parked the mount"));
-        } else {
-            forget();  // the log has the reason
-        }
-        return;
-    }
-    if (m_departing && now - m_departsSince >= kDepartsFor) {
+        ended();
+    } else if (m_departing && now - m_departsSince >= kDepartsFor) {
         departed();
     } else if (now - m_seen >= kSilent) {
         endAndHold(Text::tr("the client was silent for %1 s").arg(kSilent.count()));
+    }
+}
+
+// Only an act of the client gives a notice. For everything else the log has the reason.
+void OrbitLock::ended()
+{
+    const CurrentMotion& current = m_helm.current();
+    if (current.heldBy() == m_client) {
+        over(Text::tr("the client stopped the mount"));
+    } else if (current.is(Activity::Parking) && current.isFor(*m_client)) {
+        over(Text::tr("the client parked the mount"));
+    } else {
+        forget();
     }
 }
 
@@ -273,7 +277,7 @@ void OrbitLock::gone(const Source& client)
     if (locks(client)) {
         endAndHold(Text::tr("the client has disconnected"));
     } else if (m_client == client) {
-        forget();
+        isLocked() ? ended() : forget();
     }
     m_answered.erase(client.clientId);
     m_told.erase(client.clientId);

@@ -55,6 +55,7 @@ private:
     void tellOnce(const QString& text);
     Result<> lock();
     void watch(SteadyTime now);
+    void ended();
     void departed();
     // The lock is over. The notice is on the board for a while.
     void over(const QString& why);

@@ -276,6 +276,10 @@ TEST_F(StationLock, EndsWhenTheClientStopsParksOrLeaves)
     const std::vector<std::function<void()>> enders{
         [&] { ASSERT_TRUE(rig.ask(request::Hold{}, kClient)); },
         [&] { rig.control.sourceGone(kClient); },
+        [&] {
+            ASSERT_TRUE(rig.ask(request::Hold{}, kClient));
+            rig.control.sourceGone(kClient);  // before the next tick, as when Gpredict disengages
+        },
         [&] { rig.run(Seconds(11.0)); },
     };
     for (const auto& end : enders) {
