@@ -9,7 +9,6 @@
 #include "core/messages/brake_status.h"
 #include "core/messages/calibration_status.h"
 #include "core/messages/capabilities.h"
-#include "core/messages/client_target.h"
 #include "core/messages/drives_status.h"
 #include "core/messages/end_switch_status.h"
 #include "core/messages/motor_starts.h"
@@ -17,6 +16,7 @@
 #include "core/messages/permissions.h"
 #include "core/messages/position_status.h"
 #include "core/messages/power_status.h"
+#include "core/messages/recognised_target.h"
 #include "core/messages/rehearsal_status.h"
 #include "core/messages/schedule_status.h"
 #include "core/messages/sensor_status.h"
@@ -289,7 +289,7 @@ struct StationStatus
     // The operator took control by something other than "Take control", and clients have not got it back since.
     bool tookControl = false;
     std::optional<TrackedTarget> tracked;
-    std::optional<ClientTarget> clientTarget;      // of the client in control; empty: not recognised, or not offered
+    std::optional<RecognisedTarget> clientTarget;  // of the client in control; empty: not recognised, or not offered
     std::string antenna = pointing::kMainAntenna;  // name of the antenna in use: see antennaOf()
     std::string chosenAntenna = pointing::kMainAntenna;  // by the operator, for targets without one of their own
     // Satellites with known elements, sorted by number. Never null.

@@ -309,7 +309,7 @@ void OrbitLock::describe(StationStatus& status) const
 {
     if (m_client && m_target) {
         status.clientTarget =
-            ClientTarget{.clientId = m_client->clientId, .name = m_target->name, .isLocked = m_isLocked};
+            RecognisedTarget{.clientId = m_client->clientId, .name = m_target->name, .isLocked = m_isLocked};
     }
     m_track.describe(status);
 }

@@ -24,8 +24,8 @@ public:
 private:
     CommandButton* m_track;
     CommandButton* m_decline;
-    ClientTarget m_offered;    // in the text
-    PressGuard m_guard{this};  // after the prompt has come, or names another target
+    RecognisedTarget m_offered;  // in the text
+    PressGuard m_guard{this};    // after the prompt has come, or names another target
 };
 
 }  // namespace boresight::ui

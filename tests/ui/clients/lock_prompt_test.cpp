@@ -20,7 +20,7 @@ protected:
     {
         StationStatus status = samples::fighting();
         status.clients.resize(1);
-        status.clientTarget = ClientTarget{.clientId = 1, .name = target, .isLocked = isLocked};
+        status.clientTarget = RecognisedTarget{.clientId = 1, .name = target, .isLocked = isLocked};
         give(samples::update(status));
     }
 };

@@ -8,13 +8,13 @@
 namespace boresight {
 
 // The target of a client, as Boresight recognised it by the points of the client.
-struct ClientTarget
+struct RecognisedTarget
 {
     std::uint64_t clientId = 0;
     QString name;           // of the target
     bool isLocked = false;  // Boresight tracks it from its own orbit. False: the operator may choose this
 
-    bool operator==(const ClientTarget&) const = default;
+    bool operator==(const RecognisedTarget&) const = default;
 };
 
 }  // namespace boresight

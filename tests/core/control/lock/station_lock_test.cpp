@@ -98,7 +98,7 @@ protected:
         runUntil(found.pass.aos.utc + std::chrono::seconds(60));
         track(Seconds(40.0));
     }
-    [[nodiscard]] std::optional<ClientTarget> shown() const { return rig.control.status().clientTarget; }
+    [[nodiscard]] std::optional<RecognisedTarget> shown() const { return rig.control.status().clientTarget; }
     [[nodiscard]] bool isLocked() const { return shown() && shown()->isLocked; }
     [[nodiscard]] bool hasNotice() const { return rig.alarms.active(alarmEntry("client.lock-ended")); }
     [[nodiscard]] Angle off() const { return angleBetween(*rig.control.status().commanded, direction()); }
