@@ -17,6 +17,7 @@ namespace {
 constexpr std::chrono::seconds kMovingPeriod{1};
 // For a standing axis only changes are recorded, and the time at this interval: a younger record is the better proof.
 constexpr std::chrono::minutes kRestingPeriod{5};
+constexpr Angle kWrap = Angle::fromDegrees(360.0);
 constexpr Angle kWorthNoting = Angle::fromDegrees(0.1);
 // An eye at the mast estimates an angle this well.
 constexpr Angle kEyeSight = Angle::fromDegrees(20.0);
@@ -161,6 +162,7 @@ void TurnKeeper::judge(Axis axis, const drive_check::DriveFacts& facts, Drive& d
                 state(axis).notBefore = now + kHeartbeat;
             } else {
                 watchOrigin(axis, facts);
+                watchEntered(axis, drive);
             }
             break;
     }
@@ -170,8 +172,25 @@ void TurnKeeper::becomeKnown(Axis axis, const Drive& drive)
 {
     // Unless the judgement proved the wrap at once, the position of the drive was written since the last reading.
     const SteadyTime since = state(axis).phase == Phase::Unjudged ? state(axis).since : m_clock.now();
-    state(axis) = {.phase = Phase::Known, .since = since, .homeState = drive.report()->homeState};
+    state(axis) = {
+        .phase = Phase::Known, .since = since, .homeState = drive.report()->homeState, .entered = state(axis).entered};
     m_log.add(Severity::Advisory, toQString(drive.name()), Text::tr("position confirmed"));
+}
+
+// An entered wrap is proven when every other wrap would have taken the axis beyond its stops.
+void TurnKeeper::watchEntered(Axis axis, const Drive& drive)
+{
+    std::optional<TravelRange>& been = state(axis).entered;
+    if (!been) {
+        return;
+    }
+    const pointing::AxisGeometry& geometry = m_profile->axis(axis).geometry;
+    const Angle here = geometry.toAxis(drive.place()->position);
+    *been = {.min = std::min(been->min, here), .max = std::max(been->max, here)};
+    if (been->max + kWrap > geometry.travel.max + journal::kBeyondTravel &&
+        been->min - kWrap < geometry.travel.min - journal::kBeyondTravel) {
+        been.reset();
+    }
 }
 
 // After a jog the axis is not where the journal has it.
@@ -378,6 +397,7 @@ Result<> TurnKeeper::choose(Axis axis, Angle angle, Drive& drive, const QString&
                            .arg(degreesText(place)));
     }
     settle(axis, place, asked->period, drive, source, Text::tr("chosen"));
+    state(axis).entered = TravelRange{.min = place, .max = place};
     return {};
 }
 
