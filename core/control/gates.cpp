@@ -47,7 +47,7 @@ Result<> Gates::mayHold(const Source& source) const
 // On its way to the park position the mount may be held.
 Result<> Gates::mayLeavePark() const
 {
-    return StatusReport(m_of).state() == StationState::Parked ? m_of.wind.admitsUnpark() : Result<>{};
+    return m_of.current.is(Activity::Parking) && m_of.motion.atRest() ? m_of.wind.admitsUnpark() : Result<>{};
 }
 
 Result<> Gates::isPlaced(Axis axis) const

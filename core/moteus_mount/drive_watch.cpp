@@ -282,7 +282,8 @@ std::optional<DriveWatch::Trouble> DriveWatch::supervise(Drive& drive, const tra
         const bool jump = observed.symptom == Symptom::EncoderJump && now.jumped;
         const bool stop = observed.weight == Weight::Stop;
         // Perhaps the axis is at the end of its cable, one wrap away from the entered position.
-        const bool wrongWrap = stop && observed.symptom == Symptom::TorqueGuard && context.turnEntered;
+        const bool wrongWrap =
+            stop && isGivingWay(observed.symptom) && observed.symptom != Symptom::OutsideTravel && context.turnEntered;
         const bool begins = stop && !m_stops.contains(observed.symptom);
         if (stop) {
             stops.insert(observed.symptom);
@@ -292,6 +293,8 @@ std::optional<DriveWatch::Trouble> DriveWatch::supervise(Drive& drive, const tra
                               .stops = stop || (trouble && trouble->stops),
                               .turnDoubtful = jump || wrongWrap,
                               .gaveWay = stop && isGivingWay(observed.symptom)};
+        } else if (begins && wrongWrap) {
+            trouble->turnDoubtful = true;
         }
     }
     m_stops = std::move(stops);

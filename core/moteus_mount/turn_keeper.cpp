@@ -18,6 +18,7 @@ constexpr std::chrono::seconds kMovingPeriod{1};
 // For a standing axis only changes are recorded, and the time at this interval: a younger record is the better proof.
 constexpr std::chrono::minutes kRestingPeriod{5};
 constexpr Angle kWrap = Angle::fromDegrees(360.0);
+constexpr Angle kTightens = Angle::fromDegrees(20.0);  // a cable, before its end
 constexpr Angle kWorthNoting = Angle::fromDegrees(0.1);
 // An eye at the mast estimates an angle this well.
 constexpr Angle kEyeSight = Angle::fromDegrees(20.0);
@@ -75,7 +76,8 @@ std::optional<journal::TurnRecord>& TurnKeeper::record(Axis axis)
 void TurnKeeper::forget(Axis axis, const std::optional<QString>& doubt)
 {
     State& mine = state(axis);
-    mine = {.doubt = doubt ? doubt : mine.doubt, .since = m_clock.now()};
+    mine = {
+        .doubt = doubt ? doubt : mine.doubt, .since = m_clock.now(), .entered = doubt ? std::nullopt : mine.entered};
     if (doubt && axis == Axis::Azimuth) {
         m_anchor.reset();  // the axis was perhaps not there any more
     }
@@ -177,19 +179,23 @@ void TurnKeeper::becomeKnown(Axis axis, const Drive& drive)
     m_log.add(Severity::Advisory, toQString(drive.name()), Text::tr("position confirmed"));
 }
 
-// An entered wrap is proven when every other wrap would have taken the axis beyond its stops.
+// Another wrap is excluded when it would have taken the axis beyond its stops. While it is not, and the end of the
+// cable would be near on it, a pull may be that end.
 void TurnKeeper::watchEntered(Axis axis, const Drive& drive)
 {
-    std::optional<TravelRange>& been = state(axis).entered;
-    if (!been) {
+    State& mine = state(axis);
+    if (!mine.entered) {
         return;
     }
     const pointing::AxisGeometry& geometry = m_profile->axis(axis).geometry;
     const Angle here = geometry.toAxis(drive.place()->position);
-    *been = {.min = std::min(been->min, here), .max = std::max(been->max, here)};
-    if (been->max + kWrap > geometry.travel.max + journal::kBeyondTravel &&
-        been->min - kWrap < geometry.travel.min - journal::kBeyondTravel) {
-        been.reset();
+    *mine.entered = {.min = std::min(mine.entered->min, here), .max = std::max(mine.entered->max, here)};
+    const auto& [low, high] = geometry.travel;
+    const bool isBelow = mine.entered->min - kWrap >= low - journal::kBeyondTravel;
+    const bool isAbove = mine.entered->max + kWrap <= high + journal::kBeyondTravel;
+    mine.nearEnd = (isBelow && here - kWrap < low + kTightens) || (isAbove && here + kWrap > high - kTightens);
+    if (!isBelow && !isAbove) {
+        mine.entered.reset();
     }
 }
 
@@ -413,7 +419,7 @@ void TurnKeeper::settle(Axis axis, Angle angle, Angle period, Drive& drive, cons
         becomeKnown(axis, drive);
         return;
     }
-    state(axis) = {.phase = Phase::Writing};
+    state(axis) = {.phase = Phase::Writing, .entered = state(axis).entered};
     drive.reference(place, near);
 }
 

@@ -13202,7 +13202,7 @@ Depois a montagem aponta por este resultado. O registo anota que o aplicou mesmo
         <translation>%1 (comandos estranhos: %2)</translation>
     </message>
     <message>
-        <source>No program is connected. Gpredict disconnects after 6 errors in a row. Press Engage there again</source>
+        <source>No program is connected. Gpredict disengages after 6 errors in a row. Press Engage there again</source>
         <translation>Nenhum programa está ligado. O Gpredict desliga-se após 6 erros seguidos. Prima lá Engage de novo</translation>
     </message>
 </context>

@@ -297,7 +297,7 @@ void ClientsPanel::showSelected()
     } else {
         m_detail->setValue(
             m_status.clients.empty()
-                ? tr("No program is connected. Gpredict disconnects after 6 errors in a row. Press Engage there again")
+                ? tr("No program is connected. Gpredict disengages after 6 errors in a row. Press Engage there again")
                 : tr("Select a client to give it control or to make it read-only"),
             Tone::Secondary);
     }

@@ -224,6 +224,7 @@ TEST(ClosedLoop, FollowsGpredictAtItsFinestThresholdWithoutGoingBack)
 // 2 %.
 TEST(ClosedLoop, ACoarseThresholdIsFollowedAsByItsPoints)
 {
+    ASSERT_FALSE(trueTracks().empty());
     for (const auto& [name, pass] : trueTracks()) {
         const Score path = track({pass, 5.0});
         const Score points = track({pass, 5.0, Following::PointsOnly});
