@@ -2,8 +2,10 @@
 #include "core/clients/station_server.h"
 
 #include "core/alarms/catalogue.h"
+#include "core/base/control_characters.h"
 #include "core/base/peer_address.h"
 #include "core/base/text.h"
+#include "core/rotctld/error_cycles.h"
 #include "core/rotctld/session.h"
 
 #include <algorithm>
@@ -26,9 +28,27 @@ rotctld::DumpStateForm formOf(profile::DumpState form)
     return form == profile::DumpState::AsHamlib ? rotctld::DumpStateForm::AsHamlib : rotctld::DumpStateForm::OldAndNew;
 }
 
-QString advice(const rotctld::ClientInfo& client)
+// One or two errors may be chance, and the third leaves time to act before Gpredict gives up.
+constexpr int kErrorsForAdvice = 3;
+
+QString remedyOf(const Error& error, const profile::RotctldSettings& settings)
 {
-    if (!client.leap || !QString::fromStdString(client.program).startsWith(QLatin1String("Gpredict"))) {
+    return error.code == ErrorCode::OutOfRange && settings.outsideLimits == profile::OutsideLimits::Refuse
+               ? Text::tr("Set rotctld.outside_limits to \"nearest\".")
+               : Text::tr("Reason: %1").arg(boresight::printable(error.text));
+}
+
+QString advice(const rotctld::ClientInfo& client, const profile::RotctldSettings& settings)
+{
+    if (!QString::fromStdString(client.program).startsWith(QLatin1String("Gpredict"))) {
+        return {};
+    }
+    if (client.errorsInARow >= kErrorsForAdvice && client.error) {
+        return Text::tr("%1 errors in a row. Gpredict disengages after %2. %3")
+            .arg(QString::number(client.errorsInARow), QString::number(rotctld::ErrorCycles::kGiveUp),
+                 remedyOf(*client.error, settings));
+    }
+    if (!client.leap) {
         return {};
     }
     return Text::tr("This Gpredict updates only every %1°. Set Threshold to 0.1 in its Antenna Control.")
@@ -112,7 +132,8 @@ std::vector<ClientStatus> StationServer::clients(std::vector<rotctld::ClientInfo
                             .program = QString::fromStdString(client.program),
                             .lastCommand = client.lastCommand,
                             .commandsPerSecond = client.commandsPerSecond,
-                            .advice = advice(client)};
+                            .oddCommands = client.oddCommands,
+                            .advice = advice(client, m_profile->rotctld)};
         m_control.describe(status, client.lastMotion);
         list.push_back(std::move(status));
     }

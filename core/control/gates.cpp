@@ -5,7 +5,6 @@
 #include "core/base/text.h"
 #include "core/control/calibration_source.h"
 #include "core/control/status_report.h"
-#include "core/mount/mount_service.h"
 #include "core/units/degrees_text.h"
 
 #include <algorithm>
@@ -42,7 +41,13 @@ Result<> Gates::mayMoveInWind(const Source& source) const
 
 Result<> Gates::mayHold(const Source& source) const
 {
-    return m_of.current.moves() ? Result<>{} : mayMove(source);
+    return m_of.current.moves() ? mayLeavePark() : mayMove(source);
+}
+
+// On its way to the park position the mount may be held.
+Result<> Gates::mayLeavePark() const
+{
+    return m_of.current.is(Activity::Parking) && m_of.motion.atRest() ? m_of.wind.admitsUnpark() : Result<>{};
 }
 
 Result<> Gates::isPlaced(Axis axis) const
@@ -265,123 +270,6 @@ Result<> Gates::isFresh(Axis axis) const
         return failure(ErrorCode::NoAnswer, Text::tr("no fresh position from the %1").arg(m_of.mount.label(axis)));
     }
     return {};
-}
-
-Result<> Gates::maySet(Axis axis) const
-{
-    return hasAxis(axis)
-        .and_then([&] { return isFresh(axis); })
-        .and_then([&] { return isPlaced(axis); })
-        .and_then([this] { return drivesRest(); })
-        .and_then([this] { return axesStand(); });
-}
-
-// Somebody may turn an axis by hand, or an axis may still coast towards its set-point.
-Result<> Gates::axesStand() const
-{
-    const auto turns = [this](Axis axis) { return m_of.standstill.moves(axis); };
-    return std::ranges::any_of(kAxes, turns) ? failure(ErrorCode::Refused, Text::tr("The mount moves. Stop it first."))
-                                             : Result<>{};
-}
-
-Result<> Gates::drivesRest() const
-{
-    if (m_of.mount.underOrders() && !m_of.motion.atRest()) {
-        return failure(ErrorCode::Refused, Text::tr("The mount moves. Stop it first."));
-    }
-    if (m_of.mount.changesHands()) {
-        return failure(ErrorCode::Refused, Text::tr("Boresight is taking over a drive. Try again in a second."));
-    }
-    return {};
-}
-
-Result<> Gates::hasService() const
-{
-    return m_of.mount.service() != nullptr
-               ? Result<>{}
-               : failure(ErrorCode::NotAvailable, Text::tr("this rotator does not have this function"));
-}
-
-Result<> Gates::drivesAnswer() const
-{
-    return m_of.arming.connected() ? Result<>{} : failure(ErrorCode::NoAnswer, Text::tr("every drive must answer"));
-}
-
-Result<> Gates::mayReadDrives() const
-{
-    return hasService().and_then([this] { return m_of.mount.available(); }).and_then([this] { return drivesRest(); });
-}
-
-Result<> Gates::mayFixDrives() const
-{
-    return hasService().and_then([this] { return drivesAnswer(); }).and_then([this] {
-        return m_of.mount.service()->mayBeWritten();
-    });
-}
-
-Result<> Gates::mayChangeBoards() const
-{
-    return mayReadDrives().and_then([this] { return axesStand(); }).and_then([this] {
-        return m_of.mount.service()->mayBeWritten();
-    });
-}
-
-Result<> Gates::maySwitchOff() const
-{
-    return mayLeaveBus().and_then([this] { return drivesAnswer(); });
-}
-
-Result<> Gates::maySwitchOff(Axis axis) const
-{
-    return hasAxis(axis).and_then([this] { return maySwitchOff(); }).and_then([&] {
-        return m_of.mount.service()->maySwitchOff(axis);
-    });
-}
-
-Result<> Gates::mayLeaveBus() const
-{
-    return hasService().and_then([this] { return drivesRest(); }).and_then([this] { return m_of.brake.admitsOff(); });
-}
-
-Result<> Gates::mayTune(Axis axis) const
-{
-    return hasService()
-        .and_then([&] { return hasAxis(axis); })
-        .and_then([&] { return m_of.mount.service()->mayBeTuned(axis); })
-        .and_then([this] { return drivesAnswer(); })
-        .and_then([this]() -> Result<> {
-            return m_of.current.moves() && m_of.current.isFor(tuningSource())
-                       ? failure(ErrorCode::Refused, Text::tr("A tuning run moves the mount. End it first."))
-                       : Result<>{};
-        })
-        .and_then([this] { return drivesRest(); })
-        .and_then([this] { return axesStand(); });
-}
-
-Result<> Gates::mayTuneOff(Axis axis) const
-{
-    return mayTune(axis).and_then([this] { return m_of.mount.service()->mayBeWritten(); });
-}
-
-Result<> Gates::mayProve(const Source& source) const
-{
-    return hasService().and_then([&] { return mayPoint(source); }).and_then([this] { return drivesRest(); });
-}
-
-Result<> Gates::mayEndProof() const
-{
-    return m_of.mount.proofRunning() ? Result<>{}
-                                     : failure(ErrorCode::Refused, Text::tr("No crash-stop test is running."));
-}
-
-Result<> Gates::mayTakeBus() const
-{
-    return hasService().and_then([this] { return m_of.mount.service()->mayTakeBus(); });
-}
-
-Result<> Gates::mayChooseTurn(Axis axis) const
-{
-    return mayLeaveBus().and_then([&] { return m_of.mount.service()->mayChooseWrap(axis); });
 }
 
 Result<> Gates::mayResetStop() const

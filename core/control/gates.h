@@ -27,6 +27,7 @@ public:
     // The mount is armed, no crash-stop test is running, and the wind permits the motion.
     [[nodiscard]] Result<> mayMove(const Source& source) const;
     [[nodiscard]] Result<> mayHold(const Source& source) const;   // the mount moves, or it could be moved
+    [[nodiscard]] Result<> mayLeavePark() const;                  // the mount is not kept parked by the wind
     [[nodiscard]] Result<> mayPoint(const Source& source) const;  // to any place
     [[nodiscard]] Result<> mayPark(const Source& source) const;   // to the park position, also in a strong wind
     [[nodiscard]] Result<> mayJog(const AxisRates& rates, const Source& source) const;  // where necessary only slowly
@@ -47,25 +48,9 @@ public:
     // refused unless the axis can go there.
     [[nodiscard]] Result<> isElevation(Angle elevation) const;
     [[nodiscard]] Result<> hasAxis(Axis axis) const;
-    [[nodiscard]] Result<> isFresh(Axis axis) const;  // its position is not older than kOldestPosition
-    // The angle of the axis may be set to another number: the axis stands still, and its angle is known and fresh.
-    [[nodiscard]] Result<> maySet(Axis axis) const;
+    [[nodiscard]] Result<> isPlaced(Axis axis) const;  // its wrap is known
+    [[nodiscard]] Result<> isFresh(Axis axis) const;   // its position is not older than kOldestPosition
 
-    [[nodiscard]] Result<> drivesRest() const;  // required for work on the drives themselves
-    [[nodiscard]] Result<> axesStand() const;   // as measured
-    [[nodiscard]] Result<> mayReadDrives() const;
-    [[nodiscard]] Result<> mayFixDrives() const;
-    [[nodiscard]] Result<> mayChangeBoards() const;  // an id or a gear ratio; some drives may be silent
-    [[nodiscard]] Result<> maySwitchOff() const;
-    [[nodiscard]] Result<> maySwitchOff(Axis axis) const;
-    [[nodiscard]] Result<> mayLeaveBus() const;
-    [[nodiscard]] Result<> mayTune(Axis axis) const;              // those gains that a drive takes while it is on
-    [[nodiscard]] Result<> mayTuneOff(Axis axis) const;           // those gains that need the drive off
-    [[nodiscard]] Result<> hasService() const;                    // the mount has functions for its drives
-    [[nodiscard]] Result<> mayProve(const Source& source) const;  // run the crash-stop test
-    [[nodiscard]] Result<> mayEndProof() const;
-    [[nodiscard]] Result<> mayTakeBus() const;
-    [[nodiscard]] Result<> mayChooseTurn(Axis axis) const;  // the operator may answer which wrap the axis is on
     [[nodiscard]] Result<> mayResetStop() const;
     [[nodiscard]] Result<> mayHoldAtEnd() const;  // wait at the cable end instead of unwrapping
     [[nodiscard]] Result<> mayClearTrim() const;  // there is a trim
@@ -85,8 +70,6 @@ public:
 private:
     [[nodiscard]] Result<> isWindFine() const;
     [[nodiscard]] Result<> mayMoveInWind(const Source& source) const;
-    [[nodiscard]] Result<> isPlaced(Axis axis) const;
-    [[nodiscard]] Result<> drivesAnswer() const;
     [[nodiscard]] Result<> mayJogSlowly(const AxisRates& rates) const;
     [[nodiscard]] Result<> insideTravel() const;
 

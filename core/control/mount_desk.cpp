@@ -9,29 +9,35 @@ namespace boresight {
 
 Result<> MountDesk::ask(const request::ReadDrives&, const Source& by)
 {
-    return operatorOnly(by).and_then([this] { return gates().mayReadDrives(); });
+    return operatorOnly(by).and_then([this] { return driveGates().mayReadDrives(); });
 }
 
 Result<> MountDesk::ask(const request::FixDrives&, const Source& by)
 {
-    return operatorOnly(by).and_then([this] { return gates().mayFixDrives(); }).map([&] {
+    return operatorOnly(by).and_then([this] { return driveGates().mayFixDrives(); }).map([&] {
         m_helm.takeOver(by);  // the next target of a client would switch the drives on during the change
     });
 }
 
 Result<> MountDesk::ask(const request::AssignBoard&, const Source& by)
 {
-    return operatorOnly(by).and_then([this] { return gates().mayChangeBoards(); }).map([&] { m_helm.takeOver(by); });
+    return operatorOnly(by).and_then([this] { return driveGates().mayChangeBoards(); }).map([&] {
+        m_helm.takeOver(by);
+    });
 }
 
 Result<> MountDesk::ask(const request::SetGear&, const Source& by)
 {
-    return operatorOnly(by).and_then([this] { return gates().mayChangeBoards(); }).map([&] { m_helm.takeOver(by); });
+    return operatorOnly(by).and_then([this] { return driveGates().mayChangeBoards(); }).map([&] {
+        m_helm.takeOver(by);
+    });
 }
 
 Result<> MountDesk::ask(const request::SwitchOff& wanted, const Source& by)
 {
-    const auto may = [&] { return wanted.axis ? gates().maySwitchOff(*wanted.axis) : gates().maySwitchOff(); };
+    const auto may = [&] {
+        return wanted.axis ? driveGates().maySwitchOff(*wanted.axis) : driveGates().maySwitchOff();
+    };
     return operatorOnly(by).and_then(may).map([&] {
         m_helm.takeOver(by);  // the next target of a client would switch the drives on again
         m_helm.hold(Activity::None);
@@ -41,7 +47,7 @@ Result<> MountDesk::ask(const request::SwitchOff& wanted, const Source& by)
 
 Result<> MountDesk::ask(const request::ReleaseBus&, const Source& by)
 {
-    return operatorOnly(by).and_then([this] { return gates().mayLeaveBus(); }).map([&] {
+    return operatorOnly(by).and_then([this] { return driveGates().mayLeaveBus(); }).map([&] {
         m_helm.takeOver(by);
         m_helm.hold(Activity::None);
         m_log.add(Severity::Warning, by.name, service().leaveBus());
@@ -51,7 +57,7 @@ Result<> MountDesk::ask(const request::ReleaseBus&, const Source& by)
 Result<> MountDesk::ask(const request::TakeBus&, const Source& by)
 {
     return operatorOnly(by)
-        .and_then([this] { return gates().mayTakeBus(); })
+        .and_then([this] { return driveGates().mayTakeBus(); })
         .and_then([this] { return service().takeBus(); })
         .map([&] {
             m_log.add(Severity::Advisory, by.name, Text::tr("takes the bus back, and reads the drives again"));
@@ -81,7 +87,7 @@ Result<> MountDesk::ask(const request::MakeHomeRun&, const Source& by)
 
 Result<> MountDesk::ask(const request::ChooseTurn& wanted, const Source& by)
 {
-    return operatorOnly(by).and_then([&] { return gates().mayChooseTurn(wanted.axis); }).and_then([&] {
+    return operatorOnly(by).and_then([&] { return driveGates().mayChooseTurn(wanted.axis); }).and_then([&] {
         m_helm.takeOver(by);
         return service().chooseWrap(wanted.axis, wanted.angle, by.name);
     });
@@ -89,7 +95,7 @@ Result<> MountDesk::ask(const request::ChooseTurn& wanted, const Source& by)
 
 Result<> MountDesk::ask(const request::ProveCrashStop& wanted, const Source& by)
 {
-    return operatorOnly(by).and_then([&] { return gates().mayProve(by); }).and_then([&] {
+    return operatorOnly(by).and_then([&] { return driveGates().mayProve(by); }).and_then([&] {
         const AngularRate rate = abs(wanted.rate);
         const pointing::AxisBox here = pointing::AxisBox::at(*m_mount.measured());
         const ControlParts view = m_helm.view();
@@ -106,7 +112,7 @@ Result<> MountDesk::ask(const request::ProveCrashStop& wanted, const Source& by)
 
 Result<> MountDesk::ask(const request::EndProof&, const Source& by)
 {
-    return gates().mayEndProof().map([&] {
+    return driveGates().mayEndProof().map([&] {
         service().endProof(Text::tr("ended by the %1").arg(Text::of(by.name.toStdString())));
         m_helm.hold(Activity::Holding);
     });
@@ -114,7 +120,7 @@ Result<> MountDesk::ask(const request::EndProof&, const Source& by)
 
 Result<> MountDesk::ask(const request::ReadGains& wanted, const Source& by)
 {
-    return operatorOnly(by).and_then([&] { return gates().mayTune(wanted.axis); });
+    return operatorOnly(by).and_then([&] { return driveGates().mayTune(wanted.axis); });
 }
 
 // The next target of a client would move the axis during the change. So the operator takes the control.
@@ -122,18 +128,22 @@ Result<> MountDesk::ask(const request::SetGain& wanted, const Source& by)
 {
     const bool off = wanted.gain == Gain::EncoderFilter;
     return operatorOnly(by)
-        .and_then([&] { return off ? gates().mayTuneOff(wanted.axis) : gates().mayTune(wanted.axis); })
+        .and_then([&] { return off ? driveGates().mayTuneOff(wanted.axis) : driveGates().mayTune(wanted.axis); })
         .map([&] { m_helm.takeOver(by); });
 }
 
 Result<> MountDesk::ask(const request::PutGainsBack& wanted, const Source& by)
 {
-    return operatorOnly(by).and_then([&] { return gates().mayTune(wanted.axis); }).map([&] { m_helm.takeOver(by); });
+    return operatorOnly(by).and_then([&] { return driveGates().mayTune(wanted.axis); }).map([&] {
+        m_helm.takeOver(by);
+    });
 }
 
 Result<> MountDesk::ask(const request::StoreGains& wanted, const Source& by)
 {
-    return operatorOnly(by).and_then([&] { return gates().mayTuneOff(wanted.axis); }).map([&] { m_helm.takeOver(by); });
+    return operatorOnly(by).and_then([&] { return driveGates().mayTuneOff(wanted.axis); }).map([&] {
+        m_helm.takeOver(by);
+    });
 }
 
 }  // namespace boresight

@@ -3,6 +3,7 @@
 
 #include "core/alarms/event_log.h"
 #include "core/base/result.h"
+#include "core/control/drive_gates.h"
 #include "core/control/helm.h"
 #include "core/messages/request.h"
 #include "core/mount/mount_driver.h"
@@ -36,7 +37,7 @@ public:
     Result<> ask(const request::StoreGains& wanted, const Source& by);
 
 private:
-    [[nodiscard]] Gates gates() const { return Gates(m_helm.view()); }
+    [[nodiscard]] DriveGates driveGates() const { return DriveGates(m_helm.view()); }
     [[nodiscard]] MountService& service() { return *m_mount.service(); }  // call only after a gate has found one
 
     MountDriver& m_mount;

@@ -3,6 +3,7 @@
 
 #include "core/base/text.h"
 #include "core/base/time_of_day.h"
+#include "core/control/drive_gates.h"
 #include "core/profile/setting.h"
 
 namespace boresight {
@@ -71,7 +72,7 @@ Result<> OperatorDesk::ask(const request::ApplyProfile& wanted, const Source& by
 
 Result<> OperatorDesk::ask(const request::Reconnect& wanted, const Source& by)
 {
-    return operatorOnly(by).and_then([this] { return gates().drivesRest(); }).and_then([&] {
+    return operatorOnly(by).and_then([this] { return DriveGates(m_of.helm.view()).drivesRest(); }).and_then([&] {
         return makesSense(wanted.profile);
     });
 }

@@ -85,27 +85,27 @@ void PermissionReport::judgeJogs(Permissions& may) const
 
 void PermissionReport::judgeDrives(Permissions& may) const
 {
-    const Gates gates(m_of);
+    const DriveGates drives(m_of);
     for (const Axis axis : kAxes) {
-        judge(may, setAction(axis), gates.maySet(axis));
-        judge(may, chooseTurnAction(axis), gates.mayChooseTurn(axis));
-        judge(may, switchOffAction(axis), gates.maySwitchOff(axis));
+        judge(may, setAction(axis), drives.maySet(axis));
+        judge(may, chooseTurnAction(axis), drives.mayChooseTurn(axis));
+        judge(may, switchOffAction(axis), drives.maySwitchOff(axis));
     }
     judgeGains(may);
-    const Result<> rest = gates.drivesRest();
-    judge(may, Action::ReadDrives, gates.mayReadDrives());
-    judge(may, Action::FixDrives, gates.mayFixDrives());
-    const Result<> boards = gates.mayChangeBoards();
+    const Result<> rest = drives.drivesRest();
+    judge(may, Action::ReadDrives, drives.mayReadDrives());
+    judge(may, Action::FixDrives, drives.mayFixDrives());
+    const Result<> boards = drives.mayChangeBoards();
     for (const Axis axis : kAxes) {
         judge(may, assignBoardAction(axis), boards);
         judge(may, setGearAction(axis), boards);
     }
-    judge(may, Action::SwitchOff, gates.maySwitchOff());
-    judge(may, Action::ReleaseBus, gates.mayLeaveBus());
+    judge(may, Action::SwitchOff, drives.maySwitchOff());
+    judge(may, Action::ReleaseBus, drives.mayLeaveBus());
     judge(may, Action::Reconnect, rest);
-    judge(may, Action::ProveCrashStop, gates.mayProve(kTheOperator));
-    judge(may, Action::EndProof, gates.mayEndProof());
-    judge(may, Action::TakeBus, gates.mayTakeBus());
+    judge(may, Action::ProveCrashStop, drives.mayProve(kTheOperator));
+    judge(may, Action::EndProof, drives.mayEndProof());
+    judge(may, Action::TakeBus, drives.mayTakeBus());
     judge(may, Action::TypeLine, mayTypeLine(m_of));
     judge(may, Action::MakeHomeRun, mayMakeHomeRun(m_of, kTheOperator));
 }
@@ -113,10 +113,10 @@ void PermissionReport::judgeDrives(Permissions& may) const
 // The connection of the mount adds what it knows of the gains.
 void PermissionReport::judgeGains(Permissions& may) const
 {
-    const Gates gates(m_of);
+    const DriveGates drives(m_of);
     for (const Axis axis : kAxes) {
-        const Result<> standing = gates.mayTune(axis);
-        const Result<> off = gates.mayTuneOff(axis);
+        const Result<> standing = drives.mayTune(axis);
+        const Result<> off = drives.mayTuneOff(axis);
         for (const Action action : {Action::ReadAzimuthGains, Action::SetAzimuthGains, Action::PutAzimuthGainsBack}) {
             judge(may, actionOf(action, axis), standing);
         }

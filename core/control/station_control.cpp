@@ -178,6 +178,9 @@ void StationControl::positionRead(std::uint64_t clientId)
 
 Result<> StationControl::handle(const request::Hold&, const Source& source)
 {
+    if (const Result<> may = gates().mayLeavePark(); !may) {
+        return source.kind == SourceKind::Client ? Result<>{} : may;  // for a client nothing moves, as it wants
+    }
     takeOver(source);  // otherwise the next target of a client would undo the hold
     if (moves()) {
         tell(Severity::Advisory, source, Text::tr("ends the motion, and the mount holds"));

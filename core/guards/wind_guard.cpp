@@ -139,26 +139,29 @@ void WindGuard::tellSilence()
     }
 }
 
-Result<> WindGuard::admits() const
+Result<> WindGuard::unlessForbidden(const QString& text) const
 {
     if (!m_forbids) {
         return {};
     }
     const profile::WindSettings& settings = m_profile->wind;
     return failure(ErrorCode::Refused,
-                   Text::tr("%1 Only Park moves the mount until the wind stays below %2 m/s for %3 min.")
-                       .arg(obstacle(), speedText(settings.releaseBelow), minutesText(settings.calm)));
+                   text.arg(obstacle(), speedText(settings.releaseBelow), minutesText(settings.calm)));
+}
+
+Result<> WindGuard::admits() const
+{
+    return unlessForbidden(Text::tr("%1 Only Park moves the mount until the wind stays below %2 m/s for %3 min."));
 }
 
 Result<> WindGuard::admitsClients() const
 {
-    if (!m_forbids) {
-        return {};
-    }
-    const profile::WindSettings& settings = m_profile->wind;
-    return failure(ErrorCode::Refused,
-                   Text::tr("%1 Hand over when the wind has stayed below %2 m/s for %3 min.")
-                       .arg(obstacle(), speedText(settings.releaseBelow), minutesText(settings.calm)));
+    return unlessForbidden(Text::tr("%1 Hand over when the wind has stayed below %2 m/s for %3 min."));
+}
+
+Result<> WindGuard::admitsUnpark() const
+{
+    return unlessForbidden(Text::tr("%1 The mount stays parked until the wind stays below %2 m/s for %3 min."));
 }
 
 Result<> WindGuard::mayOverride() const

@@ -41,6 +41,8 @@ public:
     [[nodiscard]] Result<> admits() const;
     // Clients may get control. A client that keeps asking would move the mount as soon as the wind is weak.
     [[nodiscard]] Result<> admitsClients() const;
+    // A parked mount may leave PARKED.
+    [[nodiscard]] Result<> admitsUnpark() const;
     // Counts how often the mount had to be parked because of the wind.
     [[nodiscard]] std::uint64_t onsets() const { return m_onsets; }
     [[nodiscard]] Result<> mayOverride() const;
@@ -51,6 +53,8 @@ public:
 private:
     [[nodiscard]] bool isStrong() const { return m_watch.cause() != wind::WindWatch::Cause::None; }
     [[nodiscard]] QString causeText() const;
+    // `text` contains the obstacle, the lower limit and the calm time.
+    [[nodiscard]] Result<> unlessForbidden(const QString& text) const;
     [[nodiscard]] QString sinceText(const QString& time) const;
     [[nodiscard]] QString silentSince() const;
     void tellStow(bool parks);

@@ -27,7 +27,8 @@ enum class JogDirection
 enum class Action
 {
     Move,   // any motion
-    Hold,   // also leaves PARKED. Never refused, but not offered if nothing moves and nothing is held
+    Hold,   // also leaves PARKED. Refused only in a strong wind to a parked mount, but not offered if nothing moves and
+            // nothing is held
     Point,  // to a direction or angles: the wrap of both axes must be known
     Track,
     TrackSun,        // the profile may forbid the Sun

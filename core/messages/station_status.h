@@ -161,6 +161,7 @@ struct ClientStatus
     QString program;                 // the recognised program, else the protocol if it is not rotctld
     QString lastCommand;             // why it was refused, or what became of its target
     double commandsPerSecond = 0.0;  // over the last seconds
+    std::uint64_t oddCommands = 0;   // unknown, unreadable, or for something the mount does not have
     bool driving = false;            // the mount follows its target now
     bool inControl = false;          // its motion commands are accepted, other clients' are not
     bool readOnly = false;

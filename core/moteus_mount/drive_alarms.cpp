@@ -4,8 +4,11 @@
 #include "core/alarms/catalogue.h"
 #include "core/base/text.h"
 #include "core/moteus/faults.h"
+#include "core/supervision/finding_words.h"
 #include "core/units/degrees_text.h"
 #include "core/units/duration_text.h"
+
+#include <QStringList>
 
 namespace boresight::drive_alarms {
 namespace {
@@ -20,13 +23,42 @@ QString causeAndRemedy(const moteus::FaultText& text)
                               : Text::tr("Likely cause: %1. %2").arg(Text::of(text.cause), Text::of(text.remedy));
 }
 
-AlarmCase fault(const QString& drive, int code)
+// Codes of the limits by heat (register 0x00f).
+constexpr int kBoardWarm = 100;
+constexpr int kMotorWarm = 101;
+
+// Both sentences without a full stop. Empty if the temperature is not reported.
+QString cooling(const QString& changed, const QString& same, const std::optional<double>& then,
+                const std::optional<double>& now)
+{
+    if (!now) {
+        return {};
+    }
+    const QString after = supervision::words(*now, 0);
+    const QString before = supervision::words(then.value_or(*now), 0);
+    return before == after ? same.arg(after) : changed.arg(before, after);
+}
+
+// Fault 38 does not say whether the board or the motor was too hot.
+QString heatText(const Heat& then, const Heat& now)
+{
+    QStringList sentences{cooling(Text::tr("The board was at %1 °C and is at %2 °C now"),
+                                  Text::tr("The board is at %1 °C"), then.board, now.board),
+                          cooling(Text::tr("The motor was at %1 °C and is at %2 °C now"),
+                                  Text::tr("The motor is at %1 °C"), then.motor, now.motor)};
+    sentences.removeAll(QString());
+    return sentences.join(QStringLiteral(". "));
+}
+
+// `heat` is added to the remedy. Empty: nothing is added.
+AlarmCase fault(const QString& drive, int code, const QString& heat = {})
 {
     if (code == 0) {
         return {alarmEntry("drive.fault-unnamed"), {drive}};
     }
     const moteus::FaultText text = moteus::faultText(code);
-    const QString remedy = causeAndRemedy(text);
+    const QString help = causeAndRemedy(text);
+    const QString remedy = heat.isEmpty() ? help : QStringLiteral("%1. %2").arg(help, heat);
     return {alarmEntry("drive.fault"),
             {drive, QString::number(code), Text::of(text.meaning),
              text.saysRearm ? remedy : Text::tr("%1. Then press Re-arm").arg(remedy)}};
@@ -160,9 +192,22 @@ AlarmCase lost(const QString& drive, DriveLoss loss, int faultCode)
     return unheard(drive, {}, true);
 }
 
-AlarmCase activeLimit(const QString& drive, int code)
+AlarmCase tooHot(const QString& drive, int faultCode, const Heat& then, const Heat& now)
+{
+    return fault(drive, faultCode, heatText(then, now));
+}
+
+AlarmCase activeLimit(const QString& drive, int code, const Heat& now)
 {
     const moteus::FaultText limit = moteus::faultText(code);
+    if (code == kBoardWarm && now.board) {
+        return {alarmEntry("drive.limit-board-warm"),
+                {drive, supervision::words(*now.board, 0), causeAndRemedy(limit)}};
+    }
+    if (code == kMotorWarm && now.motor) {
+        return {alarmEntry("drive.limit-motor-warm"),
+                {drive, supervision::words(*now.motor, 0), causeAndRemedy(limit)}};
+    }
     return {alarmEntry("drive.limit"), {drive, QString::number(code), Text::of(limit.meaning), causeAndRemedy(limit)}};
 }
 

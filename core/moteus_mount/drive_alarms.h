@@ -28,7 +28,15 @@ namespace boresight::drive_alarms {
 [[nodiscard]] AlarmCase timedOutByStall(const QString& drive, Seconds stalled);
 // For every loss but Silent, for which silenced() knows more.
 [[nodiscard]] AlarmCase lost(const QString& drive, DriveLoss loss, int faultCode);
-[[nodiscard]] AlarmCase activeLimit(const QString& drive, int code);
+// The temperatures that a drive reports, in °C. Empty: not reported.
+struct Heat
+{
+    std::optional<double> board;
+    std::optional<double> motor;
+};
+// A fault by heat. `then`: at the fault. The remedy shows how the drive cools down.
+[[nodiscard]] AlarmCase tooHot(const QString& drive, int faultCode, const Heat& then, const Heat& now);
+[[nodiscard]] AlarmCase activeLimit(const QString& drive, int code, const Heat& now);
 [[nodiscard]] QString limitClause(int code);  // added to a sentence of core/supervision
 [[nodiscard]] AlarmCase supervised(const supervision::Observed& observed);
 // The alarm that warns of the symptom. If it has no warning, the alarm that stops the mount.

@@ -4,7 +4,6 @@
 #include "core/alarms/catalogue.h"
 #include "core/base/text.h"
 #include "core/moteus/faults.h"
-#include "core/moteus_mount/drive_alarms.h"
 #include "core/moteus_mount/fault_class.h"
 
 #include <algorithm>
@@ -43,6 +42,11 @@ LossClass classOf(DriveLoss loss, int faultCode)
     return LossClass::Released;
 }
 
+drive_alarms::Heat heatOf(const DriveReport& report)
+{
+    return {.board = report.boardTemperature, .motor = report.motorTemperature};
+}
+
 // Something pushes the axis or is in its way. If its set-point stayed elsewhere, the drive would go on pushing.
 bool isGivingWay(Symptom symptom)
 {
@@ -65,6 +69,7 @@ std::optional<DriveWatch::Trouble> DriveWatch::watch(Drive& drive, const trackin
     }
     watchUnordered(drive, context);
     watchActiveLimit(drive, context.now);
+    watchCooling(drive, context.now);
     auto seen = supervise(drive, setpoint, context);
     if (lost) {
         const bool doubtful = lost->turnDoubtful || (seen && seen->turnDoubtful);
@@ -185,12 +190,36 @@ void DriveWatch::watchActiveLimit(const Drive& drive, SteadyTime now)
     const auto& report = drive.report();
     if (report && report->mode == moteus::Mode::Position && moteus::isLimit(report->fault)) {
         m_limitSeen = now;
-        const AlarmCase limit = drive_alarms::activeLimit(drive.label(), report->fault);
+        // A single reply without a temperature must not make another alarm.
+        const drive_alarms::Heat heat = heatOf(*report);
+        m_limitHeat = {.board = heat.board ? heat.board : m_limitHeat.board,
+                       .motor = heat.motor ? heat.motor : m_limitHeat.motor};
+        const AlarmCase limit = drive_alarms::activeLimit(drive.label(), report->fault, m_limitHeat);
         m_alarms.raise(limit.entry.of(m_which), limit.arguments);
     } else if (m_limitSeen && now - *m_limitSeen > kLimitLinger) {
         m_limitSeen.reset();
+        m_limitHeat = {};
         m_alarms.clear(alarmEntry("drive.limit").of(m_which));
     }
+}
+
+// While a fault by heat waits for its re-arm, its alarm shows how the drive cools down. It stays the same alarm.
+void DriveWatch::watchCooling(const Drive& drive, SteadyTime now)
+{
+    const auto& report = drive.report();
+    const bool hot =
+        report && report->mode == moteus::Mode::Fault && classOfFault(report->fault) == LossClass::OverTemperature;
+    if (!hot) {
+        m_faultHeat.reset();
+        return;
+    }
+    if (!drive.answering(now) || !m_alarms.active(alarmEntry("drive.fault").of(m_which))) {
+        return;
+    }
+    const drive_alarms::Heat heat = heatOf(*report);
+    m_faultHeat = m_faultHeat.value_or(heat);
+    const AlarmCase fault = drive_alarms::tooHot(drive.label(), report->fault, *m_faultHeat, heat);
+    m_alarms.raise(fault.entry.of(m_which), fault.arguments);
 }
 
 supervision::AxisObservation DriveWatch::observation(Drive& drive, const tracking::Setpoint& setpoint,
@@ -224,7 +253,8 @@ supervision::AxisObservation DriveWatch::observation(Drive& drive, const trackin
         .boardTemperature = report.boardTemperature,
         .motorTemperature = report.motorTemperature,
         .limit = moteus::isLimit(report.fault) ? drive_alarms::limitClause(report.fault) : QString(),
-        .turnKnown = context.turnKnown};
+        .turnKnown = context.turnKnown,
+        .turnEntered = context.turnEntered};
 }
 
 std::optional<DriveWatch::Trouble> DriveWatch::supervise(Drive& drive, const tracking::Setpoint& setpoint,
@@ -251,6 +281,9 @@ std::optional<DriveWatch::Trouble> DriveWatch::supervise(Drive& drive, const tra
         tell(observed);
         const bool jump = observed.symptom == Symptom::EncoderJump && now.jumped;
         const bool stop = observed.weight == Weight::Stop;
+        // Perhaps the axis is at the end of its cable, one wrap away from the entered position.
+        const bool wrongWrap =
+            stop && isGivingWay(observed.symptom) && observed.symptom != Symptom::OutsideTravel && context.turnEntered;
         const bool begins = stop && !m_stops.contains(observed.symptom);
         if (stop) {
             stops.insert(observed.symptom);
@@ -258,8 +291,10 @@ std::optional<DriveWatch::Trouble> DriveWatch::supervise(Drive& drive, const tra
         if (jump || (begins && !trouble)) {
             trouble = Trouble{.what = observed.what,
                               .stops = stop || (trouble && trouble->stops),
-                              .turnDoubtful = jump,
+                              .turnDoubtful = jump || wrongWrap,
                               .gaveWay = stop && isGivingWay(observed.symptom)};
+        } else if (begins && wrongWrap) {
+            trouble->turnDoubtful = true;
         }
     }
     m_stops = std::move(stops);

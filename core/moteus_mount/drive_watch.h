@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/alarms/alarm_board.h"
+#include "core/moteus_mount/drive_alarms.h"
 #include "core/moteus_mount/drive_pair.h"
 #include "core/moteus_mount/silence_alarms.h"
 #include "core/supervision/axis_supervisor.h"
@@ -26,6 +27,8 @@ public:
         UtcTime utc{};         // the same moment, for texts
         Seconds running{0.0};  // since the start of the program, or since the bus was taken back
         bool turnKnown = false;
+        // The wrap is known only from what the operator entered, and it may be wrong.
+        bool turnEntered = false;
         bool turnAsked = false;  // the operator is asked for the wrap
         bool faultLatched = false;
         bool ownOrders = false;            // the program is closing: a drive may still obey our last command
@@ -73,6 +76,7 @@ private:
     void endSilence();
     void watchUnordered(const Drive& drive, const Context& context);
     void watchActiveLimit(const Drive& drive, SteadyTime now);
+    void watchCooling(const Drive& drive, SteadyTime now);
     [[nodiscard]] std::optional<Trouble> supervise(Drive& drive, const tracking::Setpoint& setpoint,
                                                    const Context& context);
     [[nodiscard]] supervision::AxisObservation observation(Drive& drive, const tracking::Setpoint& setpoint,
@@ -94,6 +98,9 @@ private:
     SteadyTime m_placed{};                    // when the position that the supervisor saw last was received
     std::optional<SteadyTime> m_activeSince;  // active without our commands since then
     std::optional<SteadyTime> m_limitSeen;    // when the drive last reported an active limit
+    drive_alarms::Heat m_limitHeat;           // the last temperatures during this limit
+    // The temperatures at a fault by heat, while the fault lasts.
+    std::optional<drive_alarms::Heat> m_faultHeat;
 };
 
 }  // namespace boresight

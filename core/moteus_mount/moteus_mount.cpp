@@ -254,6 +254,7 @@ void MoteusMount::watchDrives(const MountSituation& known, MountFindings& found)
                                           .utc = m_clock.utc(),
                                           .running = m_now - m_started,
                                           .turnKnown = m_turns.known(axis),
+                                          .turnEntered = m_turns.entered(axis),
                                           .turnAsked = m_turns.asked(axis),
                                           .faultLatched = known.faultLatched || !found.troubles.empty(),
                                           .ownOrders = known.closing,
@@ -277,16 +278,17 @@ void MoteusMount::watchDrives(const MountSituation& known, MountFindings& found)
     }
 }
 
-// An axis that can not follow must stay where it is, so its set-point must not pull it any further. An axis whose angle
-// has jumped gets no set-point, because nobody knows where its drive would move for that set-point.
+// An axis that can not follow must stay where it is, so its set-point must not pull it any further, also if its wrap is
+// in doubt. An axis whose angle has jumped gets no set-point, because nobody knows where its drive would move for that
+// set-point.
 void MoteusMount::stopFor(Axis axis, const DriveWatch::Trouble& trouble, MountFindings& found)
 {
     found.troubles.push_back({.axis = axis, .loss = trouble.loss, .what = trouble.what});
     interruptProof();
-    if (trouble.turnDoubtful) {
-        m_drives.drive(axis).hold();
-    } else if (trouble.gaveWay) {
+    if (trouble.gaveWay) {
         m_drives.drive(axis).yield();  // its set-point is moved there when the drive is captured again
+    } else if (trouble.turnDoubtful) {
+        m_drives.drive(axis).hold();
     }
 }
 

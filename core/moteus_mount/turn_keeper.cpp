@@ -17,6 +17,8 @@ namespace {
 constexpr std::chrono::seconds kMovingPeriod{1};
 // For a standing axis only changes are recorded, and the time at this interval: a younger record is the better proof.
 constexpr std::chrono::minutes kRestingPeriod{5};
+constexpr Angle kWrap = Angle::fromDegrees(360.0);
+constexpr Angle kTightens = Angle::fromDegrees(20.0);  // a cable, before its end
 constexpr Angle kWorthNoting = Angle::fromDegrees(0.1);
 // An eye at the mast estimates an angle this well.
 constexpr Angle kEyeSight = Angle::fromDegrees(20.0);
@@ -74,7 +76,8 @@ std::optional<journal::TurnRecord>& TurnKeeper::record(Axis axis)
 void TurnKeeper::forget(Axis axis, const std::optional<QString>& doubt)
 {
     State& mine = state(axis);
-    mine = {.doubt = doubt ? doubt : mine.doubt, .since = m_clock.now()};
+    mine = {
+        .doubt = doubt ? doubt : mine.doubt, .since = m_clock.now(), .entered = doubt ? std::nullopt : mine.entered};
     if (doubt && axis == Axis::Azimuth) {
         m_anchor.reset();  // the axis was perhaps not there any more
     }
@@ -161,6 +164,7 @@ void TurnKeeper::judge(Axis axis, const drive_check::DriveFacts& facts, Drive& d
                 state(axis).notBefore = now + kHeartbeat;
             } else {
                 watchOrigin(axis, facts);
+                watchEntered(axis, drive);
             }
             break;
     }
@@ -170,8 +174,29 @@ void TurnKeeper::becomeKnown(Axis axis, const Drive& drive)
 {
     // Unless the judgement proved the wrap at once, the position of the drive was written since the last reading.
     const SteadyTime since = state(axis).phase == Phase::Unjudged ? state(axis).since : m_clock.now();
-    state(axis) = {.phase = Phase::Known, .since = since, .homeState = drive.report()->homeState};
+    state(axis) = {
+        .phase = Phase::Known, .since = since, .homeState = drive.report()->homeState, .entered = state(axis).entered};
     m_log.add(Severity::Advisory, toQString(drive.name()), Text::tr("position confirmed"));
+}
+
+// Another wrap is excluded when it would have taken the axis beyond its stops. While it is not, and the end of the
+// cable would be near on it, a pull may be that end.
+void TurnKeeper::watchEntered(Axis axis, const Drive& drive)
+{
+    State& mine = state(axis);
+    if (!mine.entered) {
+        return;
+    }
+    const pointing::AxisGeometry& geometry = m_profile->axis(axis).geometry;
+    const Angle here = geometry.toAxis(drive.place()->position);
+    *mine.entered = {.min = std::min(mine.entered->min, here), .max = std::max(mine.entered->max, here)};
+    const auto& [low, high] = geometry.travel;
+    const bool isBelow = mine.entered->min - kWrap >= low - journal::kBeyondTravel;
+    const bool isAbove = mine.entered->max + kWrap <= high + journal::kBeyondTravel;
+    mine.nearEnd = (isBelow && here - kWrap < low + kTightens) || (isAbove && here + kWrap > high - kTightens);
+    if (!isBelow && !isAbove) {
+        mine.entered.reset();
+    }
 }
 
 // After a jog the axis is not where the journal has it.
@@ -378,6 +403,7 @@ Result<> TurnKeeper::choose(Axis axis, Angle angle, Drive& drive, const QString&
                            .arg(degreesText(place)));
     }
     settle(axis, place, asked->period, drive, source, Text::tr("chosen"));
+    state(axis).entered = TravelRange{.min = place, .max = place};
     return {};
 }
 
@@ -393,7 +419,7 @@ void TurnKeeper::settle(Axis axis, Angle angle, Angle period, Drive& drive, cons
         becomeKnown(axis, drive);
         return;
     }
-    state(axis) = {.phase = Phase::Writing};
+    state(axis) = {.phase = Phase::Writing, .entered = state(axis).entered};
     drive.reference(place, near);
 }
 

@@ -57,6 +57,8 @@ public:
     void setCourse(const std::optional<SensorCourse>& course) { m_course = course; }
 
     [[nodiscard]] bool known(Axis axis) const { return state(axis).phase == Phase::Known; }
+    // The wrap is known only from what the operator entered, and on another one the end of the cable would be near.
+    [[nodiscard]] bool entered(Axis axis) const { return known(axis) && state(axis).entered && state(axis).nearEnd; }
     [[nodiscard]] bool asked(Axis axis) const { return state(axis).phase == Phase::Asked; }
     // Why the position entered at the start of the program was not used. Empty if it was used or none was entered.
     [[nodiscard]] const QString& placeProblem(Axis axis) const { return m_placeProblems[index(axis)]; }
@@ -95,6 +97,9 @@ private:
         moteus::HomeState homeState = moteus::HomeState::Relative;  // while the wrap is known
         std::optional<moteus::CountOrigin> origin{};                // while the wrap is known. Empty: not read yet
         drive_check::OriginReading other{};                         // the last reading, if it differs from `origin`
+        // Where the axis was since the operator entered its wrap. Empty: the wrap is not in doubt.
+        std::optional<TravelRange> entered{};
+        bool nearEnd = false;  // on another wrap that is not excluded
     };
 
     [[nodiscard]] State& state(Axis axis) { return m_states[index(axis)]; }
@@ -112,6 +117,7 @@ private:
     void countFromTheMiddle(Axis axis, Drive& drive);
     void watchJog(Axis axis, const Drive& drive);
     void watchOrigin(Axis axis, const drive_check::DriveFacts& facts);
+    void watchEntered(Axis axis, const Drive& drive);
     [[nodiscard]] bool isSameOrigin(Axis axis, const drive_check::DriveFacts& facts,
                                     const moteus::CountOrigin& one) const;
     [[nodiscard]] Angle period(Axis axis, const drive_check::DriveFacts& facts) const;

@@ -33,6 +33,7 @@ struct DriverKind
 {
     AxisDriver driver;
     std::string_view name;       // in the profile
+    std::string_view title;      // for people, in English
     std::string_view simulated;  // description of the simulated driver, in English
     DriverLine line = DriverLine::None;
     bool onlySimulated = false;
@@ -45,25 +46,32 @@ struct DriverKind
 inline constexpr std::array kDriverKinds{
     DriverKind{.driver = AxisDriver::Moteus,
                .name = "moteus",
+               .title = QT_TRANSLATE_NOOP("Text", "moteus"),
                .simulated = "a moteus drive",
                .line = DriverLine::Can,
                .hasId = true,
                .sensorInside = true},
     DriverKind{.driver = AxisDriver::Gs232,
                .name = "gs232",
+               .title = QT_TRANSLATE_NOOP("Text", "GS-232"),
                .simulated = "a GS-232 box with relays, whole degrees and a coast",
                .line = DriverLine::Text,
                .countsItself = true},
     DriverKind{.driver = AxisDriver::Rotctld,
                .name = "rotctld",
+               .title = QT_TRANSLATE_NOOP("Text", "Hamlib (rotctld)"),
                .simulated = "a rotctld with the dummy rotator of Hamlib",
                .line = DriverLine::Rotctld,
                .countsItself = true},
     DriverKind{.driver = AxisDriver::Simple,
                .name = "simple",
+               .title = QT_TRANSLATE_NOOP("Text", "Simple (simulated)"),
                .simulated = "a rotator of whole degrees, without rates and watchdog",
                .onlySimulated = true},
-    DriverKind{.driver = AxisDriver::None, .name = "none", .simulated = {}},
+    DriverKind{.driver = AxisDriver::None,
+               .name = "none",
+               .title = QT_TRANSLATE_NOOP("Text", "No such axis"),
+               .simulated = {}},
 };
 
 [[nodiscard]] constexpr const DriverKind& kindOf(AxisDriver driver)

@@ -64,7 +64,7 @@ void addConnection(std::vector<Setting>& list)
                         &BrokerSettings::password));
     list.back().secret = true;
     list.push_back(choice(
-        "mqtt.tls", {"off", "on"}, Applies::Now,
+        "mqtt.tls", offOn(), Applies::Now,
         {QT_TRANSLATE_NOOP("Text", "TLS"),
          QT_TRANSLATE_NOOP("Text", "Encrypt the connection, and accept only a broker with a valid certificate.")},
         [](auto& p) -> auto& { return p.mqtt.tls; }));
@@ -85,7 +85,7 @@ void addConnection(std::vector<Setting>& list)
 void addTopics(std::vector<Setting>& list)
 {
     list.push_back(choice(
-        "mqtt.publish", {"off", "on"}, Applies::Now,
+        "mqtt.publish", offOn(), Applies::Now,
         {QT_TRANSLATE_NOOP("Text", "Publish"),
          QT_TRANSLATE_NOOP(
              "Text", "Whether Boresight sends the position and the state of the mount to the broker each second.")},
@@ -102,7 +102,11 @@ void addTopics(std::vector<Setting>& list)
 void addCommands(std::vector<Setting>& list)
 {
     list.push_back(choice(
-        "mqtt.commands", {"off", "stop", "drive"}, Applies::Now,
+        "mqtt.commands",
+        {{"off", QT_TRANSLATE_NOOP("Text", "No command")},
+         {"stop", QT_TRANSLATE_NOOP("Text", "Stop and read")},
+         {"drive", QT_TRANSLATE_NOOP("Text", "Move the mount")}},
+        Applies::Now,
         {QT_TRANSLATE_NOOP("Text", "Commands"),
          QT_TRANSLATE_NOOP("Text",
                            "What the topics \"command\" and \"stop\" may do. \"off\": nothing. \"stop\": stop the "
@@ -110,7 +114,7 @@ void addCommands(std::vector<Setting>& list)
                            "these topics of the broker has this right.")},
         [](auto& p) -> auto& { return p.mqtt.commands; }));
     list.push_back(choice(
-        "mqtt.home_assistant", {"off", "on"}, Applies::Now,
+        "mqtt.home_assistant", offOn(), Applies::Now,
         {QT_TRANSLATE_NOOP("Text", "Home Assistant"),
          QT_TRANSLATE_NOOP("Text",
                            "Whether Home Assistant finds the mount by itself. Needs mqtt.publish. The buttons for STOP "

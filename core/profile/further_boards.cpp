@@ -118,7 +118,7 @@ void addBoard(std::vector<Setting>& list)
                            "ratio itself, and counts turns of the axis.")},
         [](auto& p) -> auto& { return p.thirdAxis.axis.geometry.gearRatio; }));
     list.push_back(choice(
-        "third_axis.power_up_position", {"ambiguous", "trusted"}, kOnReconnect,
+        "third_axis.power_up_position", powerUpChoices(), kOnReconnect,
         {QT_TRANSLATE_NOOP("Text", "Position after power-up"),
          QT_TRANSLATE_NOOP("Text",
                            "\"trusted\" if the position after power-up is always right: an encoder on the axis. "

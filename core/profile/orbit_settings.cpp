@@ -60,7 +60,7 @@ std::vector<SettingOf<orbit::SatelliteMark>> makeSatelliteSettings()
              QT_TRANSLATE_NOOP("Text", "Number of the satellite in the catalogue of NORAD.")},
             [](auto& row) -> auto& { return row.number; }),
         mayBeLeftOut(choice<SatelliteMark>(
-            "favourite", {"off", "on"}, kNow,
+            "favourite", offOn(), kNow,
             {QT_TRANSLATE_NOOP("Text", "Favourite"),
              QT_TRANSLATE_NOOP("Text",
                                "Whether the satellite is a favourite, with a star and a place in the timeline.")},
@@ -110,7 +110,12 @@ void addOrbit(std::vector<Setting>& list)
          QT_TRANSLATE_NOOP("Text", "The mount aims at the place where the tracked satellite will be after this time.")},
         [](auto& p) -> auto& { return p.orbit.lead; }));
     list.push_back(choice(
-        "orbit.refraction", {"by_kind", "none", "light", "radio"}, kNow,
+        "orbit.refraction",
+        {{"by_kind", QT_TRANSLATE_NOOP("Text", "By kind of target")},
+         {"none", QT_TRANSLATE_NOOP("Text", "Off")},
+         {"light", QT_TRANSLATE_NOOP("Text", "Optical")},
+         {"radio", QT_TRANSLATE_NOOP("Text", "Radio")}},
+        kNow,
         {QT_TRANSLATE_NOOP("Text", "Refraction"),
          QT_TRANSLATE_NOOP("Text",
                            "Which refraction of the air Boresight applies. By kind: Sun, Moon and planets like light, "
@@ -122,7 +127,11 @@ void addOrbit(std::vector<Setting>& list)
 void addClientLock(std::vector<Setting>& list)
 {
     list.push_back(choice(
-        "clients.lock", {"always", "ask", "never"}, kNow,
+        "clients.lock",
+        {{"always", QT_TRANSLATE_NOOP("Text", "Always")},
+         {"ask", QT_TRANSLATE_NOOP("Text", "Ask")},
+         {"never", QT_TRANSLATE_NOOP("Text", "Never")}},
+        kNow,
         {QT_TRANSLATE_NOOP("Text", "Lock to the target of a client"),
          QT_TRANSLATE_NOOP("Text",
                            "What Boresight does when it recognises the target that a client tracks, such as a "
@@ -159,7 +168,7 @@ void addAzel(std::vector<Setting>& list)
                            "only the interval counts.")},
         [](auto& p) -> auto& { return p.azel.beamFraction; }));
     list.push_back(choice(
-        "azel.only_while_receiving", {"off", "on"}, kNow,
+        "azel.only_while_receiving", offOn(), kNow,
         {QT_TRANSLATE_NOOP("Text", "Move only while receiving"),
          QT_TRANSLATE_NOOP(
              "Text",
@@ -170,7 +179,11 @@ void addAzel(std::vector<Setting>& list)
 void addPosition(std::vector<Setting>& list)
 {
     list.push_back(choice(
-        "position.source", {"none", "udp", "mqtt"}, kNow,
+        "position.source",
+        {{"none", QT_TRANSLATE_NOOP("Text", "None")},
+         {"udp", QT_TRANSLATE_NOOP("Text", "UDP")},
+         {"mqtt", QT_TRANSLATE_NOOP("Text", "MQTT broker")}},
+        kNow,
         {QT_TRANSLATE_NOOP("Text", "Source"),
          QT_TRANSLATE_NOOP("Text",
                            "How Boresight receives the position of a balloon or a rocket to track: by UDP on a port of "

@@ -144,7 +144,11 @@ bool isAnotherOutput(const std::string& before, const BrokerSettings& brokerBefo
 void addPower(std::vector<Setting>& list)
 {
     list.push_back(choice(
-        "power.source", {"none", "udp", "tcp"}, Applies::Now,
+        "power.source",
+        {{"none", QT_TRANSLATE_NOOP("Text", "None")},
+         {"udp", QT_TRANSLATE_NOOP("Text", "Listen by UDP")},
+         {"tcp", QT_TRANSLATE_NOOP("Text", "Connect by TCP")}},
+        Applies::Now,
         {QT_TRANSLATE_NOOP("Text", "Source"),
          QT_TRANSLATE_NOOP("Text",
                            "Whether a receiver reports the received power for the cross scan, one number in dB per "
@@ -193,7 +197,7 @@ void addTransmit(std::vector<Setting>& list)
                            "At 0.5 the antenna sends half of its best power to the target.")},
         [](auto& p) -> auto& { return p.transmit.beamFraction; }));
     list.push_back(choice(
-        "transmit.in_simulation", {"off", "on"}, Applies::Now,
+        "transmit.in_simulation", offOn(), Applies::Now,
         {QT_TRANSLATE_NOOP("Text", "Also with a simulated mount"),
          QT_TRANSLATE_NOOP("Text",
                            "With \"off\" the output stays off while the mount is simulated, because the real antenna "
@@ -281,14 +285,19 @@ void addEndSwitches(std::vector<Setting>& list)
                            "A rotator that reports its position seldom needs a larger value.")},
         [](auto& p) -> auto& { return p.endSwitches.lostSteps; }));
     list.push_back(choice(
-        "end_switches.pressed_when", {"off", "on"}, Applies::Now,
+        "end_switches.pressed_when",
+        {{"off", QT_TRANSLATE_NOOP("Text", "Input is off")}, {"on", QT_TRANSLATE_NOOP("Text", "Input is on")}},
+        Applies::Now,
         {QT_TRANSLATE_NOOP("Text", "Pressed when"),
          QT_TRANSLATE_NOOP("Text",
                            "What the input reads while its switch is pressed. \"off\" suits a switch that opens its "
                            "circuit when it is pressed: a broken wire then counts as pressed.")},
         [](auto& p) -> auto& { return p.endSwitches.pressedWhen; }));
     list.push_back(choice(
-        "end_switches.when_unread", {"pressed", "ignored"}, Applies::Now,
+        "end_switches.when_unread",
+        {{"pressed", QT_TRANSLATE_NOOP("Text", "Counts as pressed")},
+         {"ignored", QT_TRANSLATE_NOOP("Text", "Alarm only")}},
+        Applies::Now,
         {QT_TRANSLATE_NOOP("Text", "If it cannot be read"),
          QT_TRANSLATE_NOOP(
              "Text",

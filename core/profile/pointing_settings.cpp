@@ -130,7 +130,9 @@ void checkGeometry(std::vector<Problem>& problems, const Profile& profile)
 void addMountGeometry(std::vector<Setting>& list)
 {
     list.push_back(choice(
-        "mount.geometry", {"az-el", "x-y"}, Applies::OnReconnect,
+        "mount.geometry",
+        {{"az-el", QT_TRANSLATE_NOOP("Text", "Azimuth/elevation")}, {"x-y", QT_TRANSLATE_NOOP("Text", "X/Y")}},
+        Applies::OnReconnect,
         {QT_TRANSLATE_NOOP("Text", "Geometry"),
          QT_TRANSLATE_NOOP(
              "Text",

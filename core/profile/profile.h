@@ -335,7 +335,7 @@ struct SupervisionSettings
     Seconds trendAhead{300.0};  // warn when a trend reaches its limit within this time
     double torqueHint = 0.7;    // of the axis's maximum torque, for 2 s
     double torqueAtRest = 0.4;  // the same for a standing axis: more than weight and friction explain
-    double torqueUnwind = 0.4;  // the same while the wrap of the axis is unknown: the cable may be pulled
+    double torqueUnwind = 0.4;  // while the wrap is unknown or only entered: the cable may be pulled
 
     bool operator==(const SupervisionSettings&) const = default;
 };

@@ -31,8 +31,8 @@ std::string bounds(const SettingOf<Owner>& setting)
             return records::decimal(setting.min) + "…" + records::decimal(setting.max);
         case SettingType::Choice: {
             std::string text = "one of";
-            for (const std::string& name : setting.choices) {
-                text += " " + records::inQuotes(name);
+            for (const SettingChoice& one : setting.choices) {
+                text += " " + records::inQuotes(one.word);
             }
             return text;
         }

@@ -148,13 +148,16 @@ void addGpredict(std::vector<Setting>& list)
 void addSun(std::vector<Setting>& list)
 {
     list.push_back(choice(
-        "sun.keep_away", {"off", "on"}, Applies::Now,
+        "sun.keep_away", offOn(), Applies::Now,
         {QT_TRANSLATE_NOOP("Text", "Keep away from the Sun"),
          QT_TRANSLATE_NOOP("Text",
                            "Whether the beam stays away from the Sun, whatever moves the mount. This needs the site.")},
         [](auto& p) -> auto& { return p.sun.keepAway; }));
     list.push_back(choice(
-        "sun.clock", {"synchronised", "trusted"}, Applies::Now,
+        "sun.clock",
+        {{"synchronised", QT_TRANSLATE_NOOP("Text", "Only if synchronised")},
+         {"trusted", QT_TRANSLATE_NOOP("Text", "Always trusted")}},
+        Applies::Now,
         {QT_TRANSLATE_NOOP("Text", "Clock for the Sun"),
          QT_TRANSLATE_NOOP("Text",
                            "With \"synchronised\" Boresight computes the Sun only from a clock that NTP or GPS set in "

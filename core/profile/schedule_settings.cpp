@@ -97,7 +97,11 @@ void addPassHooks(std::vector<Setting>& list)
 void addSchedule(std::vector<Setting>& list)
 {
     list.push_back(choice(
-        "schedule.policy", {"priority", "longest", "first"}, kNow,
+        "schedule.policy",
+        {{"priority", QT_TRANSLATE_NOOP("Text", "The more important")},
+         {"longest", QT_TRANSLATE_NOOP("Text", "The longer")},
+         {"first", QT_TRANSLATE_NOOP("Text", "The earlier")}},
+        kNow,
         {QT_TRANSLATE_NOOP("Text", "Passes that overlap"),
          QT_TRANSLATE_NOOP("Text",
                            "Which of two overlapping passes is tracked: the pass of the more important satellite, the "
@@ -109,18 +113,22 @@ void addSchedule(std::vector<Setting>& list)
          QT_TRANSLATE_NOOP("Text", "The schedule sends the mount to the beginning of a pass this long before it.")},
         [](auto& p) -> auto& { return p.schedule.lead; }));
     list.push_back(choice(
-        "schedule.between", {"hold", "unwind", "park"}, kNow,
+        "schedule.between",
+        {{"hold", QT_TRANSLATE_NOOP("Text", "Hold position")},
+         {"unwind", QT_TRANSLATE_NOOP("Text", "Unwrap the cable")},
+         {"park", QT_TRANSLATE_NOOP("Text", "Park")}},
+        kNow,
         {QT_TRANSLATE_NOOP("Text", "Between passes"),
          QT_TRANSLATE_NOOP(
              "Text", "What the mount does after a pass while the schedule is armed. \"unwind\" unwraps the cable.")},
         [](auto& p) -> auto& { return p.schedule.between; }));
     list.push_back(choice(
-        "schedule.park_after", {"off", "on"}, kNow,
+        "schedule.park_after", offOn(), kNow,
         {QT_TRANSLATE_NOOP("Text", "Park after the passes"),
          QT_TRANSLATE_NOOP("Text", "Whether the schedule parks the mount when no pass follows for half an hour.")},
         [](auto& p) -> auto& { return p.schedule.parkAfter; }));
     list.push_back(choice(
-        "schedule.unattended", {"off", "on"}, kNow,
+        "schedule.unattended", offOn(), kNow,
         {QT_TRANSLATE_NOOP("Text", "Unattended"),
          QT_TRANSLATE_NOOP("Text",
                            "With \"off\" nothing moves after a start until a person arms the schedule. With \"on\" it "

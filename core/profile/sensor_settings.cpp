@@ -47,7 +47,12 @@ Setting line(const std::string& key, const Words& words, std::string SensorSetti
 void addTransport(std::vector<Setting>& list)
 {
     list.push_back(choice(
-        "sensor.source", {"none", "serial", "mqtt", "simulated"}, kNow,
+        "sensor.source",
+        {{"none", QT_TRANSLATE_NOOP("Text", "None")},
+         {"serial", QT_TRANSLATE_NOOP("Text", "Serial port")},
+         {"mqtt", QT_TRANSLATE_NOOP("Text", "MQTT broker")},
+         {"simulated", QT_TRANSLATE_NOOP("Text", "Simulated sensor")}},
+        kNow,
         {QT_TRANSLATE_NOOP("Text", "Source"),
          QT_TRANSLATE_NOOP("Text",
                            "Whether an independent orientation sensor is on the antenna, and how Boresight reads it. "
@@ -81,14 +86,20 @@ void addTransport(std::vector<Setting>& list)
 void addMounting(std::vector<Setting>& list)
 {
     list.push_back(choice(
-        "sensor.azimuth_sense", {"clockwise", "counterclockwise"}, kNow,
+        "sensor.azimuth_sense",
+        {{"clockwise", QT_TRANSLATE_NOOP("Text", "Clockwise")},
+         {"counterclockwise", QT_TRANSLATE_NOOP("Text", "Counterclockwise")}},
+        kNow,
         {QT_TRANSLATE_NOOP("Text", "Azimuth direction"),
          QT_TRANSLATE_NOOP("Text",
                            "The direction in which the sensor's azimuth grows, seen from above. It depends on the "
                            "mounting. Turn the mount and watch the value.")},
         [](auto& p) -> auto& { return p.sensor.mounting.sense; }));
     list.push_back(choice(
-        "sensor.elevation_sense", {"up", "down"}, kNow,
+        "sensor.elevation_sense",
+        {{"up", QT_TRANSLATE_NOOP("Text", "Same as the beam")},
+         {"down", QT_TRANSLATE_NOOP("Text", "Opposite to the beam")}},
+        kNow,
         {QT_TRANSLATE_NOOP("Text", "Elevation direction"),
          QT_TRANSLATE_NOOP(
              "Text",
@@ -172,7 +183,11 @@ void addDeclination(std::vector<Setting>& list)
 {
     constexpr Range kDeclination{-180.0, 180.0};
     list.push_back(choice(
-        "sensor.declination_by", {"sensor", "boresight", "none"}, kNow,
+        "sensor.declination_by",
+        {{"sensor", QT_TRANSLATE_NOOP("Text", "Sensor")},
+         {"boresight", QT_TRANSLATE_NOOP("Text", "Boresight")},
+         {"none", QT_TRANSLATE_NOOP("Text", "Nowhere")}},
+        kNow,
         {QT_TRANSLATE_NOOP("Text", "Declination applied by"),
          QT_TRANSLATE_NOOP("Text",
                            "Where the magnetic declination is applied: in the sensor alone, in Boresight alone (for "

@@ -35,7 +35,10 @@ void addMount(std::vector<Setting>& list)
          QT_TRANSLATE_NOOP("Text", "Half-power beam width of the antenna. The sky shows it as a circle.")},
         [](auto& p) -> auto& { return p.mount.beamWidth; }));
     list.push_back(choice(
-        "mount.directions", {"confirmed", "unconfirmed"}, Applies::Now,
+        "mount.directions",
+        {{"confirmed", QT_TRANSLATE_NOOP("Text", "Confirmed")},
+         {"unconfirmed", QT_TRANSLATE_NOOP("Text", "Not confirmed")}},
+        Applies::Now,
         {QT_TRANSLATE_NOOP("Text", "Directions confirmed"),
          QT_TRANSLATE_NOOP("Text",
                            "Whether somebody has checked that each axis turns in the direction of this file. Until "
@@ -84,13 +87,13 @@ void addMount(std::vector<Setting>& list)
         [](const std::string& text) { return parseWatchedBoard(text).map([](const WatchedBoard&) {}); }));
 }
 
-std::vector<std::string> driverNames()
+std::vector<SettingChoice> drivers()
 {
-    std::vector<std::string> names;
+    std::vector<SettingChoice> choices;
     for (const DriverKind& kind : kDriverKinds) {
-        names.emplace_back(kind.name);
+        choices.push_back({std::string(kind.name), std::string(kind.title)});
     }
-    return names;
+    return choices;
 }
 
 void addGeometry(std::vector<Setting>& list, const std::string& table, AxisSettings Profile::*axis)
@@ -98,7 +101,7 @@ void addGeometry(std::vector<Setting>& list, const std::string& table, AxisSetti
     constexpr auto kOnReconnect = Applies::OnReconnect;
     constexpr Range kTravel{-3600.0, 3600.0};
     list.push_back(choice(
-        table + ".driver", driverNames(), kOnReconnect,
+        table + ".driver", drivers(), kOnReconnect,
         {QT_TRANSLATE_NOOP("Text", "Driver"), kDriverMeaning}, [axis](auto& p) -> auto& { return (p.*axis).driver; }));
     list.push_back(integer(
         table + ".id", "", {1, 126}, kOnReconnect,
@@ -121,7 +124,9 @@ void addGeometry(std::vector<Setting>& list, const std::string& table, AxisSetti
          QT_TRANSLATE_NOOP("Text", "Turns of the motor for one turn of the axis.")},
         [axis](auto& p) -> auto& { return (p.*axis).geometry.gearRatio; }));
     list.push_back(choice(
-        table + ".gear_in", {"drive", "host"}, kOnReconnect,
+        table + ".gear_in",
+        {{"drive", QT_TRANSLATE_NOOP("Text", "Drive")}, {"host", QT_TRANSLATE_NOOP("Text", "This computer")}},
+        kOnReconnect,
         {QT_TRANSLATE_NOOP("Text", "Gear ratio applied in"),
          QT_TRANSLATE_NOOP(
              "Text",
@@ -172,7 +177,7 @@ void addLimits(std::vector<Setting>& list, const std::string& table, AxisSetting
          QT_TRANSLATE_NOOP("Text", "The largest torque that the drive uses, as its controller measures it.")},
         [axis](auto& p) -> auto& { return (p.*axis).maxTorque; }));
     list.push_back(choice(
-        table + ".power_up_position", {"ambiguous", "trusted"}, Applies::OnReconnect,
+        table + ".power_up_position", powerUpChoices(), Applies::OnReconnect,
         {QT_TRANSLATE_NOOP("Text", "Position after power-up"),
          QT_TRANSLATE_NOOP(
              "Text",
@@ -180,7 +185,9 @@ void addLimits(std::vector<Setting>& list, const std::string& table, AxisSetting
              "one turn. Otherwise the axis points only while the drive reports a referenced output.")},
         [axis](auto& p) -> auto& { return (p.*axis).powerUpPosition; }));
     list.push_back(choice(
-        table + ".timeout_mode", {"hold", "brake"}, Applies::OnReconnect,
+        table + ".timeout_mode",
+        {{"hold", QT_TRANSLATE_NOOP("Text", "Hold position")}, {"brake", QT_TRANSLATE_NOOP("Text", "Brake")}},
+        Applies::OnReconnect,
         {QT_TRANSLATE_NOOP("Text", "If commands stop"),
          QT_TRANSLATE_NOOP("Text",
                            "What the drive does by itself when its watchdog expires: \"hold\" (servo.timeout_mode 10) "
@@ -191,7 +198,7 @@ void addLimits(std::vector<Setting>& list, const std::string& table, AxisSetting
 void addRotator(std::vector<Setting>& list)
 {
     list.push_back(choice(
-        "rotator.rare_starts", {"off", "on"}, Applies::OnReconnect,
+        "rotator.rare_starts", offOn(), Applies::OnReconnect,
         {QT_TRANSLATE_NOOP("Text", "Rare motor starts"),
          QT_TRANSLATE_NOOP("Text",
                            "\"on\" starts the motors of a rotator seldom. Choose it if the control box only switches "
@@ -252,7 +259,9 @@ void addControl(std::vector<Setting>& list)
          QT_TRANSLATE_NOOP("Text", "The drives stop by themselves after this time without a command.")},
         [](auto& p) -> auto& { return p.control.watchdog; }));
     list.push_back(choice(
-        "control.arrival", {"separate", "together"}, Applies::Now,
+        "control.arrival",
+        {{"separate", QT_TRANSLATE_NOOP("Text", "Separately")}, {"together", QT_TRANSLATE_NOOP("Text", "Together")}},
+        Applies::Now,
         {QT_TRANSLATE_NOOP("Text", "Arrival of the axes"),
          QT_TRANSLATE_NOOP(
              "Text",
@@ -260,14 +269,20 @@ void addControl(std::vector<Setting>& list)
              "\"together\": the faster axis slows down so that both arrive at the same time.")},
         [](auto& p) -> auto& { return p.control.arrival; }));
     list.push_back(choice(
-        "control.after_stall", {"resume", "wait"}, Applies::Now,
+        "control.after_stall",
+        {{"resume", QT_TRANSLATE_NOOP("Text", "Resume")}, {"wait", QT_TRANSLATE_NOOP("Text", "Wait for re-arm")}},
+        Applies::Now,
         {QT_TRANSLATE_NOOP("Text", "After a stall"),
          QT_TRANSLATE_NOOP("Text",
                            "What Boresight does after this computer stalled for up to 2 s and the watchdogs stopped "
                            "the drives: resume the motion, or wait for a re-arm.")},
         [](auto& p) -> auto& { return p.control.afterStall; }));
     list.push_back(choice(
-        "control.on_exit", {"hold", "brake", "off"}, Applies::Now,
+        "control.on_exit",
+        {{"hold", QT_TRANSLATE_NOOP("Text", "Hold position")},
+         {"brake", QT_TRANSLATE_NOOP("Text", "Brake")},
+         {"off", QT_TRANSLATE_NOOP("Text", "Torque off")}},
+        Applies::Now,
         {QT_TRANSLATE_NOOP("Text", "At program end"),
          QT_TRANSLATE_NOOP("Text",
                            "The state of the drives after the program ends. \"hold\" needs servo.timeout_mode 10 in "
@@ -342,7 +357,11 @@ void addClients(std::vector<Setting>& list)
                            "Empty: every client that reaches the port.")},
         [](auto& p) -> auto& { return p.rotctld.allow; }, checkNetwork));
     list.push_back(choice(
-        "rotctld.lead", {"first", "last", "locked"}, Applies::Now,
+        "rotctld.lead",
+        {{"first", QT_TRANSLATE_NOOP("Text", "First client")},
+         {"last", QT_TRANSLATE_NOOP("Text", "Latest client")},
+         {"locked", QT_TRANSLATE_NOOP("Text", "One client only")}},
+        Applies::Now,
         {QT_TRANSLATE_NOOP("Text", "Control goes to"),
          QT_TRANSLATE_NOOP("Text",
                            "Which client moves the mount. \"first\": the first client, until it has sent no motion "
@@ -358,19 +377,28 @@ void addClients(std::vector<Setting>& list)
             return (text.empty() ? Result<>{} : checkAddress(text)).map([&] { p.rotctld.lockedTo = text; });
         }));
     list.push_back(choice(
-        "rotctld.outside_limits", {"nearest", "refuse"}, Applies::Now,
+        "rotctld.outside_limits",
+        {{"nearest", QT_TRANSLATE_NOOP("Text", "Nearest point")}, {"refuse", QT_TRANSLATE_NOOP("Text", "Refuse")}},
+        Applies::Now,
         {QT_TRANSLATE_NOOP("Text", "Target outside the limits"),
          QT_TRANSLATE_NOOP("Text", "Go to the nearest permitted point, or refuse the command.")},
         [](auto& p) -> auto& { return p.rotctld.outsideLimits; }));
     list.push_back(choice(
-        "rotctld.azimuth", {"0..360", "-180..180", "continuous"}, Applies::Now,
+        "rotctld.azimuth",
+        {{"0..360", QT_TRANSLATE_NOOP("Text", "0…360°")},
+         {"-180..180", QT_TRANSLATE_NOOP("Text", "-180…180°")},
+         {"continuous", QT_TRANSLATE_NOOP("Text", "Continuous")}},
+        Applies::Now,
         {QT_TRANSLATE_NOOP("Text", "Azimuth for clients"),
          QT_TRANSLATE_NOOP(
              "Text",
              "The form of the reported azimuth. \"continuous\" counts the turns of the axis: 370° is not 10°.")},
         [](auto& p) -> auto& { return p.rotctld.azimuth; }));
     list.push_back(choice(
-        "rotctld.dump_state", {"old_and_new", "as_hamlib"}, Applies::OnReconnect,
+        "rotctld.dump_state",
+        {{"old_and_new", QT_TRANSLATE_NOOP("Text", "Old and new Hamlib")},
+         {"as_hamlib", QT_TRANSLATE_NOOP("Text", "As Hamlib 4.5.1")}},
+        Applies::OnReconnect,
         {QT_TRANSLATE_NOOP("Text", "Form of the state dump"),
          QT_TRANSLATE_NOOP("Text",
                            "Form of the \\dump_state reply. Every version of Hamlib reads \"old_and_new\". "

@@ -17,7 +17,8 @@
 
 // Describes every setting once. This list is used by the reader and the writer of the file, the commented default file,
 // the dialog and the table in the manual. The default is the value in a default Profile. Each list of the profile
-// (horizon, keep-outs, presets, watch list, satellites) has such a list for its rows.
+// (horizon, keep-outs, presets, watch list, satellites) has such a list for its rows. More than 600 lines with its
+// source, which is a table.
 namespace boresight::profile {
 
 enum class SettingType
@@ -36,7 +37,13 @@ enum class Applies
 };
 
 using TextList = std::vector<std::string>;
-using SettingValue = std::variant<std::string, std::int64_t, double, TextList>;  // Choice is a string
+using SettingValue = std::variant<std::string, std::int64_t, double, TextList>;  // Choice is a string: its word
+
+struct SettingChoice
+{
+    std::string word;   // in the file, "unwind"
+    std::string title;  // English name for people, "Unwrap the cable"; Text::of() translates it
+};
 
 template <class Owner>
 struct SettingOf
@@ -47,7 +54,7 @@ struct SettingOf
     std::string unit;  // "°/s"; empty: no unit
     double min = 0.0;  // of Integer and Number; both ends are included
     double max = 0.0;
-    std::vector<std::string> choices;
+    std::vector<SettingChoice> choices;
     std::string text;  // English sentences about its purpose; Text::of() translates them
     Applies applies = Applies::Now;
     std::function<SettingValue(const Owner&)> get;
@@ -119,6 +126,8 @@ struct Problem
 [[nodiscard]] bool isOwnServer(const BusName& rotctld, const ListenAddress& own);
 // The text of the value in the file.
 [[nodiscard]] std::string toText(const SettingValue& value);
+// The name of the choice with this word, for people. A word that is no choice stays as it is.
+[[nodiscard]] QString choiceName(const std::vector<SettingChoice>& choices, std::string_view word);
 // Shown in place of a secret.
 inline constexpr const char* kHidden = QT_TRANSLATE_NOOP("Text", "(hidden)");
 [[nodiscard]] bool hasSecrets(const Profile& profile);

@@ -9,7 +9,15 @@
 
 #include <cmath>
 
-namespace boresight::profile::makers {
+namespace boresight::profile {
+
+QString choiceName(const std::vector<SettingChoice>& choices, std::string_view word)
+{
+    const auto found = std::ranges::find(choices, word, &SettingChoice::word);
+    return found != choices.end() ? Text::of(found->title) : toQString(word);
+}
+
+namespace makers {
 
 namespace {
 
@@ -44,13 +52,27 @@ double rounded(double value)
     return std::abs(value) < kWhole ? std::round(value * kSteps) / kSteps : value;
 }
 
-QString listed(const std::vector<std::string>& names)
+QString listed(const std::vector<SettingChoice>& choices)
 {
     QStringList list;
-    for (const std::string& name : names) {
-        list << QStringLiteral("\"%1\"").arg(toQString(name));
+    for (const SettingChoice& one : choices) {
+        list << QStringLiteral("\"%1\"").arg(toQString(one.word));
     }
     return list.join(QStringLiteral(", "));
+}
+
+const std::vector<SettingChoice>& offOn()
+{
+    static const std::vector<SettingChoice> choices{{"off", QT_TRANSLATE_NOOP("Text", "Off")},
+                                                    {"on", QT_TRANSLATE_NOOP("Text", "On")}};
+    return choices;
+}
+
+const std::vector<SettingChoice>& powerUpChoices()
+{
+    static const std::vector<SettingChoice> choices{{"ambiguous", QT_TRANSLATE_NOOP("Text", "Ambiguous")},
+                                                    {"trusted", QT_TRANSLATE_NOOP("Text", "Trusted")}};
+    return choices;
 }
 
 Result<> checkName(const std::string& name)
@@ -61,4 +83,6 @@ Result<> checkName(const std::string& name)
     return {};
 }
 
-}  // namespace boresight::profile::makers
+}  // namespace makers
+
+}  // namespace boresight::profile

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -31,7 +30,11 @@ struct Words
 [[nodiscard]] Result<> checkRange(double value, Range range);
 // Rounds to the decimals of the file, so that the checked value is the value that is written and read again.
 [[nodiscard]] double rounded(double value);
-[[nodiscard]] QString listed(const std::vector<std::string>& names);  // in quotes, with commas
+[[nodiscard]] QString listed(const std::vector<SettingChoice>& choices);  // their words in quotes, with commas
+// The choices of a switch: "off" and "on".
+[[nodiscard]] const std::vector<SettingChoice>& offOn();
+// The choices for the position of an axis after power-up.
+[[nodiscard]] const std::vector<SettingChoice>& powerUpChoices();
 
 // Convert between a typed field and the number in the file. The number has the unit that the setting names.
 inline double toNumber(Angle value)
@@ -153,48 +156,42 @@ SettingOf<Owner> integer(std::string_view key, std::string_view unit, Range rang
 }
 
 template <class Owner>
-SettingOf<Owner> choiceOf(std::string_view key, const std::vector<std::string>& names, Applies applies,
+SettingOf<Owner> choiceOf(std::string_view key, const std::vector<SettingChoice>& choices, Applies applies,
                           const Words& words, const Field<Owner, std::size_t>& field)
 {
     SettingOf<Owner> setting = described<Owner>(key, SettingType::Choice, applies, words);
-    setting.choices = names;
-    setting.get = [names = setting.choices, read = field.read](const Owner& owner) -> SettingValue {
-        return names.at(read(owner));
+    setting.choices = choices;
+    setting.get = [choices, read = field.read](const Owner& owner) -> SettingValue {
+        return choices.at(read(owner)).word;
     };
-    setting.set = [names = setting.choices, write = field.write](Owner& owner, const SettingValue& value) -> Result<> {
+    setting.set = [choices, write = field.write](Owner& owner, const SettingValue& value) -> Result<> {
         const auto* wanted = std::get_if<std::string>(&value);
         if (wanted == nullptr) {
             return failure(ErrorCode::InvalidInput, Text::tr("a text in quotes is expected"));
         }
-        const auto found = std::find(names.begin(), names.end(), *wanted);
-        if (found == names.end()) {
+        const auto found = std::ranges::find(choices, *wanted, &SettingChoice::word);
+        if (found == choices.end()) {
             return failure(ErrorCode::InvalidInput,
-                           Text::tr("\"%1\" is not one of %2").arg(toQString(*wanted), listed(names)));
+                           Text::tr("\"%1\" is not one of %2").arg(toQString(*wanted), listed(choices)));
         }
-        write(owner, static_cast<std::size_t>(found - names.begin()));
+        write(owner, static_cast<std::size_t>(found - choices.begin()));
         return {};
     };
     return setting;
 }
 
-// `names`: one per enumerator, in the same order.
+// `choices`: one per enumerator, in the same order.
 template <class Owner = Profile, class Access>
-SettingOf<Owner> choice(std::string_view key, const std::vector<std::string>& names, Applies applies,
+SettingOf<Owner> choice(std::string_view key, const std::vector<SettingChoice>& choices, Applies applies,
                         const Words& words, Access access)
 {
-    return choiceOf<Owner>(key, names, applies, words,
+    return choiceOf<Owner>(key, choices, applies, words,
                            {.read = [access](const Owner& owner) { return static_cast<std::size_t>(access(owner)); },
                             .write =
                                 [access](Owner& owner, std::size_t index) {
                                     auto& field = access(owner);
                                     field = static_cast<std::remove_reference_t<decltype(field)>>(index);
                                 }});
-}
-template <class Owner = Profile, class Access>
-SettingOf<Owner> choice(std::string_view key, std::initializer_list<const char*> names, Applies applies,
-                        const Words& words, Access access)
-{
-    return choice<Owner>(key, std::vector<std::string>(names.begin(), names.end()), applies, words, access);
 }
 
 // `read` returns the text of the owner. `write` sets the text, or returns what is wrong with it.

@@ -73,8 +73,8 @@ void addMotionSupervision(std::vector<Setting>& list)
         "supervision.torque_unwind_share", "", {0.05, 1.0}, kNow,
         {QT_TRANSLATE_NOOP("Text", "Torque while the wrap is unknown"),
          QT_TRANSLATE_NOOP("Text",
-                           "While the cable wrap of an axis is unknown, stop the mount at this share of the largest "
-                           "torque. A cable may pull.")},
+                           "While the cable wrap of an axis is unknown, or may have been entered wrongly, stop the "
+                           "mount at this share of the largest torque. A cable may pull.")},
         [](auto& p) -> auto& { return p.supervision.torqueUnwind; }));
 }
 
@@ -138,7 +138,9 @@ void addSupervision(std::vector<Setting>& list)
 
 void addRecovery(std::vector<Setting>& list)
 {
-    const std::vector<std::string> retry{"never", "once", "interval"};
+    const std::vector<SettingChoice> retry{{"never", QT_TRANSLATE_NOOP("Text", "Never")},
+                                           {"once", QT_TRANSLATE_NOOP("Text", "Once")},
+                                           {"interval", QT_TRANSLATE_NOOP("Text", "At intervals")}};
     list.push_back(choice(
         "recovery.over_temperature", retry, kNow,
         {QT_TRANSLATE_NOOP("Text", "Re-arm after overheating"),

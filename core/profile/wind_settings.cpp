@@ -55,7 +55,11 @@ void addReading(std::vector<Setting>& list)
         [](const Profile& p) { return p.wind.format.key; },
         [](Profile& p, const std::string& text) { return checkKey(text).map([&] { p.wind.format.key = text; }); }));
     list.push_back(choice(
-        "wind.unit", {"m/s", "km/h", "knots"}, kNow,
+        "wind.unit",
+        {{"m/s", QT_TRANSLATE_NOOP("Text", "m/s")},
+         {"km/h", QT_TRANSLATE_NOOP("Text", "km/h")},
+         {"knots", QT_TRANSLATE_NOOP("Text", "Knots")}},
+        kNow,
         {QT_TRANSLATE_NOOP("Text", "Unit"),
          QT_TRANSLATE_NOOP("Text", "The unit in which the anemometer reports. The limits below are always in m/s.")},
         [](auto& p) -> auto& { return p.wind.format.unit; }));
@@ -95,7 +99,9 @@ void addWindLimits(std::vector<Setting>& list)
          QT_TRANSLATE_NOOP("Text", "Without a reading for this long the wind is unknown.")},
         [](auto& p) -> auto& { return p.wind.silence; }));
     list.push_back(choice(
-        "wind.when_silent", {"tell", "stow"}, kNow,
+        "wind.when_silent",
+        {{"tell", QT_TRANSLATE_NOOP("Text", "Raise an alarm")}, {"stow", QT_TRANSLATE_NOOP("Text", "Park the mount")}},
+        kNow,
         {QT_TRANSLATE_NOOP("Text", "If the wind is unknown"),
          QT_TRANSLATE_NOOP("Text", "\"tell\" raises an alarm. \"stow\" parks the mount as in a strong wind.")},
         [](auto& p) -> auto& { return p.wind.whenSilent; }));
@@ -104,7 +110,9 @@ void addWindLimits(std::vector<Setting>& list)
 void addStow(std::vector<Setting>& list)
 {
     list.push_back(choice(
-        "wind.stow_at", {"park", "place"}, kNow,
+        "wind.stow_at",
+        {{"park", QT_TRANSLATE_NOOP("Text", "Park position")}, {"place", QT_TRANSLATE_NOOP("Text", "The place below")}},
+        kNow,
         {QT_TRANSLATE_NOOP("Text", "Place in a strong wind"),
          QT_TRANSLATE_NOOP("Text",
                            "Where the mount parks in a strong wind: at its park position, or at the place below.")},

@@ -34,6 +34,7 @@ void ClientHabits::take(const Command& command, SteadyTime now)
     for (std::size_t i = 0; i < command.argumentCount; ++i) {
         m_last.command.append(" ").append(command.arguments[i]);
     }
+    m_lastId = command.spec->id;
     m_lastActs = asksForMotion(command) || command.spec->id == CommandId::Stop;
     m_rate.count(now);
     noteMotion(command, now);
@@ -42,6 +43,7 @@ void ClientHabits::take(const Command& command, SteadyTime now)
 void ClientHabits::take(std::string_view command, const LineOutcome& outcome, SteadyTime now)
 {
     m_last = {.command = std::string(command)};
+    m_lastId.reset();
     m_lastActs = outcome.motion || outcome.stop;
     m_rate.count(now);
     if (outcome.motion) {
@@ -58,6 +60,16 @@ void ClientHabits::answered(const Result<>& outcome, const QString& became)
     m_last.refusal = outcome ? QString() : printable(outcome.error().text);
     if (m_lastActs) {
         m_act = m_last;
+    }
+    noteError(outcome);
+}
+
+void ClientHabits::noteError(const Result<>& outcome)
+{
+    if (m_lastId == CommandId::SetPosition) {
+        m_errors.target(outcome);
+    } else if (m_lastId == CommandId::GetPosition) {
+        m_errors.reading(outcome);
     }
 }
 

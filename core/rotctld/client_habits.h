@@ -6,6 +6,7 @@
 #include "core/rotctld/client_program.h"
 #include "core/rotctld/command_parser.h"
 #include "core/rotctld/command_rate.h"
+#include "core/rotctld/error_cycles.h"
 #include "core/rotctld/line_protocol.h"
 #include "core/rotctld/point_steps.h"
 
@@ -51,6 +52,7 @@ public:
     [[nodiscard]] double commandsPerSecond(SteadyTime now) const { return m_rate.perSecond(now); }
     [[nodiscard]] std::optional<SteadyTime> lastMotion() const { return m_lastMotion; }  // requested, accepted or not
     [[nodiscard]] std::optional<Angle> leap() const { return m_steps.leap(); }
+    [[nodiscard]] const ErrorCycles& errors() const { return m_errors; }
 
 private:
     struct Answered
@@ -61,13 +63,16 @@ private:
     };
 
     void noteMotion(const Command& command, SteadyTime now);
+    void noteError(const Result<>& outcome);
 
     ClientProgram m_program;
     CommandRate m_rate;
     PointSteps m_steps;
+    ErrorCycles m_errors;
     std::optional<SteadyTime> m_lastMotion;
     Answered m_last;
-    bool m_lastActs = false;  // it moves or stops the mount
+    std::optional<CommandId> m_lastId;  // empty in another protocol
+    bool m_lastActs = false;            // it moves or stops the mount
     std::optional<Answered> m_act;
     std::uint64_t m_oddCommands = 0;
 };

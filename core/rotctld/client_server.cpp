@@ -14,7 +14,9 @@ ClientInfo infoOf(const Client& client, const ClientHabits& habits, SteadyTime n
             .oddCommands = habits.oddCommands(),
             .commandsPerSecond = habits.commandsPerSecond(now),
             .lastMotion = habits.lastMotion(),
-            .leap = habits.leap()};
+            .leap = habits.leap(),
+            .errorsInARow = habits.errors().inARow(),
+            .error = habits.errors().error()};
 }
 
 Client newClient(const ServerSettings& settings, const std::string& address)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/clock.h"
+#include "core/base/result.h"
 #include "core/rotctld/admission.h"
 #include "core/rotctld/client_habits.h"
 #include "core/rotctld/rotator.h"
@@ -43,6 +44,8 @@ struct ClientInfo
     double commandsPerSecond = 0.0;        // mean over the last seconds
     std::optional<SteadyTime> lastMotion;  // its last command for a motion, accepted or not
     std::optional<Angle> leap;             // size of its steps, if it tracks coarsely
+    int errorsInARow = 0;                  // cycles in a row with an error (ErrorCycles)
+    std::optional<Error> error = {};       // of the last of them
 };
 
 class ClientServer

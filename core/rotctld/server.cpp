@@ -248,7 +248,8 @@ void Server::serve(std::uint64_t id, std::uint32_t events)
         return;
     }
     Connection& connection = *found->second;
-    if ((events & EPOLLOUT) != 0U) {
+    // receive() reads the reason why a connection broke. Sending would take it away.
+    if ((events & EPOLLOUT) != 0U && (events & EPOLLERR) == 0U) {
         flush(connection);
     }
     if ((events & ~static_cast<std::uint32_t>(EPOLLOUT)) != 0U) {
@@ -268,12 +269,12 @@ void Server::receive(Connection& connection)
     if (received.atEnd && !m_settings.pty.empty()) {
         connection.unsent.clear();  // nobody reads a closed terminal
     }
-    connection.broken = !received.failure.isEmpty();
+    connection.broken = connection.broken || !received.failure.isEmpty();
     connection.inputFull = received.bytes.size() == buffer.size();
     if (connection.left) {
         return;  // after `q` only the end of the input matters
     }
-    if (connection.broken) {
+    if (!received.failure.isEmpty()) {
         farewell(connection, Text::tr("lost: %1").arg(received.failure));
     } else if (connection.atEnd) {
         connection.session->endOfInput();
@@ -343,8 +344,10 @@ void Server::flush(Connection& connection)
         connection.unsent.clear();
         return;
     }
-    connection.unsent.erase(0, *sent);
-    connection.lastSent = m_clock.now();
+    if (*sent > 0) {
+        connection.unsent.erase(0, *sent);
+        connection.lastSent = m_clock.now();
+    }
 }
 
 // Brings a connection to its next state after it was served. The connection may be deleted by this.

@@ -15,6 +15,12 @@ using Event = CommandParser::Event;
 
 constexpr std::size_t kMaxWaitingInPause = 4096;  // bytes
 
+// The command is invalid, or asks for something that the mount does not have.
+bool isOdd(const Error& error)
+{
+    return error.code == ErrorCode::InvalidInput || error.code == ErrorCode::NotAvailable;
+}
+
 }  // namespace
 
 Session::Session(Client client, Rotator& rotator, const Clock& clock, DumpStateForm dumpState)
@@ -130,7 +136,7 @@ void Session::run(std::string& reply)
     if (command.spec->id != CommandId::GetOutcome) {
         m_outcome = boresight::printable(outcome ? became : outcome.error().text);
     }
-    if (outcome || outcome.error().code == ErrorCode::Refused) {
+    if (outcome || !isOdd(outcome.error())) {
         m_habits.understood(command);
     }
     if (!outcome) {
@@ -146,7 +152,7 @@ void Session::run(std::string& reply)
 
 void Session::failed(const Error& error, std::string& reply, std::size_t replyStart)
 {
-    if (error.code == ErrorCode::InvalidInput || error.code == ErrorCode::NotAvailable) {
+    if (isOdd(error)) {
         odd(Text::tr("\"%1\" refused: %2").arg(m_habits.lastCommand(), boresight::printable(error.text)));
     }
     if (m_parser.skipLine() == Event::Foreign) {

@@ -33,11 +33,14 @@ void setOption(int fd, int level, int name, int value)
 }
 
 // A client whose computer vanished is detected within ten seconds: 4 s of silence, then three probes 2 s apart. The
-// same limit applies to bytes that it does not acknowledge or has no room for.
+// same limit applies to bytes that it does not acknowledge or has no room for. A client that does not read its answers
+// fills the buffers of the kernel before the server notices. By default the kernel keeps up to 4 MB for it.
 void prepareClient(int fd)
 {
     constexpr int kGiveUpMilliseconds = 10'000;
+    constexpr int kSendBuffer = 32'768;  // bytes; Linux doubles it for its own records
     setOption(fd, IPPROTO_TCP, TCP_NODELAY, 1);
+    setOption(fd, SOL_SOCKET, SO_SNDBUF, kSendBuffer);
     setOption(fd, SOL_SOCKET, SO_KEEPALIVE, 1);
     setOption(fd, IPPROTO_TCP, TCP_KEEPIDLE, 4);
     setOption(fd, IPPROTO_TCP, TCP_KEEPINTVL, 2);
@@ -168,6 +171,11 @@ Received receiveSome(const Descriptor& socket, char* buffer, std::size_t size)
     }
     if (errno == EIO && ::isatty(socket.get()) != 0) {
         return {.bytes = {}, .atEnd = true, .failure = {}};  // the program has closed the terminal
+    }
+    if (errno == ETIMEDOUT) {  // by the limits of prepareClient()
+        return {.bytes = {},
+                .atEnd = true,
+                .failure = Text::tr("its computer does not reply, or its program does not read its answers")};
     }
     return {.bytes = {}, .atEnd = true, .failure = reason()};
 }

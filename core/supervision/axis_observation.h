@@ -42,6 +42,8 @@ struct AxisObservation
     std::optional<double> motorTemperature{};
     QString limit{};         // reported by the drive, added to an alarm: "; limit 102 of the drive: …"; empty: none
     bool turnKnown = false;  // else `actual` may be wrong by whole turns of the rotor
+    // The wrap is known only from what the operator entered, and it may be wrong.
+    bool turnEntered = false;
 };
 
 }  // namespace boresight::supervision

@@ -260,11 +260,16 @@ void AxisSupervisor::judgeTorque(const AxisObservation& seen)
     });
     judgePush(seen, stands ? share : 0.0);
     m_torqueGuard.update(
-        seen.now, seen.turnKnown ? 0.0 : share,
+        seen.now, seen.turnKnown && !seen.turnEntered ? 0.0 : share,
         {.stop = m_profile->supervision.torqueUnwind,
          .release = 0.85 * m_profile->supervision.torqueUnwind,
          .after = kConfirm},
-        [&] { return needs(Text::tr("%1 needs %2 Nm, %3 % of the %4 Nm allowed, while its position is unknown")); });
+        [&] {
+            return needs(
+                seen.turnKnown
+                    ? Text::tr("%1 needs %2 Nm, %3 % of the %4 Nm allowed, and its entered cable wrap may be wrong")
+                    : Text::tr("%1 needs %2 Nm, %3 % of the %4 Nm allowed, while its position is unknown"));
+        });
 }
 
 // Finds an axis that is blocked just before its target. The rest of the way is too short for judgeProgress().

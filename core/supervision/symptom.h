@@ -22,7 +22,7 @@ enum class Symptom
     BoardHot,
     MotorHot,
     TorqueHigh,
-    TorqueGuard  // too much torque while the cable wrap of the axis is unknown
+    TorqueGuard  // too much torque while the cable wrap of the axis is unknown, or was only entered
 };
 inline constexpr int kSymptomCount = 13;
 

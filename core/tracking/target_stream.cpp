@@ -8,10 +8,8 @@ namespace boresight::tracking {
 
 namespace {
 
-// The number of points that form a path. Eight is the best of 4…14 for Gpredict's stream at its finest threshold
-// (METHOD.md).
-constexpr std::size_t kMostPoints = 8;
-constexpr std::size_t kFewestPoints = 4;
+// The last points that have to lie along one line.
+constexpr std::size_t kPointsInLine = 8;
 
 // With longer pauses the points are not a stream, unless the client reads the position meanwhile. Points that are
 // closer than kSpacing are thinned out. Otherwise the rounding of a moment would determine the path.
@@ -25,6 +23,10 @@ constexpr double kFastest = 3.0 * std::numbers::pi / 180.0;
 
 // A slower target is one point that is sent again and again. The stars move at 0.004 °/s.
 constexpr double kSlowest = 0.001 * std::numbers::pi / 180.0;
+
+// Points farther apart say too little about the path between them. Gpredict sends such points with its default
+// threshold.
+constexpr double kCoarsest = 2.5 * std::numbers::pi / 180.0;
 
 // The largest distance of the target ahead of the last point, on the sky and in azimuth (which grows without limit near
 // the zenith), and the longest time in average pauses.
@@ -51,28 +53,8 @@ constexpr double kFineStep = 0.5 * std::numbers::pi / 180.0;
 // antenna does not jerk with every point.
 constexpr Seconds kCorrectionTime{1.0};
 
-using Vector = std::array<double, 3>;
-
-Vector directionOf(const AxisPosition& position)
-{
-    const double horizontal = std::cos(position.elevation.radians());
-    return {horizontal * std::cos(position.azimuth.radians()), horizontal * std::sin(position.azimuth.radians()),
-            std::sin(position.elevation.radians())};
-}
-
-Vector along(const Vector& base, const Vector& rate, double time)
-{
-    return {base[0] + rate[0] * time, base[1] + rate[1] * time, base[2] + rate[2] * time};
-}
-
-// For directions of about unit length that are a few degrees apart, the chord equals the angle.
-double distance(const Vector& a, const Vector& b)
-{
-    return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-}
-
 // The axis angles for a moving `direction`, on the turn and the side of the zenith of `near`.
-MovingTarget axesFor(const Vector& direction, const Vector& rate, const AxisPosition& near)
+MovingTarget axesFor(const SpaceVector& direction, const SpaceVector& rate, const AxisPosition& near)
 {
     const double horizontal = std::max(std::hypot(direction[0], direction[1]), 1e-9);  // the zenith has no azimuth
     const double outwards = (direction[0] * rate[0] + direction[1] * rate[1]) / horizontal;
@@ -100,6 +82,7 @@ void TargetStream::restart(SteadyTime now, const AxisPosition& point)
 void TargetStream::clear()
 {
     m_points.clear();
+    m_paths.clear();
     m_path.reset();
     m_confirmed.reset();
 }
@@ -135,12 +118,20 @@ void TargetStream::add(SteadyTime now, const AxisPosition& point)
         clear();
     }
     const auto before = target(now);
+    const Point next{.time = now, .position = point, .direction = directionOf(point)};
+    if (!m_points.empty() && now - m_points.back().time >= kSpacing) {
+        m_paths.judge(next);
+    }
+    if (m_paths.hasTurned()) {
+        m_points.erase(m_points.begin(), m_points.end() - 3);  // with the next one a line again
+        m_paths.clear();
+    }
     if (m_points.size() >= 2 && now - m_points[m_points.size() - 2].time < kSpacing) {
         m_points.pop_back();
     }
-    m_points.push_back({.time = now, .position = point, .direction = directionOf(point)});
-    if (m_points.size() > kMostPoints) {
-        m_points.pop_front();
+    m_points.push_back(next);
+    if (m_points.size() > PathChoice::kMostPoints) {
+        m_points.erase(m_points.begin());
     }
     updatePath();
     m_correction = {};
@@ -150,61 +141,48 @@ void TargetStream::add(SteadyTime now, const AxisPosition& point)
     }
 }
 
-// Drops the oldest points until the rest lies along one path, or is too small for a path.
+// Drops the oldest points until the last ones lie along one line. Too slow or too fast is no path.
 void TargetStream::updatePath()
 {
-    m_path = fittedPath();
-    while (m_path && worstDeviation(*m_path) > kMostDeviation) {
-        m_points.pop_front();
-        m_path = fittedPath();
+    m_paths.fit(m_points);
+    while (!areOnOnePath()) {
+        const std::size_t kept = std::min(kPointsInLine, m_points.size()) - 1;
+        m_points.erase(m_points.begin(), m_points.end() - static_cast<std::ptrdiff_t>(kept));
+        m_paths.clear();
+        m_paths.fit(m_points);
     }
-    if (m_path && (distance(m_path->rate, {}) > kFastest || distance(m_path->rate, {}) < kSlowest)) {
+    m_path = m_paths.best();
+    if (!m_path) {
+        return;
+    }
+    const double rate = distance(m_paths.straight()->rate, {});
+    if (rate > kFastest || rate < kSlowest || rate * pause().count() > kCoarsest) {
         m_path.reset();
     }
 }
 
-// Least squares through the last points, for each component separately.
-std::optional<TargetStream::Path> TargetStream::fittedPath() const
+bool TargetStream::areOnOnePath() const
 {
-    if (m_points.size() < kFewestPoints) {
-        return std::nullopt;
-    }
-    const SteadyTime last = m_points.back().time;
-    const auto count = static_cast<double>(m_points.size());
-    double meanTime = 0.0;
-    Vector mean{};
-    for (const Point& point : m_points) {
-        meanTime += Seconds(point.time - last).count() / count;
-        mean = along(mean, point.direction, 1.0 / count);
-    }
-    double spread = 0.0;
-    Vector rate{};
-    for (const Point& point : m_points) {
-        const double time = Seconds(point.time - last).count() - meanTime;
-        spread += time * time;
-        // The mean needs no correction, because the sum of the times is zero.
-        rate = along(rate, point.direction, time);
-    }
-    rate = along({}, rate, 1.0 / spread);
-    const Seconds pause = Seconds(last - m_points.front().time) / (count - 1.0);
-    return Path{.base = along(mean, rate, -meanTime), .rate = rate, .pause = pause};
-}
-
-double TargetStream::worstDeviation(const Path& path) const
-{
-    double worst = 0.0;
-    for (const Point& point : m_points) {
+    const std::optional<PointPath>& line = m_paths.straight();
+    const auto first = m_points.end() - static_cast<std::ptrdiff_t>(std::min(kPointsInLine, m_points.size()));
+    return !line || std::all_of(first, m_points.end(), [&](const Point& point) {
         const double time = Seconds(point.time - m_points.back().time).count();
-        worst = std::max(worst, distance(along(path.base, path.rate, time), point.direction));
-    }
-    return worst;
+        return distance(line->at(time), point.direction) <= kMostDeviation;
+    });
 }
 
-TargetStream::Reach TargetStream::reachOf(const Path& path, SteadyTime now) const
+// The average time between the last points.
+Seconds TargetStream::pause() const
+{
+    const std::size_t count = std::min(kPointsInLine, m_points.size());
+    const Seconds time = m_points.back().time - m_points[m_points.size() - count].time;
+    return time / (static_cast<double>(count) - 1.0);
+}
+
+TargetStream::Reach TargetStream::reachOf(const PointPath& path, SteadyTime now) const
 {
     if (!content(now)) {
-        return {
-            .run = kPausesAhead * std::min(path.pause, kLongestPause), .wait = Seconds(0.0), .angle = kFurthestAhead};
+        return {.run = kPausesAhead * std::min(pause(), kLongestPause), .wait = Seconds(0.0), .angle = kFurthestAhead};
     }
     return {.run = std::min(kLongestRun, Seconds(kFurthestRun / distance(path.rate, {}))),
             .wait = kLongestWait,
@@ -233,8 +211,8 @@ std::optional<MovingTarget> TargetStream::target(SteadyTime now) const
     }
     const bool waits = silent > reach.run;
     const Seconds ahead = waits ? reach.run : silent;
-    const Vector direction = along(m_path->base, m_path->rate, ahead.count());
-    MovingTarget moving = axesFor(direction, waits ? Vector{} : m_path->rate, last.position);
+    MovingTarget moving =
+        axesFor(m_path->at(ahead.count()), waits ? SpaceVector{} : m_path->rateAt(ahead.count()), last.position);
     if (const double left = 1.0 - silent / kCorrectionTime; left > 0.0) {
         moving.position.azimuth += left * m_correction.azimuth;
         moving.position.elevation += left * m_correction.elevation;

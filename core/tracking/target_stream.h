@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/clock.h"
-#include "core/units/sky.h"
+#include "core/tracking/path_choice.h"
 
-#include <array>
-#include <deque>
 #include <optional>
+#include <vector>
 
 // Turns the points of a client (Gpredict: `P` every 0.8…4 s in steps of its threshold) into a target that moves
 // smoothly. While the points look like a path in the sky, the target follows that path and runs ahead of the last point
@@ -39,23 +37,6 @@ public:
     [[nodiscard]] std::optional<MovingTarget> target(SteadyTime now) const;
 
 private:
-    using Vector = std::array<double, 3>;
-
-    struct Point
-    {
-        SteadyTime time;
-        AxisPosition position;
-        Vector direction{};
-    };
-
-    // A straight line in space, like a satellite flying by: direction = base + rate × (time since the last point).
-    struct Path
-    {
-        Vector base{};
-        Vector rate{};
-        Seconds pause;  // average time between its points
-    };
-
     // How far the target may follow a path ahead of the last point.
     struct Reach
     {
@@ -64,15 +45,16 @@ private:
         double angle;  // on the sky
     };
 
-    [[nodiscard]] std::optional<Path> fittedPath() const;
-    [[nodiscard]] double worstDeviation(const Path& path) const;
     void updatePath();
+    [[nodiscard]] bool areOnOnePath() const;
+    [[nodiscard]] Seconds pause() const;
     [[nodiscard]] bool content(SteadyTime now) const;
-    [[nodiscard]] Reach reachOf(const Path& path, SteadyTime now) const;
+    [[nodiscard]] Reach reachOf(const PointPath& path, SteadyTime now) const;
     [[nodiscard]] bool continues(SteadyTime now, const AxisPosition& point) const;
 
-    std::deque<Point> m_points;  // oldest first
-    std::optional<Path> m_path;
+    std::vector<Point> m_points;  // oldest first
+    PathChoice m_paths;
+    std::optional<PointPath> m_path;  // that is followed
     std::optional<SteadyTime> m_confirmed;
     AxisPosition m_correction;  // from the present path to the previous one, at the time of the last point
 };

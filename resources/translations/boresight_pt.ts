@@ -5172,10 +5172,6 @@ até %1</translation>
         <translation>Torque com volta desconhecida</translation>
     </message>
     <message>
-        <source>While the cable wrap of an axis is unknown, stop the mount at this share of the largest torque. A cable may pull.</source>
-        <translation>Enquanto a volta do cabo de um eixo for desconhecida, parar a montagem a esta parte do torque máximo. Um cabo pode estar a puxar.</translation>
-    </message>
-    <message>
         <source>Late reply: warn</source>
         <translation>Resposta tardia: avisar</translation>
     </message>
@@ -11404,12 +11400,372 @@ até %1</translation>
         <translation>%1 precisa de %2 Nm, %3 % dos %4 Nm permitidos, enquanto a sua posição é desconhecida</translation>
     </message>
     <message>
+        <source>The %1 limits its torque: its board is at %2 °C</source>
+        <translation>O %1 limita o torque: a placa está a %2 °C</translation>
+    </message>
+    <message>
+        <source>limit 100: its board is at %2 °C</source>
+        <translation>limite 100: a placa está a %2 °C</translation>
+    </message>
+    <message>
+        <source>The %1 limits its torque: its motor is at %2 °C</source>
+        <translation>O %1 limita o torque: o motor está a %2 °C</translation>
+    </message>
+    <message>
+        <source>limit 101: its motor is at %2 °C</source>
+        <translation>limite 101: o motor está a %2 °C</translation>
+    </message>
+    <message>
+        <source>Set rotctld.outside_limits to &quot;nearest&quot;.</source>
+        <translation>Defina rotctld.outside_limits para &quot;nearest&quot;.</translation>
+    </message>
+    <message>
+        <source>Reason: %1</source>
+        <translation>Motivo: %1</translation>
+    </message>
+    <message>
+        <source>%1 errors in a row. Gpredict disengages after %2. %3</source>
+        <translation>%1 erros seguidos. O Gpredict desengata após %2. %3</translation>
+    </message>
+    <message>
+        <source>%1 The mount stays parked until the wind stays below %2 m/s for %3 min.</source>
+        <translation>%1 A montagem fica estacionada até o vento ficar abaixo de %2 m/s durante %3 min.</translation>
+    </message>
+    <message>
+        <source>The board was at %1 °C and is at %2 °C now</source>
+        <translation>A placa estava a %1 °C e está agora a %2 °C</translation>
+    </message>
+    <message>
+        <source>The board is at %1 °C</source>
+        <translation>A placa está a %1 °C</translation>
+    </message>
+    <message>
+        <source>The motor was at %1 °C and is at %2 °C now</source>
+        <translation>O motor estava a %1 °C e está agora a %2 °C</translation>
+    </message>
+    <message>
+        <source>The motor is at %1 °C</source>
+        <translation>O motor está a %1 °C</translation>
+    </message>
+    <message>
+        <source>moteus</source>
+        <translation>moteus</translation>
+    </message>
+    <message>
+        <source>GS-232</source>
+        <translation>GS-232</translation>
+    </message>
+    <message>
+        <source>Hamlib (rotctld)</source>
+        <translation>Hamlib (rotctld)</translation>
+    </message>
+    <message>
+        <source>Simple (simulated)</source>
+        <translation>Simples (simulado)</translation>
+    </message>
+    <message>
+        <source>No such axis</source>
+        <translation>Sem este eixo</translation>
+    </message>
+    <message>
+        <source>No command</source>
+        <translation>Nenhum comando</translation>
+    </message>
+    <message>
+        <source>Stop and read</source>
+        <translation>Parar e ler</translation>
+    </message>
+    <message>
+        <source>Move the mount</source>
+        <translation>Mover a montagem</translation>
+    </message>
+    <message>
+        <source>By kind of target</source>
+        <translation>Por tipo de alvo</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>Desligado</translation>
+    </message>
+    <message>
+        <source>Optical</source>
+        <translation>Ótica</translation>
+    </message>
+    <message>
+        <source>Radio</source>
+        <translation>Rádio</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Nenhuma</translation>
+    </message>
+    <message>
+        <source>UDP</source>
+        <translation>UDP</translation>
+    </message>
+    <message>
+        <source>MQTT broker</source>
+        <translation>Broker MQTT</translation>
+    </message>
+    <message>
+        <source>Listen by UDP</source>
+        <translation>Escutar por UDP</translation>
+    </message>
+    <message>
+        <source>Connect by TCP</source>
+        <translation>Ligar por TCP</translation>
+    </message>
+    <message>
+        <source>Input is off</source>
+        <translation>Entrada desligada</translation>
+    </message>
+    <message>
+        <source>Input is on</source>
+        <translation>Entrada ligada</translation>
+    </message>
+    <message>
+        <source>Counts as pressed</source>
+        <translation>Conta como premido</translation>
+    </message>
+    <message>
+        <source>Alarm only</source>
+        <translation>Só alarme</translation>
+    </message>
+    <message>
+        <source>Azimuth/elevation</source>
+        <translation>Azimute/elevação</translation>
+    </message>
+    <message>
+        <source>X/Y</source>
+        <translation>X/Y</translation>
+    </message>
+    <message>
+        <source>Only if synchronised</source>
+        <translation>Só se sincronizado</translation>
+    </message>
+    <message>
+        <source>Always trusted</source>
+        <translation>Sempre de confiança</translation>
+    </message>
+    <message>
+        <source>The more important</source>
+        <translation>A mais importante</translation>
+    </message>
+    <message>
+        <source>The longer</source>
+        <translation>A mais longa</translation>
+    </message>
+    <message>
+        <source>The earlier</source>
+        <translation>A primeira</translation>
+    </message>
+    <message>
+        <source>Hold position</source>
+        <translation>Manter a posição</translation>
+    </message>
+    <message>
+        <source>Unwrap the cable</source>
+        <translation>Desenrolar o cabo</translation>
+    </message>
+    <message>
+        <source>Park</source>
+        <translation>Estacionar</translation>
+    </message>
+    <message>
+        <source>Simulated sensor</source>
+        <translation>Sensor simulado</translation>
+    </message>
+    <message>
+        <source>Clockwise</source>
+        <translation>Sentido horário</translation>
+    </message>
+    <message>
+        <source>Counterclockwise</source>
+        <translation>Sentido anti-horário</translation>
+    </message>
+    <message>
+        <source>Same as the beam</source>
+        <translation>Igual ao feixe</translation>
+    </message>
+    <message>
+        <source>Opposite to the beam</source>
+        <translation>Contrária ao feixe</translation>
+    </message>
+    <message>
+        <source>Sensor</source>
+        <translation>Sensor</translation>
+    </message>
+    <message>
+        <source>Boresight</source>
+        <translation>Boresight</translation>
+    </message>
+    <message>
+        <source>Nowhere</source>
+        <translation>Em lado nenhum</translation>
+    </message>
+    <message>
+        <source>Confirmed</source>
+        <translation>Confirmados</translation>
+    </message>
+    <message>
+        <source>Not confirmed</source>
+        <translation>Não confirmados</translation>
+    </message>
+    <message>
+        <source>Drive</source>
+        <translation>Acionamento</translation>
+    </message>
+    <message>
+        <source>This computer</source>
+        <translation>Este computador</translation>
+    </message>
+    <message>
+        <source>Brake</source>
+        <translation>Travão</translation>
+    </message>
+    <message>
+        <source>Separately</source>
+        <translation>Em separado</translation>
+    </message>
+    <message>
+        <source>Together</source>
+        <translation>Ao mesmo tempo</translation>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translation>Retomar</translation>
+    </message>
+    <message>
+        <source>Wait for re-arm</source>
+        <translation>Esperar por rearme</translation>
+    </message>
+    <message>
+        <source>Torque off</source>
+        <translation>Torque desligado</translation>
+    </message>
+    <message>
+        <source>First client</source>
+        <translation>Primeiro cliente</translation>
+    </message>
+    <message>
+        <source>Latest client</source>
+        <translation>Último cliente</translation>
+    </message>
+    <message>
+        <source>One client only</source>
+        <translation>Só um cliente</translation>
+    </message>
+    <message>
+        <source>Nearest point</source>
+        <translation>Ponto mais próximo</translation>
+    </message>
+    <message>
+        <source>Refuse</source>
+        <translation>Recusar</translation>
+    </message>
+    <message>
+        <source>0…360°</source>
+        <translation>0…360°</translation>
+    </message>
+    <message>
+        <source>-180…180°</source>
+        <translation>-180…180°</translation>
+    </message>
+    <message>
+        <source>Continuous</source>
+        <translation>Contínuo</translation>
+    </message>
+    <message>
+        <source>Old and new Hamlib</source>
+        <translation>Hamlib antigo e novo</translation>
+    </message>
+    <message>
+        <source>As Hamlib 4.5.1</source>
+        <translation>Como o Hamlib 4.5.1</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>Ligado</translation>
+    </message>
+    <message>
+        <source>Ambiguous</source>
+        <translation>Ambígua</translation>
+    </message>
+    <message>
+        <source>Trusted</source>
+        <translation>De confiança</translation>
+    </message>
+    <message>
+        <source>While the cable wrap of an axis is unknown, or may have been entered wrongly, stop the mount at this share of the largest torque. A cable may pull.</source>
+        <translation>Enquanto a volta do cabo de um eixo for desconhecida, ou puder ter sido mal indicada, parar a montagem a esta parte do torque máximo. Um cabo pode estar a puxar.</translation>
+    </message>
+    <message>
+        <source>Never</source>
+        <translation>Nunca</translation>
+    </message>
+    <message>
+        <source>Once</source>
+        <translation>Uma vez</translation>
+    </message>
+    <message>
+        <source>At intervals</source>
+        <translation>A intervalos</translation>
+    </message>
+    <message>
+        <source>m/s</source>
+        <translation>m/s</translation>
+    </message>
+    <message>
+        <source>km/h</source>
+        <translation>km/h</translation>
+    </message>
+    <message>
+        <source>Knots</source>
+        <translation>Nós</translation>
+    </message>
+    <message>
+        <source>Raise an alarm</source>
+        <translation>Dar um alarme</translation>
+    </message>
+    <message>
+        <source>Park the mount</source>
+        <translation>Estacionar a montagem</translation>
+    </message>
+    <message>
+        <source>Park position</source>
+        <translation>Posição de estacionamento</translation>
+    </message>
+    <message>
+        <source>The place below</source>
+        <translation>O lugar abaixo</translation>
+    </message>
+    <message>
+        <source>its computer does not reply, or its program does not read its answers</source>
+        <translation>o seu computador não responde, ou o seu programa não lê as respostas</translation>
+    </message>
+    <message>
+        <source>%1 needs %2 Nm, %3 % of the %4 Nm allowed, and its entered cable wrap may be wrong</source>
+        <translation>%1 precisa de %2 Nm, %3 % dos %4 Nm permitidos, e a volta do cabo indicada pode estar errada</translation>
+    </message>
+    <message>
         <source>Boresight no longer tracks %1 from its own orbit: %2</source>
         <translation>O Boresight já não segue %1 pela sua própria órbita: %2</translation>
     </message>
     <message>
+        <source>From now on only points of the client move the mount</source>
+        <translation>A partir de agora só os pontos do cliente movem a montagem</translation>
+    </message>
+    <message>
         <source>Nothing to do if the client has another target, or has ended</source>
         <translation>Nada a fazer se o cliente tem outro alvo, ou terminou</translation>
+    </message>
+    <message>
+        <source>Always</source>
+        <translation>Sempre</translation>
+    </message>
+    <message>
+        <source>Ask</source>
+        <translation>Perguntar</translation>
     </message>
     <message>
         <source>Lock to the target of a client</source>
@@ -11420,6 +11776,10 @@ até %1</translation>
         <translation>O que o Boresight faz quando reconhece o alvo que um cliente segue, como um satélite do Gpredict. &quot;always&quot;: segue logo o alvo pela sua própria órbita. &quot;ask&quot;: a janela propõe-no. &quot;never&quot;: só os pontos do cliente movem a montagem.</translation>
     </message>
     <message>
+        <source>the client stopped the mount</source>
+        <translation>o cliente parou a montagem</translation>
+    </message>
+    <message>
         <source>Boresight offers no target of this client any more.</source>
         <translation>O Boresight já não propõe nenhum alvo deste cliente.</translation>
     </message>
@@ -11428,16 +11788,12 @@ até %1</translation>
         <translation>segue %1. A partir de agora o Boresight segue-o pela sua própria órbita</translation>
     </message>
     <message>
-        <source>the client stopped the mount</source>
-        <translation>o cliente parou a montagem</translation>
+        <source>the client was silent for %1 s</source>
+        <translation>o cliente esteve %1 s em silêncio</translation>
     </message>
     <message>
         <source>the client parked the mount</source>
         <translation>o cliente estacionou a montagem</translation>
-    </message>
-    <message>
-        <source>the client was silent for %1 s</source>
-        <translation>o cliente esteve %1 s em silêncio</translation>
     </message>
     <message>
         <source>points more than %1° away from %2</source>
@@ -11448,12 +11804,20 @@ até %1</translation>
         <translation>os pontos do cliente estão a mais de %1° dele</translation>
     </message>
     <message>
+        <source>The points fit several targets alike: %1. The points move the mount</source>
+        <translation>Os pontos servem igualmente a vários alvos: %1. Os pontos movem a montagem</translation>
+    </message>
+    <message>
         <source>%1 is at the same place as %2</source>
         <translation>%1 está no mesmo lugar que %2</translation>
     </message>
     <message>
         <source>tracks %1. Boresight can track it from its own orbit: press Track it in the window, or set clients.lock to &quot;always&quot;</source>
         <translation>segue %1. O Boresight pode segui-lo pela sua própria órbita: prima Segui-lo na janela, ou ponha clients.lock em &quot;always&quot;</translation>
+    </message>
+    <message>
+        <source>tracks %1, but Boresight cannot track it from its own orbit: %2</source>
+        <translation>segue %1, mas o Boresight não o pode seguir pela sua própria órbita: %2</translation>
     </message>
     <message>
         <source>the client has disconnected</source>
@@ -11466,18 +11830,6 @@ até %1</translation>
     <message>
         <source>the setting clients.lock was changed</source>
         <translation>a definição clients.lock foi alterada</translation>
-    </message>
-    <message>
-        <source>From now on only points of the client move the mount</source>
-        <translation>A partir de agora só os pontos do cliente movem a montagem</translation>
-    </message>
-    <message>
-        <source>The points fit several targets alike: %1. The points move the mount</source>
-        <translation>Os pontos servem igualmente a vários alvos: %1. Os pontos movem a montagem</translation>
-    </message>
-    <message>
-        <source>tracks %1, but Boresight cannot track it from its own orbit: %2</source>
-        <translation>segue %1, mas o Boresight não o pode seguir pela sua própria órbita: %2</translation>
     </message>
 </context>
 <context>
@@ -12760,6 +13112,10 @@ Depois a montagem aponta por este resultado. O registo anota que o aplicou mesmo
         <comment>thousand</comment>
         <translation>%1 k</translation>
     </message>
+    <message>
+        <source>Odd commands: %1. A command is odd if Boresight does not know it, if its numbers are invalid (such as NaN), or if this mount does not have what the command asks for. An odd command does not move the mount.</source>
+        <translation>Comandos estranhos: %1. Um comando é estranho se o Boresight não o conhece, se os seus números são inválidos (como NaN) ou se esta montagem não tem o que o comando pede. Um comando estranho não move a montagem.</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::ClientsPanel</name>
@@ -12918,10 +13274,6 @@ Depois a montagem aponta por este resultado. O registo anota que o aplicou mesmo
         <translation>O controlo é seu. O Boresight recusa os comandos de movimento dos clientes</translation>
     </message>
     <message>
-        <source>No program is connected. Gpredict disconnects after a refusal. Press Engage there again</source>
-        <translation>Nenhum programa está ligado. O Gpredict desliga-se depois de uma recusa. Prima lá Engage de novo</translation>
-    </message>
-    <message>
         <source>Select a client to give it control or to make it read-only</source>
         <translation>Selecione um cliente para lhe dar o controlo ou para o deixar só ler</translation>
     </message>
@@ -12932,6 +13284,14 @@ Depois a montagem aponta por este resultado. O registo anota que o aplicou mesmo
     <message>
         <source>Control goes to: %1</source>
         <translation>Quem move: %1</translation>
+    </message>
+    <message>
+        <source>%1 (odd commands: %2)</source>
+        <translation>%1 (comandos estranhos: %2)</translation>
+    </message>
+    <message>
+        <source>No program is connected. Gpredict disengages after 6 errors in a row. Press Engage there again</source>
+        <translation>Nenhum programa está ligado. O Gpredict desliga-se após 6 erros seguidos. Prima lá Engage de novo</translation>
     </message>
     <message>
         <source>Boresight tracks %1</source>
@@ -18502,6 +18862,13 @@ A menos de 3 dB: %4 s
     <message>
         <source>Broker not reached, next attempt in %1 s. %2</source>
         <translation>Broker não alcançado, próxima tentativa em %1 s. %2</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::SettingDelegate</name>
+    <message>
+        <source>In the file: %1</source>
+        <translation>No ficheiro: %1</translation>
     </message>
 </context>
 <context>

@@ -29,6 +29,9 @@ TcpPeer::TcpPeer(const std::string& host, std::uint16_t port, Pump pump) : m_pum
     ::inet_pton(AF_INET, host.c_str(), &address.sin_addr);
     // Connecting may block: the kernel completes it from the backlog without the server.
     m_fd = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+    // A fixed buffer: otherwise the kernel enlarges it to some megabytes, as much as the machine permits.
+    const int room = 131'072;
+    ::setsockopt(m_fd, SOL_SOCKET, SO_RCVBUF, &room, sizeof room);
     const void* const untyped = &address;
     if (::connect(m_fd, static_cast<const sockaddr*>(untyped), sizeof address) != 0) {
         ::close(std::exchange(m_fd, -1));

@@ -143,8 +143,8 @@ Grammar grammar()
     for (const Setting& setting : settings()) {
         grammar.tokens.push_back(setting.key.substr(setting.key.find('.') + 1));
         grammar.tokens.push_back("[" + setting.key.substr(0, setting.key.find('.')) + "]\n");
-        for (const std::string& choice : setting.choices) {
-            grammar.tokens.push_back("\"" + choice + "\"");
+        for (const SettingChoice& choice : setting.choices) {
+            grammar.tokens.push_back("\"" + choice.word + "\"");
         }
     }
     for (const char* const token :

@@ -232,5 +232,51 @@ TEST(ClientsAdvice, AGpredictThatLeapsIsToldWhatToSet)
     EXPECT_EQ(coarse.complaints(), std::vector<std::string>{});
 }
 
+// REQ-CONTROL-1760: A Gpredict that received errors in three cycles in a row gets the advice that it will disengage
+// after six, with the remedy or the reason, until a cycle has no error.
+TEST(ClientsAdvice, AGpredictThatIsRefusedIsToldBeforeItDisengages)
+{
+    profile::Profile strict = anyPort();
+    strict.rotctld.outsideLimits = profile::OutsideLimits::Refuse;
+    SimulatedStation rig(strict, sim::commissionedPair({.azimuth = 180_deg, .elevation = 45_deg}));
+    const auto gpredict = rig.connect();
+    const auto cycle = [&](const char* target) {
+        std::string answer = gpredict->ask(target);
+        EXPECT_EQ(gpredict->ask("p\n", 2).find("RPRT"), std::string::npos);
+        rig.tick();
+        return answer;
+    };
+    const auto advice = [&] { return rig.status().clients.at(0).advice.toStdString(); };
+    gpredict->ask("p\n", 2);
+    ASSERT_EQ(cycle("P 180.00 45.00\n"), kDone);
+    for (int i = 0; i < 2; ++i) {
+        ASSERT_EQ(cycle("P 180.00 -60.00\n"), "RPRT -1\n");
+        EXPECT_EQ(advice(), "");
+    }
+    ASSERT_EQ(cycle("P 180.00 -60.00\n"), "RPRT -1\n");
+    EXPECT_EQ(rig.status().clients.at(0).program.toStdString(), "Gpredict or SatDump");
+    EXPECT_EQ(advice(), "3 errors in a row. Gpredict disengages after 6. Set rotctld.outside_limits to \"nearest\".");
+    ASSERT_EQ(rig.ask(request::Stop{}), "");
+    ASSERT_EQ(cycle("P 180.00 45.00\n"), kRefused);
+    EXPECT_TRUE(rig.status().clients.at(0).advice.startsWith(
+        QStringLiteral("4 errors in a row. Gpredict disengages after 6. Reason: ")))
+        << advice();
+    ASSERT_EQ(rig.ask(request::ResetStop{}), "");
+    gpredict->ask("p\n", 2);
+    EXPECT_EQ(advice(), "");
+}
+
+// REQ-CONTROL-1761: The status has the number of odd commands of each client.
+TEST(ClientsListed, WithTheirOddCommands)
+{
+    SimulatedStation rig;
+    const auto client = rig.connect();
+    client->ask("P nan 10\n");
+    client->ask("P 1 rubbish\n");
+    client->ask("p\n", 2);
+    rig.tick();
+    EXPECT_EQ(rig.status().clients.at(0).oddCommands, 2U);
+}
+
 }  // namespace
 }  // namespace boresight::system_test

@@ -296,6 +296,7 @@ StationStatus operatorMoving()
     StationStatus status = tracking(20.0);
     status.state = StationState::Slew;
     status.stateReason = QStringLiteral("go to 113.0° 10.0°");
+    status.slew = SlewProgress{.remaining = Seconds(6.0), .done = 0.3};
     place(status, {62_deg, 24_deg}, {64.5_deg, 23_deg}, {113_deg, 10_deg});
     status.targetText = QStringLiteral("go to 113.0° 10.0°");
     status.commander = {SourceKind::Operator, 0, QStringLiteral("operator")};

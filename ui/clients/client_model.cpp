@@ -44,6 +44,9 @@ QString help(const ClientStatus& client)
     if (!client.advice.isEmpty()) {
         text += QLatin1Char('\n') + client.advice;
     }
+    if (client.oddCommands > 0) {
+        text += QLatin1Char('\n') + oddHelp(client);
+    }
     return text;
 }
 
@@ -74,6 +77,17 @@ QString roleWord(const ClientStatus& client)
         word += (word.isEmpty() ? QString() : QStringLiteral(", ")) + ClientModel::tr("locked");
     }
     return word;
+}
+
+QString oddHelp(const ClientStatus& client)
+{
+    return client.oddCommands == 0
+               ? QString()
+               : ClientModel::tr(
+                     "Odd commands: %1. A command is odd if Boresight does not know it, if its numbers "
+                     "are invalid (such as NaN), or if this mount does not have what the command asks "
+                     "for. An odd command does not move the mount.")
+                     .arg(client.oddCommands);
 }
 
 ClientModel::ClientModel(QObject* parent)

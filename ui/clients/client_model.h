@@ -42,6 +42,8 @@ private:
 };
 
 [[nodiscard]] QString roleWord(const ClientStatus& client);
+// How many odd commands the client sent, and what an odd command is. Empty if it sent none.
+[[nodiscard]] QString oddHelp(const ClientStatus& client);
 [[nodiscard]] QStringList roleWords();  // all possible words
 
 }  // namespace boresight::ui

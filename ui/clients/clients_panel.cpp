@@ -34,6 +34,13 @@ QString whyNoClient(const ClientStatus* client)
     return client == nullptr ? ClientsPanel::tr("Select a client first.") : QString();
 }
 
+QString addressAndOdd(const ClientStatus& client)
+{
+    return client.oddCommands == 0
+               ? client.address
+               : ClientsPanel::tr("%1 (odd commands: %2)").arg(client.address, QString::number(client.oddCommands));
+}
+
 }  // namespace
 
 ClientsPanel::ClientsPanel(ProfileDraft& draft, RequestDesk& desk, QWidget* parent)
@@ -295,18 +302,29 @@ void ClientsPanel::showSelected()
 
     const auto advised = std::ranges::find_if(m_status.clients, [](const auto& one) { return !one.advice.isEmpty(); });
     if (client != nullptr && client->advice.isEmpty()) {
-        m_detail->setValue(tr("%1: last command %2").arg(client->address, client->lastCommand));
+        m_detail->setValue(tr("%1: last command %2").arg(addressAndOdd(*client), client->lastCommand));
     } else if (client != nullptr || advised != m_status.clients.end()) {
         const ClientStatus& shown = client != nullptr ? *client : *advised;
-        m_detail->setValue(tr("%1: %2").arg(shown.address, shown.advice), Tone::Advisory, Symbol::Advisory);
+        m_detail->setValue(tr("%1: %2").arg(addressAndOdd(shown), shown.advice), Tone::Advisory, Symbol::Advisory);
     } else if (m_status.authority == Authority::Operator) {
         m_detail->setValue(tr("You have control. Boresight refuses motion commands of clients"));
     } else {
         m_detail->setValue(
             m_status.clients.empty()
-                ? tr("No program is connected. Gpredict disconnects after a refusal. Press Engage there again")
+                ? tr("No program is connected. Gpredict disengages after 6 errors in a row. Press Engage there again")
                 : tr("Select a client to give it control or to make it read-only"),
             Tone::Secondary);
+    }
+    explainOdd(client);
+}
+
+// An own tooltip replaces that of a text that does not fit, so it contains the text.
+void ClientsPanel::explainOdd(const ClientStatus* client)
+{
+    const QString odd = client != nullptr ? oddHelp(*client) : QString();
+    const QString help = odd.isEmpty() ? QString() : m_detail->text() + QLatin1Char('\n') + odd;
+    if (m_detail->toolTip() != help) {
+        m_detail->setToolTip(help);
     }
 }
 

@@ -44,6 +44,7 @@ private:
     void showAccess();
     void showBroker();
     void showSelected();
+    void explainOdd(const ClientStatus* client);
     void choose(profile::ControlRule lead, const std::string& lockedTo);
     void lock();
     void copySettings() const;

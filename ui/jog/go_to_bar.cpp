@@ -3,6 +3,7 @@
 
 #include "core/base/numbers.h"
 #include "ui/jog/nearest_offer.h"
+#include "ui/jog/select_by_click.h"
 #include "ui/kit/caption.h"
 #include "ui/kit/command_button.h"
 #include "ui/kit/touch_combo.h"
@@ -31,6 +32,7 @@ QLineEdit* angleField(const QString& name, QWidget* parent)
     field->setMaxLength(12);
     field->setMinimumHeight(kTouchSize);
     field->setFixedWidth(field->fontMetrics().horizontalAdvance(QStringLiteral("-000.00")) + 2 * kGrid);
+    new SelectByClick(*field);
     return field;
 }
 

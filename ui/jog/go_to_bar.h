@@ -12,7 +12,7 @@ class QLineEdit;
 
 // Go to a typed direction. An axis with an empty field stays where it is. Typing and selecting move nothing. A refusal
 // is shown in the notice with the nearest allowed direction, also if only one axis was typed. The typed value stays for
-// correction. The last directions that the station accepted can be chosen again.
+// correction. A click into a field selects it. The last directions that the station accepted can be chosen again.
 namespace boresight::ui {
 
 class CommandButton;

@@ -23,6 +23,7 @@ namespace boresight::ui {
 
 namespace {
 constexpr int kReadingLines = 5;  // an alarm with its remedy at 1024 × 700; longer texts scroll
+constexpr int kLeastRows = 3;
 }  // namespace
 
 LinesView::LinesView(const QString& name, const QString& fileName, QAbstractItemModel& lines, QWidget* parent)
@@ -64,6 +65,9 @@ void LinesView::buildTable()
     header->setStretchLastSection(true);
     header->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     header->setHighlightSections(false);
+    // The list takes the room that is left. Its usual size would make the page of the log scroll.
+    m_table->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
+    m_table->setMinimumHeight(header->sizeHint().height() + kLeastRows * kRowHeight + 2 * m_table->frameWidth());
     addCopyKey();
     connect(m_table->selectionModel(), &QItemSelectionModel::currentChanged, this, &LinesView::showWhole);
     connect(&m_lines, &QAbstractItemModel::dataChanged, this, &LinesView::showWhole);

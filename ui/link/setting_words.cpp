@@ -199,13 +199,20 @@ QString valueText(const Setting& setting, const profile::Profile& profile)
     if (setting.secret) {
         return Text::of(profile::kHidden);
     }
+    if (setting.type == SettingType::Choice) {
+        return profile::choiceName(setting.choices, typed.toStdString());
+    }
     return setting.unit.empty() ? typed : typed + QLatin1Char(' ') + QString::fromStdString(setting.unit);
 }
 
 QString rangeText(const Setting& setting)
 {
     if (setting.type == SettingType::Choice) {
-        return toList(setting.choices).join(QStringLiteral(", "));
+        QStringList names;
+        for (const profile::SettingChoice& one : setting.choices) {
+            names << Text::of(one.title);
+        }
+        return names.join(QStringLiteral(", "));
     }
     if (!isNumber(setting)) {
         return {};

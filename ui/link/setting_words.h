@@ -17,8 +17,10 @@ namespace boresight::ui {
 [[nodiscard]] QString problemText(const profile::Problem& problem);  // "NAME: TEXT"
 
 [[nodiscard]] QString valueText(const profile::Setting& setting, const profile::Profile& profile);  // "450.0 °"
-[[nodiscard]] QString typedText(const profile::Setting& setting, const profile::Profile& profile);  // "450.0", to edit
-[[nodiscard]] QString rangeText(const profile::Setting& setting);  // "-3600 … 3600 °"; empty without one
+// "450.0", to edit. Of a choice: its word in the file.
+[[nodiscard]] QString typedText(const profile::Setting& setting, const profile::Profile& profile);
+// "-3600 … 3600 °", "Hold position, Brake"; empty without one.
+[[nodiscard]] QString rangeText(const profile::Setting& setting);
 
 // Puts the typed text into the profile. The unit may follow the number. Refused with the reason.
 [[nodiscard]] Result<> putTyped(const profile::Setting& setting, const QString& typed, profile::Profile& profile);

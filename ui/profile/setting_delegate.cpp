@@ -4,6 +4,7 @@
 #include "ui/kit/theme.h"
 #include "ui/profile/setting_tree.h"
 
+#include <QAbstractItemView>
 #include <QApplication>
 #include <QComboBox>
 #include <QLineEdit>
@@ -95,12 +96,36 @@ QWidget* SettingDelegate::createEditor(QWidget* parent, const QStyleOptionViewIt
         }
     } else {
         auto* const list = new QComboBox(parent);
-        list->addItems(choices);
+        const QStringList names = index.data(SettingTree::ChoiceNamesRole).toStringList();
+        for (qsizetype i = 0; i < choices.size(); ++i) {
+            list->addItem(names.value(i), choices[i]);
+            list->setItemData(list->count() - 1, tr("In the file: %1").arg(choices[i]), Qt::ToolTipRole);
+        }
+        list->setFont(fonts::label());
+        list->view()->setMinimumWidth(list->sizeHint().width());  // a name may be wider than the column
         editor = list;
     }
     editor->setFont(fonts::label());
     editor->setAccessibleName(index.siblingAtColumn(SettingTree::Name).data().toString());
     return editor;
+}
+
+void SettingDelegate::setEditorData(QWidget* editor, const QModelIndex& index) const
+{
+    if (auto* const list = qobject_cast<QComboBox*>(editor)) {
+        list->setCurrentIndex(list->findData(index.data(Qt::EditRole)));
+    } else {
+        QStyledItemDelegate::setEditorData(editor, index);
+    }
+}
+
+void SettingDelegate::setModelData(QWidget* editor, QAbstractItemModel* model, const QModelIndex& index) const
+{
+    if (const auto* const list = qobject_cast<QComboBox*>(editor)) {
+        model->setData(index, list->currentData());
+    } else {
+        QStyledItemDelegate::setModelData(editor, model, index);
+    }
 }
 
 // A list needs slightly more than the row's height for its text.

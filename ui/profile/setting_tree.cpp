@@ -34,6 +34,21 @@ bool contains(const std::vector<std::string>& keys, const std::string& key)
     return std::ranges::find(keys, key) != keys.end();
 }
 
+std::vector<profile::SettingChoice> choicesOf(const profile::Setting* setting)
+{
+    return setting != nullptr ? setting->choices : std::vector<profile::SettingChoice>{};
+}
+
+// With their words in the file: "Hold position (hold), Brake (brake)".
+QString choicesText(const profile::Setting& setting)
+{
+    QStringList texts;
+    for (const profile::SettingChoice& one : setting.choices) {
+        texts << QStringLiteral("%1 (%2)").arg(Text::of(one.title), QString::fromStdString(one.word));
+    }
+    return texts.join(QStringLiteral(", "));
+}
+
 QString capitalised(const QString& text)
 {
     return text.left(1).toUpper() + text.mid(1);
@@ -222,12 +237,18 @@ QVariant SettingTree::lineData(const Line& line, int column, int role) const
         case ChangedRole:
             return state.wrong + state.edited + state.waiting > 0;
         case ChoicesRole: {
-            QStringList choices;
-            for (const std::string& one :
-                 line.setting != nullptr ? line.setting->choices : std::vector<std::string>{}) {
-                choices << QString::fromStdString(one);
+            QStringList words;
+            for (const profile::SettingChoice& one : choicesOf(line.setting)) {
+                words << QString::fromStdString(one.word);
             }
-            return choices;
+            return words;
+        }
+        case ChoiceNamesRole: {
+            QStringList names;
+            for (const profile::SettingChoice& one : choicesOf(line.setting)) {
+                names << Text::of(one.title);
+            }
+            return names;
         }
         case SecretRole:
             return line.setting != nullptr && line.setting->secret;
@@ -316,8 +337,10 @@ QString SettingTree::explanation(const Line& line) const
     QStringList sentences = meaning(line);
     if (line.setting != nullptr) {
         const profile::Setting& setting = *line.setting;
-        if (const QString range = rangeText(setting); !range.isEmpty()) {
-            sentences << (setting.choices.empty() ? tr("Range %1.") : tr("One of %1.")).arg(range);
+        if (!setting.choices.empty()) {
+            sentences << tr("One of %1.").arg(choicesText(setting));
+        } else if (const QString range = rangeText(setting); !range.isEmpty()) {
+            sentences << tr("Range %1.").arg(range);
         }
         sentences << (setting.applies == profile::Applies::Now ? tr("Applies at once.") : tr("Applies on reconnect."));
     }

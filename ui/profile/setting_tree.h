@@ -30,7 +30,8 @@ public:
     {
         SearchRole = Qt::UserRole,  // all the text that a search looks through
         ChangedRole,                // not applied yet, waiting for a reconnect, or wrong
-        ChoicesRole,                // QStringList; empty unless one of them must be chosen
+        ChoicesRole,                // QStringList: words of the file; empty unless one of them must be chosen
+        ChoiceNamesRole,            // QStringList: their names, in the same order
         ShareRole,                  // double: the place in the range, see shareOfRange()
         DefaultShareRole,           // the same for the default
         SecretRole,                 // hidden while it is typed

@@ -20,6 +20,13 @@ namespace {
 
 const QString kNameKey = QStringLiteral("mount.name");
 
+// A choice by its name. Every other value stays as it is.
+QString shownValue(const std::string& key, const QString& value)
+{
+    const profile::Setting* const setting = profile::findSetting(key);
+    return setting != nullptr ? profile::choiceName(setting->choices, value.toStdString()) : value;
+}
+
 // One line for each setting that differs, in the words of the screen.
 QString differences(const profile::Profile& from, const profile::Profile& to)
 {
@@ -28,7 +35,8 @@ QString differences(const profile::Profile& from, const profile::Profile& to)
     for (const profile::Change& change : changes) {
         const QString line = change.applies == profile::Applies::Now ? StoredMounts::tr("%1: %2 → %3")
                                                                      : StoredMounts::tr("%1: %2 → %3, on reconnect");
-        text += QLatin1Char('\n') + line.arg(settingName(change.key), change.before, change.after);
+        text += QLatin1Char('\n') + line.arg(settingName(change.key), shownValue(change.key, change.before),
+                                             shownValue(change.key, change.after));
     }
     return text;
 }

@@ -23,10 +23,11 @@ namespace boresight::ui {
 
 namespace {
 
-constexpr int kCardSides = 12;   // px
-constexpr int kNarrowSides = 4;  // px, when two cards are side by side
-constexpr int kCardEnds = 3;     // px
-constexpr double kTurn = 360.0;  // degrees
+constexpr int kCardSides = 12;    // px
+constexpr int kNarrowSides = 4;   // px, when two cards are side by side
+constexpr int kCardEnds = 3;      // px
+constexpr int kAroundDigits = 6;  // px, above and below
+constexpr double kTurn = 360.0;   // degrees
 
 struct Worded
 {
@@ -132,6 +133,7 @@ int pointsOf(Numerals numerals)
             return 22;
         case Numerals::Small:
             return 28;
+        case Numerals::Row:
         case Numerals::Usual:
             return 44;
         case Numerals::Large:
@@ -195,7 +197,9 @@ void AxisCard::build(Numerals numerals)
     grid->setContentsMargins(sides, kCardEnds, sides, kCardEnds);
     grid->setHorizontalSpacing(areBeside(numerals) ? kGrid / 2 : kGrid);
     grid->setVerticalSpacing(0);
-    if (areBeside(numerals)) {
+    if (numerals == Numerals::Row) {
+        buildRow(*grid);
+    } else if (areBeside(numerals)) {
         buildBeside(*grid, numerals);
     } else {
         grid->addLayout(stacked({m_name, m_state}), 0, 0, 3, 1);
@@ -231,6 +235,21 @@ void AxisCard::buildBeside(QGridLayout& grid, Numerals numerals)
     }
 }
 
+// The number needs the whole width. Name, state, target and the age of late data share the line below it.
+void AxisCard::buildRow(QGridLayout& grid)
+{
+    grid.addWidget(m_actual, 0, 0, 1, 2, Qt::AlignRight | Qt::AlignVCenter);
+    auto* const line = new QHBoxLayout;
+    line->setSpacing(kGrid / 2);
+    line->addWidget(m_name);
+    line->addWidget(m_state);
+    line->addStretch(1);
+    line->addWidget(m_detail, 20);  // as much of the room as it needs
+    line->addWidget(m_targetCaption);
+    line->addWidget(m_target);
+    grid.addLayout(line, 1, 0, 1, 2);
+}
+
 void AxisCard::setNumerals(Numerals numerals)
 {
     if (m_numerals == numerals) {
@@ -238,6 +257,9 @@ void AxisCard::setNumerals(Numerals numerals)
     }
     m_numerals = numerals;
     m_actual->setFont(fonts::actual(pointsOf(numerals)));
+    // Digits need no room for accents and for what is below the line.
+    const int digits = m_actual->fontMetrics().tightBoundingRect(QStringLiteral("0°")).height() + kAroundDigits;
+    m_actual->setMaximumHeight(numerals == Numerals::Row ? digits : QWIDGETSIZE_MAX);
     for (ValueLabel* const number : {m_target, m_error}) {
         number->setFont(areBeside(numerals) ? fonts::small() : fonts::value());
     }
@@ -254,12 +276,16 @@ void AxisCard::setNumerals(Numerals numerals)
 
 void AxisCard::chooseShown()
 {
-    const bool bare = m_numerals == Numerals::Bare;
+    const bool row = m_numerals == Numerals::Row;
+    const bool brief = row || m_numerals == Numerals::Bare;
     const bool live = freshness(m_shown.age) == Freshness::Live;
-    m_bar->setVisible(!bare);
-    m_detail->setVisible(!bare || !live);
+    m_bar->setVisible(!brief);
+    m_detail->setVisible(!brief || !live);
     for (QWidget* const part : {m_errorCaption, static_cast<QWidget*>(m_error)}) {
-        part->setVisible(!bare || live);
+        part->setVisible(!row && (!brief || live));
+    }
+    for (QWidget* const part : {m_targetCaption, static_cast<QWidget*>(m_target)}) {
+        part->setVisible(!row || live);
     }
 }
 
@@ -327,10 +353,10 @@ Angle AxisCard::trim() const
     return !m_trim ? 0_deg : m_axis == Axis::Azimuth ? m_trim->azimuth : m_trim->elevation;
 }
 
-// The bare card has room for the age only.
+// The cards without a line for details have room for the age only.
 QString AxisCard::detail()
 {
-    if (m_numerals == Numerals::Bare) {
+    if (m_numerals == Numerals::Bare || m_numerals == Numerals::Row) {
         return detailText(m_shown, m_shown.turnKnown);
     }
     QStringList parts;

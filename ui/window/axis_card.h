@@ -25,6 +25,7 @@ enum class Numerals
     Bare,    // 20 pt, the word beside the name, without bar and detail: a long alarm in a low window
     Beside,  // 22 pt, without a line for the rate: both cards in one row, while an alarm needs room
     Small,   // 28 pt, without a line for the rate: a window of 1024×700 has no room for more
+    Row,     // 44 pt, without error and rate: both cards in one row, while an alarm needs room in a usual window
     Usual,   // 44 pt
     Large    // 60 pt
 };
@@ -32,7 +33,7 @@ enum class Numerals
 // Whether both cards are side by side.
 [[nodiscard]] constexpr bool areBeside(Numerals numerals)
 {
-    return numerals == Numerals::Bare || numerals == Numerals::Beside;
+    return numerals == Numerals::Bare || numerals == Numerals::Beside || numerals == Numerals::Row;
 }
 
 class AxisCard : public QWidget
@@ -52,6 +53,7 @@ protected:
 private:
     void build(Numerals numerals);
     void buildBeside(QGridLayout& grid, Numerals numerals);
+    void buildRow(QGridLayout& grid);
     void chooseShown();
     void showNumbers(bool turnKnown);
     void showError(const StationStatus& status, bool known);

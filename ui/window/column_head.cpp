@@ -20,12 +20,13 @@ namespace {
 // px in a low window that an alarm may take from the panels. The last line of the log is below the sky there, which
 // leaves 22 of them.
 constexpr int kKeptForAlarms = 46;
+constexpr int kKeptInAUsualWindow = 21;  // px, so that the numerals keep their size beside a short alarm
 constexpr int kKeptInAHighWindow = 110;  // px, where the panels have more room than they need
 constexpr int kHighWindow = 1000;        // px
 
 int keptForAlarms(QSize window)
 {
-    return isLow(window) ? kKeptForAlarms : window.height() >= kHighWindow ? kKeptInAHighWindow : 0;
+    return isLow(window) ? kKeptForAlarms : window.height() >= kHighWindow ? kKeptInAHighWindow : kKeptInAUsualWindow;
 }
 
 }  // namespace
@@ -42,7 +43,7 @@ ColumnHead::ColumnHead(AlarmCard& alarms, RequestDesk& desk, QWidget* parent)
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(kGrid / 2);
     column->addWidget(&m_alarms);
-    column->addWidget(m_axes);
+    column->addWidget(m_axes, 1);
     column->addWidget(m_antenna);
     column->addWidget(m_wind);
     column->addWidget(m_sensor);
@@ -70,8 +71,8 @@ int ColumnHead::heightOfAlarm(AlarmForm form) const
     return m_alarms.isHidden() ? 0 : m_alarms.heightWith(form, width()) + layout()->spacing();
 }
 
-// A long alarm is in smaller letters before it leaves out a sentence. This is tried once for each alarm, because other
-// letters lay the column out again.
+// A long alarm is in smaller letters before it takes the room of the numerals, or leaves out a sentence. This is tried
+// once for each alarm, because other letters lay the column out again.
 void ColumnHead::arrange()
 {
     if (const Tried now{m_alarms.wholeText(), m_window}; now != m_tried) {
@@ -79,7 +80,7 @@ void ColumnHead::arrange()
         m_alarms.setTight(isLow(m_window));
     }
     Arrangement best = mostCompleteArrangement();
-    if (best.alarm == AlarmForm::Remedy) {
+    if (best.numerals < Numerals::Row) {
         m_alarms.setTight(true);
         best = mostCompleteArrangement();
     }
@@ -98,8 +99,11 @@ ColumnHead::Arrangement ColumnHead::mostCompleteArrangement()
     const auto height = [&](const Arrangement& of) {
         return antenna + wind + m_axes->sizeWith(of.numerals).height() + (of.sensor ? sensor : 0);
     };
+    const Numerals inRow = isLow(m_window) ? Numerals::Small : Numerals::Row;
     const std::array arrangements{Arrangement{usual, true},
                                   Arrangement{std::min(usual, Numerals::Usual), true},
+                                  Arrangement{inRow, true},
+                                  Arrangement{inRow, isLow(m_window)},
                                   Arrangement{Numerals::Small, true},
                                   Arrangement{Numerals::Beside, true},
                                   Arrangement{Numerals::Beside, false},

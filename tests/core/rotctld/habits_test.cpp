@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tests the conclusions from the behaviour of a client: how often it sends, and how coarsely it tracks its target.
+// Tests the conclusions from the behaviour of a client: how often it sends, how coarsely it tracks its target, and how
+// often it received an error.
 #include "core/rotctld/command_rate.h"
+#include "core/rotctld/error_cycles.h"
 #include "core/rotctld/point_steps.h"
 
 #include <gtest/gtest.h>
@@ -115,6 +117,52 @@ TEST_F(PointStepsTest, AnotherTargetIsNoLeap)
         point(40.0 * i, 20.0, 10min);
     }
     EXPECT_FALSE(steps.leap());
+}
+
+class ErrorCyclesTest : public ::testing::Test
+{
+protected:
+    static Result<> error(const char* text) { return failure(ErrorCode::OutOfRange, QString::fromUtf8(text)); }
+
+    const Result<> done = Result<>{};
+    ErrorCycles cycles;
+};
+
+// REQ-ROTCTLD-1420: A cycle of a client is its targets and the reading of the position after them. The cycles in a row
+// with an error are counted as Gpredict counts them: a position that is read does not make up for a refused target.
+TEST_F(ErrorCyclesTest, AReadPositionDoesNotMakeUpForARefusedTarget)
+{
+    for (int i = 1; i <= 3; ++i) {
+        cycles.target(error("too low"));
+        cycles.reading(done);
+        EXPECT_EQ(cycles.inARow(), i);
+        EXPECT_EQ(cycles.error().value().text.toStdString(), "too low");
+    }
+    cycles.target(done);
+    cycles.reading(done);
+    EXPECT_EQ(cycles.inARow(), 0);
+    EXPECT_FALSE(cycles.error());
+}
+
+// REQ-ROTCTLD-1420
+TEST_F(ErrorCyclesTest, ACycleCountsOnce)
+{
+    cycles.target(error("too low"));
+    cycles.reading(error("no position"));
+    EXPECT_EQ(cycles.inARow(), 1);
+    EXPECT_EQ(cycles.error().value().text.toStdString(), "too low");
+    cycles.reading(error("no position"));
+    EXPECT_EQ(cycles.inARow(), 2);
+    EXPECT_EQ(cycles.error().value().text.toStdString(), "no position");
+}
+
+// REQ-ROTCTLD-1420
+TEST_F(ErrorCyclesTest, ACycleWithoutATargetAndWithAPositionEndsTheRow)
+{
+    cycles.target(error("too low"));
+    cycles.reading(done);
+    cycles.reading(done);
+    EXPECT_EQ(cycles.inARow(), 0);
 }
 
 }  // namespace

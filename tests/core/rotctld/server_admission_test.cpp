@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tests which clients may connect, and how many.
+// Tests which clients may connect, how many, and what the kernel keeps for them.
 #include "tests/core/rotctld/server_fixture.h"
 
 #include <arpa/inet.h>
@@ -178,6 +178,21 @@ TEST(RotctldServer, LeavesDescriptorsForTheJournal)
     ASSERT_EQ(setrlimit(RLIMIT_NOFILE, &usual), 0);
     fixture.elapse(1s);
     EXPECT_EQ(peers.back()->ask("p\n", 2), "0.00\n0.00\n") << "who waited is served";
+}
+
+// Story: the kernel kept 4 MB of answers for a client that never read, so the server noticed it minutes later.
+// REQ-ROTCTLD-1422: The kernel keeps at most 64 kB of unsent answers for each client.
+TEST(RotctldServer, KeepsFewAnswersInTheKernel)
+{
+    const auto listener = listenOn("127.0.0.1", 0);
+    ASSERT_TRUE(listener.has_value());
+    const fakes::TcpPeer peer("127.0.0.1", localPort(*listener), [] {});
+    const auto accepted = acceptOne(*listener);
+    ASSERT_TRUE(accepted.has_value());
+    int bytes = 0;
+    socklen_t length = sizeof bytes;
+    ASSERT_EQ(::getsockopt(accepted->socket.get(), SOL_SOCKET, SO_SNDBUF, &bytes, &length), 0);
+    EXPECT_LE(bytes, 65'536);
 }
 
 }  // namespace

@@ -82,6 +82,7 @@ TEST(RotctldServer, PauseDelaysNobodyElse)
     EXPECT_EQ(sleeper->receiveLines(3), "RPRT 0\n0.00\n0.00\n");
 }
 
+// REQ-ROTCTLD-1423
 TEST(RotctldServer, DropsWhoNeverReads)
 {
     ServerFixture fixture;
@@ -98,6 +99,50 @@ TEST(RotctldServer, DropsWhoNeverReads)
     EXPECT_EQ(fixture.goneReason(), "dropped: does not read its answers");
     EXPECT_EQ(fixture.server->clients().size(), 1U);
     EXPECT_EQ(other->ask("p\n", 2), "0.00\n0.00\n");
+}
+
+// Silence is not a fault, and a client that reads its answers slowly stays connected.
+// REQ-ROTCTLD-1423: A client whose unsent answers did not become fewer for 10 s is dropped. A client that reads some of
+// them in this time is not.
+TEST(RotctldServer, KeepsWhoReadsSlowly)
+{
+    ServerFixture fixture;
+    const auto slow = fixture.connect();
+    const auto untilTheKernelIsFull = [] {
+        for (int i = 0; i < 10'000; ++i) {
+            ServerFixture::turn();
+        }
+    };
+    const auto some = [](const std::string& bytes) { return bytes.size() >= 300'000; };
+    slow->send(repeated("1\n", 20'000), 200ms);
+    untilTheKernelIsFull();
+    for (int i = 0; i < 3; ++i) {
+        fixture.elapse(8s);
+        EXPECT_GE(slow->receive(some, 0ms, 60s).size(), 300'000U);
+        untilTheKernelIsFull();
+    }
+    fixture.elapse(9s);
+    EXPECT_TRUE(fixture.rotator.gone.empty()) << fixture.goneReason();
+    fixture.elapse(2s);
+    EXPECT_EQ(fixture.goneReason(), "dropped: does not read its answers");
+}
+
+// Story: a client that was reset with unread answers "closed the connection", and its waiting commands still ran.
+// REQ-ROTCTLD-1424: A client that breaks its connection with answers unread is logged as lost, with the reason.
+TEST(RotctldServer, WhoBreaksItsConnectionWithAnswersUnreadIsLost)
+{
+    ServerFixture fixture;
+    const auto deaf = fixture.connect();
+    deaf->send(repeated("1\n", 20'000), 200ms);
+    for (int i = 0; i < 10'000; ++i) {
+        ServerFixture::turn();  // until the kernel accepts no more
+    }
+    deaf->reset();
+    for (int i = 0; i < 1'000 && fixture.rotator.gone.empty(); ++i) {
+        ServerFixture::turn();
+    }
+    EXPECT_EQ(fixture.goneReason().substr(0, 5), "lost:");
+    EXPECT_NE(fixture.goneReason(), "lost: its answers cannot be sent") << "that is no reason";
 }
 
 TEST(RotctldServer, DropsALineWithoutEnd)

@@ -174,6 +174,31 @@ TEST_F(RotctldSession, ReportsTheReasonOfEachRefusal)
     EXPECT_EQ(answer("\\get_outcome\n"), "\n");
 }
 
+// Story: a Gpredict whose targets were all outside the limits had no program in the list of the clients.
+// REQ-ROTCTLD-1421: The program of a client is recognised from every command that the server can read, also if the
+// mount does not reach its target. An odd command shows nothing about the program.
+TEST_F(RotctldSession, RecognisesTheProgramOfARefusedClient)
+{
+    EXPECT_EQ(answer("p\n"), "0.00\n0.00\n");
+    EXPECT_EQ(answer("P nan 1.25\n"), "RPRT -1\n");
+    EXPECT_EQ(session.habits().program(), "");
+    EXPECT_EQ(answer("P 12.34 170.25\n"), "RPRT -1\n");
+    EXPECT_EQ(session.habits().program(), "Gpredict or SatDump");
+}
+
+// REQ-ROTCTLD-1420
+TEST_F(RotctldSession, CountsTheErrorsInARow)
+{
+    for (int i = 0; i < 3; ++i) {
+        EXPECT_EQ(answer("P 12.34 170.25\n"), "RPRT -1\n");
+        EXPECT_EQ(answer("p\n"), "0.00\n0.00\n");
+    }
+    EXPECT_EQ(session.habits().errors().inARow(), 3);
+    EXPECT_EQ(session.habits().errors().error().value().code, ErrorCode::OutOfRange);
+    EXPECT_EQ(answer("p\n"), "0.00\n0.00\n");
+    EXPECT_EQ(session.habits().errors().inARow(), 0);
+}
+
 TEST_F(RotctldSession, HelpNamesEveryCommand)
 {
     const std::string help = answer("??\n");

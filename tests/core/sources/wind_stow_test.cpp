@@ -147,6 +147,51 @@ TEST_F(WindStowTest, ControlIsNotGivenInAStrongWind)
     EXPECT_EQ(refusal(request::GiveAuthority{}), "");
 }
 
+// Story: Unpark was accepted in a strong wind. The mount stood unparked, and the alarm asked to park it again.
+// REQ-WIND-21b: A mount that is parked in a strong wind stays parked. Unpark is refused with the reason, whoever
+// requests it, but S of a client is answered. STOP works. On its way to the park position the mount may be held.
+TEST_F(WindStowTest, AParkedMountStaysParked)
+{
+    goUp();
+    ASSERT_TRUE(rig.ask(request::GiveAuthority{}));
+    blow(17.0, Seconds(4.0));
+    ASSERT_EQ(rig.state(), StationState::Slew);
+    EXPECT_TRUE(rig.control.status().permissions.allows(Action::Hold));
+    EXPECT_EQ(refusal(request::Hold{}), "");
+    ASSERT_EQ(refusal(request::Park{}), "");
+    blow(17.0, Seconds(60.0));
+    ASSERT_EQ(rig.state(), StationState::Parked);
+    const std::string why =
+        "The wind reached 17.0 m/s. The limit is 15.0 m/s. The mount stays parked until the wind stays below "
+        "10.0 m/s for 1 min.";
+    EXPECT_EQ(refusal(request::Hold{}), why);
+    EXPECT_EQ(refusal(request::Hold{}, kClient), "") << "it stops a mount that stands, and nothing changes";
+    EXPECT_EQ(rig.state(), StationState::Parked);
+    EXPECT_EQ(rig.control.status().permissions.reason(Action::Hold).toStdString(), why);
+    blow(17.0, Seconds(1.0));
+    EXPECT_EQ(rig.state(), StationState::Parked);
+    EXPECT_TRUE(isRaised("wind.parks"));
+    EXPECT_EQ(refusal(request::Stop{}), "");
+    EXPECT_EQ(rig.state(), StationState::Stopped);
+}
+
+// REQ-WIND-21b
+TEST_F(WindStowTest, AMountIsUnparkedAfterTheWindOrAgainstIt)
+{
+    goUp();
+    blow(17.0, Seconds(60.0));
+    ASSERT_EQ(rig.state(), StationState::Parked);
+    ASSERT_EQ(refusal(request::OverrideWind{}), "");
+    EXPECT_EQ(refusal(request::Hold{}), "");
+    blow(17.0, Seconds(1.0));
+    EXPECT_EQ(rig.state(), StationState::Hold);
+    ASSERT_EQ(refusal(request::Park{}), "");
+    blow(5.0, Seconds(130.0));  // longer than the override and the calm time
+    ASSERT_EQ(rig.state(), StationState::Parked);
+    EXPECT_EQ(refusal(request::Hold{}), "");
+    EXPECT_EQ(rig.state(), StationState::Hold);
+}
+
 // REQ-WIND-22: The profile may name a separate place for a strong wind. While the wind is strong, Park also goes there.
 TEST_F(WindStowTest, AnOwnPlace)
 {

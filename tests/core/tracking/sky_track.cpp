@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
 #include <sstream>
 
@@ -19,10 +20,11 @@ double skyDistance(const AxisPosition& a, const AxisPosition& b)
     return Angle::fromRadians(std::acos(std::clamp(cosine, -1.0, 1.0))).degrees();
 }
 
-std::map<std::string, std::vector<Timed>> table(const std::string& name, std::size_t keys)
+std::map<std::string, std::vector<Timed>> table(const char* variable, const std::string& name, std::size_t keys)
 {
     std::map<std::string, std::vector<Timed>> rows;
-    std::ifstream file(std::string(BORESIGHT_TEST_DATA "/") + name);
+    const char* const other = std::getenv(variable);
+    std::ifstream file(other && *other ? std::string(other) : std::string(BORESIGHT_TEST_DATA "/") + name);
     for (std::string line; std::getline(file, line);) {
         std::vector<std::string> field;
         std::istringstream fields(line);

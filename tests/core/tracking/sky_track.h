@@ -30,8 +30,14 @@ inline AxisPosition axes(double azimuth, double elevation)
 // In degrees.
 double skyDistance(const AxisPosition& a, const AxisPosition& b);
 
-// Rows of time, azimuth and elevation. The first `keys` columns name the path: "A85,gp_0.1".
-std::map<std::string, std::vector<Timed>> table(const std::string& name, std::size_t keys);
+// Rows of time, azimuth and elevation. The first `keys` columns name the path: "A85,gp_0.1". The environment variable
+// may name another file of the same form.
+std::map<std::string, std::vector<Timed>> table(const char* variable, const std::string& name, std::size_t keys);
+
+inline std::map<std::string, std::vector<Timed>> trueTracks()
+{
+    return table("TRACK_TRUTH", "track_truth.csv", 1);
+}
 
 // From rise to set every 0.2 s, as in track_truth.csv. It culminates in the north, and the azimuth passes through
 // north. The Earth is a sphere and does not rotate.

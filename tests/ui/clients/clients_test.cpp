@@ -93,6 +93,43 @@ TEST_F(ClientsPanelTest, ShowsWhoIsThereAndWhatEachMayDo)
     EXPECT_FALSE(named<ValueLabel>("About the selected client")->isElided());
 }
 
+// REQ-UI-1785: The line of the selected client shows how many of its commands were odd, if any were. The tooltips of
+// the line and of the row explain what an odd command is.
+TEST_F(ClientsPanelTest, CountsTheOddCommandsOfAClient)
+{
+    const auto detail = [this] { return named<ValueLabel>("About the selected client"); };
+    const auto rowHelp = [this](int row) {
+        return table().model()->index(row, ClientModel::Address).data(Qt::ToolTipRole).toString();
+    };
+    select(2);
+    EXPECT_EQ(detail()->text().toStdString(), "10.0.0.12:40007: last command p");
+    EXPECT_EQ(detail()->toolTip(), QString());
+    EXPECT_FALSE(rowHelp(2).contains(QStringLiteral("Odd commands")));
+    StationStatus status = samples::fighting();
+    status.clients[0].oddCommands = 2;
+    status.clients[2].oddCommands = 5;
+    give(samples::update(status));
+    EXPECT_EQ(detail()->text().toStdString(), "10.0.0.12:40007 (odd commands: 5): last command p");
+    const QString help = QStringLiteral("\nOdd commands: 5. A command is odd if");
+    EXPECT_TRUE(detail()->toolTip().startsWith(detail()->text() + help));
+    EXPECT_TRUE(rowHelp(2).contains(help));
+    select(0);
+    EXPECT_TRUE(detail()->text().startsWith(QStringLiteral("127.0.0.1:51234 (odd commands: 2): This Gpredict")));
+    give(samples::update(samples::fighting()));
+    EXPECT_EQ(detail()->toolTip(), QString());
+}
+
+// REQ-UI-1786: The advice that Gpredict is about to disengage is complete at 1024×700, with its remedy.
+TEST_F(ClientsPanelTest, TheAdviceBeforeGpredictDisengagesIsWhole)
+{
+    StationStatus status = samples::fighting();
+    status.clients[0].advice =
+        QStringLiteral("5 errors in a row. Gpredict disengages after 6. Set rotctld.outside_limits to \"nearest\".");
+    give(samples::update(status));
+    EXPECT_TRUE(text("About the selected client").contains(QStringLiteral("Gpredict disengages after 6")));
+    EXPECT_FALSE(named<ValueLabel>("About the selected client")->isElided());
+}
+
 // Story: 17 s after the last command of a client the list said that it was "in control", and the header "Control:
 // clients".
 // REQ-UI-977: A client is shown as in control only while others are refused. Otherwise the client whose target is

@@ -80,6 +80,27 @@ TEST_F(JogDeskTest, AnEmptyFieldKeepsItsAxis)
     EXPECT_EQ(text("Refused direction"), QString()) << "it was about what stood there before";
 }
 
+// Story: a click into a field with an old number placed the cursor, and the typed digits were added to that number.
+// REQ-UI-1790: A click into a go-to field selects its number, so that typing replaces the number. The next click places
+// the cursor.
+TEST_F(JogDeskTest, AClickIntoAFieldSelectsItsNumber)
+{
+    for (const char* const name : {"Azimuth", "Elevation"}) {
+        auto& field = *named<QLineEdit>(name);
+        field.setText(QStringLiteral("113.50"));
+        named<QPushButton>("Presets, home, horizon, unwrap")->setFocus();
+        QTest::mouseClick(&field, Qt::LeftButton);
+        EXPECT_EQ(field.selectedText(), QStringLiteral("113.50")) << name;
+        QTest::mouseClick(&field, Qt::LeftButton);
+        EXPECT_FALSE(field.hasSelectedText()) << name;
+        named<QPushButton>("Presets, home, horizon, unwrap")->setFocus();
+        QTest::mouseClick(&field, Qt::LeftButton);
+        QTest::keyClicks(&field, QStringLiteral("20"));
+        EXPECT_EQ(field.text(), QStringLiteral("20")) << name;
+    }
+    EXPECT_TRUE(requests.empty());
+}
+
 // REQ-UI-952: The go-to line is shown on every tab. In the guide it is hidden, because the guide needs its room.
 TEST_F(JogDeskTest, TheGoToLineIsThereOnEveryTab)
 {

@@ -251,5 +251,18 @@ TEST_F(JogDeskTest, ParkBecomesUnparkThatMovesNothing)
     EXPECT_TRUE(named<CommandButton>("Park")->isEnabled());
 }
 
+// REQ-WIND-21b
+TEST_F(JogDeskTest, UnparkIsDisabledWithTheReasonWhileTheWindKeepsTheMountParked)
+{
+    const auto why = QStringLiteral("The wind reached 17.0 m/s. The limit is 15.0 m/s.");
+    StationStatus parked = holding();
+    parked.state = StationState::Parked;
+    parked.permissions.refuse(Action::Hold, why);
+    give(samples::update(parked));
+    const auto* const unpark = named<CommandButton>("Unpark");
+    EXPECT_FALSE(unpark->isEnabled());
+    EXPECT_TRUE(unpark->toolTip().contains(why)) << unpark->toolTip().toStdString();
+}
+
 }  // namespace
 }  // namespace boresight::ui

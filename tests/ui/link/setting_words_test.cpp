@@ -20,7 +20,9 @@ TEST(SettingWords, ValuesAreReadWithTheirUnits)
     EXPECT_EQ(valueText(*findSetting("mount.name"), profile), QStringLiteral("Boresight mount"));
     EXPECT_EQ(valueText(*findSetting("rotctld.allow"), profile), QStringLiteral("none"));
     EXPECT_EQ(valueText(*findSetting("site.latitude_deg"), profile), QStringLiteral("not set"));
-    EXPECT_EQ(rangeText(*findSetting("control.on_exit")), QStringLiteral("hold, brake, off"));
+    EXPECT_EQ(valueText(*findSetting("control.on_exit"), profile), QStringLiteral("Hold position"));
+    EXPECT_EQ(typedText(*findSetting("control.on_exit"), profile), QStringLiteral("hold"));
+    EXPECT_EQ(rangeText(*findSetting("control.on_exit")), QStringLiteral("Hold position, Brake, Torque off"));
     EXPECT_EQ(rangeText(*findSetting("azimuth.max_speed_deg_s")), QStringLiteral("0.01 … 360 °/s"));
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/find_widget.h"
 #include "tests/ui/sample_status.h"
+#include "tests/ui/window_fixture.h"
 #include "ui/kit/choice_button.h"
 #include "ui/kit/request_desk.h"
 #include "ui/kit/value_label.h"
@@ -16,6 +17,7 @@
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QScrollBar>
 #include <QTableView>
 #include <QTemporaryDir>
@@ -247,6 +249,29 @@ TEST_F(LogTest, KeepsABoundedTail)
     panel.append(many);
     EXPECT_EQ(rows(), 5000);
     EXPECT_EQ(cell(rows() - 1, LogModel::Text), QStringLiteral("6000"));
+}
+
+using LogInWindowTest = WindowFixture;
+
+// Story: at 1280×800 the last line of the page was cut in half, and the page scrolled by some pixels.
+// REQ-UI-1792: Each page of the log fits into a window of 1280×800 without a scroll bar, also with an alarm.
+TEST_F(LogInWindowTest, ThePagesFitWithoutAScrollBar)
+{
+    window.resize(1280, 800);
+    openPanel('5');
+    const auto* const log = window.findChild<LogPanel*>();
+    const auto* const room = qobject_cast<QScrollArea*>(log->parentWidget()->parentWidget());
+    ASSERT_NE(room, nullptr);
+    const auto choices = log->findChildren<ChoiceButton*>();
+    ASSERT_EQ(choices.size(), 3);
+    for (const StationStatus& status : {samples::idle(), samples::faulted()}) {
+        give(samples::update(status));
+        for (ChoiceButton* const choice : choices) {
+            choice->click();
+            settle();
+            EXPECT_EQ(room->verticalScrollBar()->maximum(), 0) << choice->text().toStdString();
+        }
+    }
 }
 
 }  // namespace

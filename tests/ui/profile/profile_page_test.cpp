@@ -188,6 +188,7 @@ TEST_F(ProfilePageTest, APasswordIsNotSeenOverTheShoulder)
     EXPECT_EQ(asked<request::ApplyProfile>().front().profile.mqtt.password, "s3cret");
 }
 
+// REQ-PROFILE-968
 TEST_F(ProfilePageTest, AChoiceOpensItsList)
 {
     QTest::keyClicks(search(), QStringLiteral("on_exit"));
@@ -196,10 +197,16 @@ TEST_F(ProfilePageTest, AChoiceOpensItsList)
     QTest::keyClick(tree(), Qt::Key_F2);
     auto* const list = qobject_cast<QComboBox*>(QApplication::focusWidget());
     ASSERT_NE(list, nullptr);
-    EXPECT_EQ(list->currentText(), QStringLiteral("hold"));
+    EXPECT_EQ(list->currentText(), QStringLiteral("Hold position"));
     QTest::keyClick(list, Qt::Key_Down);
     tree()->setFocus();
-    EXPECT_EQ(firstCell(SettingTree::Value), QStringLiteral("brake (was hold)"));
+    EXPECT_EQ(firstCell(SettingTree::Value), QStringLiteral("Brake (was Hold position)"));
+    const QModelIndex line = tree()->model()->index(0, SettingTree::Value, tree()->model()->index(0, 0));
+    EXPECT_EQ(line.data(Qt::EditRole).toString(), QStringLiteral("brake"));
+    EXPECT_TRUE(line.data(Qt::ToolTipRole).toString().contains(QStringLiteral("Hold position (hold), Brake (brake)")));
+    press("Apply");
+    ASSERT_EQ(asked<request::ApplyProfile>().size(), 1u);
+    EXPECT_EQ(asked<request::ApplyProfile>().front().profile.control.onExit, profile::OnExit::Brake);
 }
 
 TEST_F(ProfilePageTest, WhatWaitsForAReconnectIsMarkedAndShownAlone)

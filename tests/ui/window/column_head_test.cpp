@@ -100,6 +100,26 @@ TEST_F(ColumnHeadTest, NoAlarmMovesTheTabs)
     }
 }
 
+// Story: beside each alarm the numerals had 20 to 28 pt at 1280×800.
+// REQ-UI-1781: At 1280×800 the numerals keep 44 pt beside each alarm of the catalogue, with or without a sensor. Only
+// beside the longest one, without a sensor, they are smaller.
+TEST_F(ColumnHeadTest, TheNumeralsKeepTheirSizeBesideAnAlarm)
+{
+    window.resize(1280, 800);
+    QStringList smaller;
+    for (const AlarmEntry* const entry : alarmCatalogue()) {
+        StationStatus status = samples::alarmed(*entry);
+        for (const SensorStatus& sensor : {withSensor, SensorStatus{}}) {
+            status.sensor = sensor;
+            tabs(status);
+            if (labelOf("Actual azimuth").font() != fonts::actual(44)) {
+                smaller << QLatin1String(entry->id) + (sensor.open ? QStringLiteral(", sensor") : QString());
+            }
+        }
+    }
+    EXPECT_EQ(smaller.join(u"; ").toStdString(), "switch.lost-steps");
+}
+
 // Story: at 1024×700 each alarm of the catalogue moved the tabs by 14 to 65 px.
 // REQ-UI-1461: At 1024×700 no alarm of the catalogue moves the tabs, with or without a sensor. There the card has
 // smaller letters and margins, and the last line of the log is below the sky, whose disc keeps its size.
@@ -153,7 +173,9 @@ TEST_F(ColumnHeadTest, EachAlarmIsWholeInTheUsualWindow)
 {
     window.resize(1280, 800);
     for (const AlarmEntry* const entry : alarmCatalogue()) {
-        tabs(samples::alarmed(*entry));
+        StationStatus status = samples::alarmed(*entry);
+        status.sensor = withSensor;
+        tabs(status);
         EXPECT_FALSE(named<QPushButton>("Whole alarm")->isVisible()) << entry->id;
     }
 }
