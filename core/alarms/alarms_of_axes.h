@@ -205,7 +205,7 @@ inline constexpr std::array kAxisAlarms{
         .thenRearm = true,
         .help = AlarmHelp::Rearm,
         .kin = AlarmKin::Drive,
-        .examples = {"the azimuth needs 6.0 Nm, 40 % of the 15.0 Nm allowed, while its position is unknown"}},
+        .examples = {"the azimuth needs 6.0 Nm, 40 % of the 15.0 Nm allowed. Its position is unknown"}},
 };
 
 }  // namespace boresight

@@ -173,9 +173,8 @@ Received receiveSome(const Descriptor& socket, char* buffer, std::size_t size)
         return {.bytes = {}, .atEnd = true, .failure = {}};  // the program has closed the terminal
     }
     if (errno == ETIMEDOUT) {  // by the limits of prepareClient()
-        return {.bytes = {},
-                .atEnd = true,
-                .failure = Text::tr("its computer does not reply, or its program does not read its answers")};
+        return {
+            .bytes = {}, .atEnd = true, .failure = Text::tr("its computer or its program did not respond for 10 s")};
     }
     return {.bytes = {}, .atEnd = true, .failure = reason()};
 }

@@ -267,8 +267,8 @@ void AxisSupervisor::judgeTorque(const AxisObservation& seen)
         [&] {
             return needs(
                 seen.turnKnown
-                    ? Text::tr("%1 needs %2 Nm, %3 % of the %4 Nm allowed, and its entered cable wrap may be wrong")
-                    : Text::tr("%1 needs %2 Nm, %3 % of the %4 Nm allowed, while its position is unknown"));
+                    ? Text::tr("%1 needs %2 Nm, %3 % of the %4 Nm allowed. Its entered cable wrap may be wrong")
+                    : Text::tr("%1 needs %2 Nm, %3 % of the %4 Nm allowed. Its position is unknown"));
         });
 }
 

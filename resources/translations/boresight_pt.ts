@@ -11396,10 +11396,6 @@ até %1</translation>
         <translation>A posição do eixo continua desconhecida</translation>
     </message>
     <message>
-        <source>%1 needs %2 Nm, %3 % of the %4 Nm allowed, while its position is unknown</source>
-        <translation>%1 precisa de %2 Nm, %3 % dos %4 Nm permitidos, enquanto a sua posição é desconhecida</translation>
-    </message>
-    <message>
         <source>The %1 limits its torque: its board is at %2 °C</source>
         <translation>O %1 limita o torque: a placa está a %2 °C</translation>
     </message>
@@ -11740,12 +11736,16 @@ até %1</translation>
         <translation>O lugar abaixo</translation>
     </message>
     <message>
-        <source>its computer does not reply, or its program does not read its answers</source>
-        <translation>o seu computador não responde, ou o seu programa não lê as respostas</translation>
+        <source>its computer or its program did not respond for 10 s</source>
+        <translation>o seu computador ou o seu programa não respondeu durante 10 s</translation>
     </message>
     <message>
-        <source>%1 needs %2 Nm, %3 % of the %4 Nm allowed, and its entered cable wrap may be wrong</source>
-        <translation>%1 precisa de %2 Nm, %3 % dos %4 Nm permitidos, e a volta do cabo indicada pode estar errada</translation>
+        <source>%1 needs %2 Nm, %3 % of the %4 Nm allowed. Its entered cable wrap may be wrong</source>
+        <translation>%1 precisa de %2 Nm, %3 % dos %4 Nm permitidos. A volta do cabo indicada pode estar errada</translation>
+    </message>
+    <message>
+        <source>%1 needs %2 Nm, %3 % of the %4 Nm allowed. Its position is unknown</source>
+        <translation>%1 precisa de %2 Nm, %3 % dos %4 Nm permitidos. A sua posição é desconhecida</translation>
     </message>
     <message>
         <source>Boresight no longer tracks %1 from its own orbit: %2</source>
@@ -13290,8 +13290,8 @@ Depois a montagem aponta por este resultado. O registo anota que o aplicou mesmo
         <translation>%1 (comandos estranhos: %2)</translation>
     </message>
     <message>
-        <source>No program is connected. Gpredict disengages after 6 errors in a row. Press Engage there again</source>
-        <translation>Nenhum programa está ligado. O Gpredict desliga-se após 6 erros seguidos. Prima lá Engage de novo</translation>
+        <source>No program is connected. Gpredict disengages after 6 errors in a row. Then press Engage in Gpredict again</source>
+        <translation>Nenhum programa está ligado. O Gpredict desliga-se após 6 erros seguidos. Prima então Engage de novo no Gpredict</translation>
     </message>
     <message>
         <source>Boresight tracks %1</source>

@@ -84,7 +84,7 @@ TEST_F(WrongWrap, TheHardStopEndsTheUnwrap)
     rig.onTick = {};
     EXPECT_GT(azimuth(), kHardStop - 2.0);
     EXPECT_LT(ticksAtTheStop * SimulatedStation::kTick.count(), 0.3) << "found before the missing motion";
-    EXPECT_TRUE(rig.alarmSays(QStringLiteral("its entered cable wrap may be wrong")));
+    EXPECT_TRUE(rig.alarmSays(QStringLiteral("Its entered cable wrap may be wrong")));
     rig.run(Seconds(2.0));
     EXPECT_LT(std::abs(rig.link->truth(Axis::Azimuth).torque), 10.0) << "the drive does not push on";
     EXPECT_TRUE(rig.runUntil([this] { return isAsked(Axis::Azimuth); }, Seconds(10.0))) << "the wrap is in doubt";
@@ -122,7 +122,7 @@ TEST_F(WrongWrap, ACableThatGetsTightEndsTheUnwrapBeforeTheHardStop)
                                  .value = kStiffness * std::max(0.0, kTightAt - azimuth())});
     };
     ASSERT_TRUE(unwrapIsStopped());
-    EXPECT_TRUE(rig.alarmSays(QStringLiteral("its entered cable wrap may be wrong")));
+    EXPECT_TRUE(rig.alarmSays(QStringLiteral("Its entered cable wrap may be wrong")));
     rig.run(Seconds(2.0));
     EXPECT_GT(azimuth(), kHardStop + 8.0);
     EXPECT_TRUE(rig.runUntil([this] { return isAsked(Axis::Azimuth); }, Seconds(10.0)));

@@ -309,11 +309,10 @@ void ClientsPanel::showSelected()
     } else if (m_status.authority == Authority::Operator) {
         m_detail->setValue(tr("You have control. Boresight refuses motion commands of clients"));
     } else {
-        m_detail->setValue(
-            m_status.clients.empty()
-                ? tr("No program is connected. Gpredict disengages after 6 errors in a row. Press Engage there again")
-                : tr("Select a client to give it control or to make it read-only"),
-            Tone::Secondary);
+        m_detail->setValue(m_status.clients.empty() ? tr("No program is connected. Gpredict disengages after 6 errors "
+                                                         "in a row. Then press Engage in Gpredict again")
+                                                    : tr("Select a client to give it control or to make it read-only"),
+                           Tone::Secondary);
     }
     explainOdd(client);
 }

@@ -46,7 +46,7 @@ TEST(EnteredWrap, ACableThatPullsStopsTheMountAndPutsTheWrapInDoubt)
     const auto alarms = rig.control.status().alarms;
     EXPECT_TRUE(std::ranges::any_of(alarms, [](const Alarm& one) {
         return one.active && one.name == QStringLiteral("axis.torque-guard") &&
-               one.what.endsWith(QStringLiteral("and its entered cable wrap may be wrong."));
+               one.what.endsWith(QStringLiteral(". Its entered cable wrap may be wrong."));
     }));
     rig.azimuth.torque = 0.0;
     rig.run(Seconds(2.0));

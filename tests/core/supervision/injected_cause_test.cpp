@@ -353,7 +353,7 @@ TEST(TorqueGuard, StopsAnUnwindThatPullsTheCableTight)
     ASSERT_TRUE(mount.first(Symptom::TorqueGuard, Weight::Stop)) << mount.report();
     EXPECT_LT(std::abs(*mount.seen(Axis::Azimuth).torque), 23.0);
     EXPECT_THAT(mount.first(Symptom::TorqueGuard, Weight::Stop)->observed.what.toStdString(),
-                HasSubstr("while its position is unknown"));
+                HasSubstr("Its position is unknown"));
 }
 
 }  // namespace
