@@ -5,6 +5,7 @@
 #include "core/ephemeris/refraction.h"
 #include "core/messages/drive_gains.h"
 #include "core/messages/tuning_status.h"
+#include "core/plan/pass_plan.h"
 #include "core/profile/profile.h"
 #include "core/targets/target.h"
 #include "core/units/sky.h"
@@ -68,6 +69,7 @@ struct Follow  // one point of the stream of a calibration: the present directio
 struct Track  // wait where the target rises, follow it until it sets, then hold. A fixed target: go there and stay
 {
     targets::Target target;
+    std::optional<plan::ChosenWay> way = {};  // through the pass; empty: the best one
 };
 struct TrackFile  // the same with the table of a file. The answer comes after the station has read the file
 {

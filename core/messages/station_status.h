@@ -24,6 +24,7 @@
 #include "core/messages/transmit_status.h"
 #include "core/messages/tuning_status.h"
 #include "core/messages/wind_status.h"
+#include "core/plan/pass_plan.h"
 #include "core/profile/profile.h"
 #include "core/targets/sky_moment.h"
 #include "core/units/sky.h"
@@ -237,6 +238,8 @@ struct TrackedTarget
     std::optional<UtcTime> next = {};  // the next set or rise; empty: it never sets
     // From its rise, or from when it was selected, until it sets, but at most for a day. Null: unknown.
     targets::SkyWay way = {};
+    // How the mount will drive the pass, and the error to expect. Null: not planned, or not yet.
+    plan::SharedVariant plan = {};
     // The angular rate across the sky now, or at the rise. If the clock is wrong by 1 s, the beam is wrong by the angle
     // that the target moves in 1 s. Empty: the direction does not depend on the clock of this computer.
     std::optional<AngularRate> skyRate = {};

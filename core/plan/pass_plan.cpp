@@ -75,14 +75,33 @@ Forecast forecastOf(const std::vector<PlannedMoment>& moments, Angle bound, Angl
     return forecast;
 }
 
-std::size_t choiceOf(const std::vector<PlanVariant>& variants, Angle beamWidth)
+ChosenWay choiceFor(const PlanVariant& variant)
+{
+    return {.way = variant.way, .startAzimuth = variant.start().azimuth};
+}
+
+std::optional<std::size_t> indexOf(const PassPlan& plan, const ChosenWay& choice)
+{
+    std::optional<std::size_t> nearest;
+    const auto apart = [&](std::size_t i) { return abs(plan.variants[i].start().azimuth - choice.startAzimuth); };
+    for (std::size_t i = 0; i < plan.variants.size(); ++i) {
+        if (plan.variants[i].way == choice.way && (!nearest || apart(i) < apart(*nearest))) {
+            nearest = i;
+        }
+    }
+    return nearest && apart(*nearest) < 180_deg ? nearest : std::nullopt;
+}
+
+std::size_t choiceOf(const std::vector<PlanVariant>& variants, Angle beamWidth, Begins begins)
 {
     constexpr Seconds kSameTime{0.5};
     const Angle sameError = std::max(Angle::fromDegrees(0.05), beamWidth * std::sqrt(0.1 / 12.0));  // 0.1 dB
     constexpr Seconds kSameSlew{0.01};
     std::vector<std::size_t> left(variants.size());
     std::iota(left.begin(), left.end(), std::size_t{0});
-    keepLeast(left, kSameTime, [&](std::size_t i) { return variants[i].forecast.beyond; });
+    keepLeast(left, kSameTime, [&](std::size_t i) {
+        return variants[i].forecast.beyond + (begins == Begins::Now ? variants[i].toStart : Seconds(0.0));
+    });
     keepLeast(left, sameError, [&](std::size_t i) { return variants[i].forecast.peak; });
     keepLeast(left, 0, [&](std::size_t i) { return static_cast<int>(variants[i].way); });
     keepLeast(left, kSameSlew, [&](std::size_t i) { return variants[i].toStart; });

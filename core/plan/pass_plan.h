@@ -7,6 +7,7 @@
 #include <QString>
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -77,6 +78,18 @@ struct PlanVariant
     bool operator==(const PlanVariant&) const = default;
 };
 
+// Never changed, so threads share it.
+using SharedVariant = std::shared_ptr<const PlanVariant>;
+
+// One variant of a plan, as an operator chooses it. The wrap is the one of the azimuth at the start.
+struct ChosenWay
+{
+    PlanWay way = PlanWay::Direct;
+    Angle startAzimuth{};
+
+    bool operator==(const ChosenWay&) const = default;
+};
+
 struct PassPlan
 {
     Angle bound;                        // of the error
@@ -87,15 +100,28 @@ struct PassPlan
     bool operator==(const PassPlan&) const = default;
 };
 
+[[nodiscard]] ChosenWay choiceFor(const PlanVariant& variant);
+
+// The index of the variant that this choice means, among those of a plan that may have been made some time later.
+// Empty: the plan has no such way.
+[[nodiscard]] std::optional<std::size_t> indexOf(const PassPlan& plan, const ChosenWay& choice);
+
 // As other programs read it: "direct", "over-the-top", "through-the-zenith", "other-way-round", "waits", "unwraps".
 [[nodiscard]] QString keyOf(PlanWay way);
 
 // The forecast for moments whose errors and hidden parts are known.
 [[nodiscard]] Forecast forecastOf(const std::vector<PlannedMoment>& moments, Angle bound, Angle beamWidth);
 
+// When a plan begins.
+enum class Begins
+{
+    Later,  // the mount waits at the start
+    Now     // the way to the start is time without the target
+};
+
 // The index of the best variant: the shortest time beyond the bound, then the smallest peak error, then the order of
 // PlanWay, then the shortest way to the start, then the larger margin of the cable. Differences that cost less than
 // 0.1 dB, 0.05° or 0.5 s do not count. At least one variant is required.
-[[nodiscard]] std::size_t choiceOf(const std::vector<PlanVariant>& variants, Angle beamWidth);
+[[nodiscard]] std::size_t choiceOf(const std::vector<PlanVariant>& variants, Angle beamWidth, Begins begins);
 
 }  // namespace boresight::plan

@@ -64,7 +64,7 @@ PassPlan planPass(const DirectionAt& directionAt, const PlanTask& task, const Pl
         }
     }
     if (!plan.variants.empty()) {
-        plan.chosen = choiceOf(plan.variants, mount.beamWidth);
+        plan.chosen = choiceOf(plan.variants, mount.beamWidth, task.begins);
     }
     return plan;
 }

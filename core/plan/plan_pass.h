@@ -17,6 +17,7 @@ struct PlanTask
     UtcTime to{};
     AxisPosition now{};            // where the axes are before the pass
     std::optional<Angle> bound{};  // of the error; empty: half of the beam width, where a signal loses 3 dB
+    Begins begins = Begins::Later;
 };
 
 [[nodiscard]] PassPlan planPass(const DirectionAt& directionAt, const PlanTask& task, const PlanMount& mount);
