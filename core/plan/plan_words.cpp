@@ -48,7 +48,7 @@ QString errorText(const Forecast& forecast)
 QString splitText(const PlanVariant& variant)
 {
     if (variant.way == PlanWay::Unwraps && variant.unwrap) {
-        return Text::tr("The mount unwraps from %1 to %2 UTC.")
+        return Text::tr("The mount unwraps from %1 to %2.")
             .arg(timeOfDayText(variant.unwrap->from), timeOfDayText(variant.unwrap->to));
     }
     return variant.way == PlanWay::WaitsAtTheEnd

@@ -19,7 +19,7 @@ namespace boresight::plan {
 [[nodiscard]] QString planText(const PlanVariant& variant, const QString& target);
 
 // The target is lost while the mount unwraps, or while it waits at the end of the cable: "The mount unwraps from
-// 12:30:10 to 12:31:02 UTC." Empty if the plan has a wrap for the whole pass.
+// 12:30:10Z to 12:31:02Z." Empty if the plan has a wrap for the whole pass.
 [[nodiscard]] QString splitText(const PlanVariant& variant);
 
 }  // namespace boresight::plan
