@@ -216,9 +216,6 @@ Result<AxisPosition> Helm::lead(const Lead& lead, const Source& by, const QStrin
         const bool limited = here.limited || !m_of.motion.region().permits(here.position);
         begin(Activity::Streaming, by, what);
         beginTurnBack(back);
-        if (lead.isPlanned) {
-            m_of.current.setPlanned();
-        }
         if (limited) {
             m_of.current.limit(here.limited ? here.reason : m_of.motion.region().reason(here.position), lead.now);
         }
@@ -231,6 +228,22 @@ Result<AxisPosition> Helm::lead(const Lead& lead, const Source& by, const QStrin
                           .elevation = rate(here.position.elevation, there.position.elevation)},
                          now());
         return here.position;
+    });
+}
+
+Result<AxisPosition> Helm::leadAxes(const AxisLead& lead, const Source& by, const QString& what)
+{
+    return mayPoint(by).and_then([&] { return view().endSwitches.admitsWay(standing(), lead.now); }).map([&] {
+        begin(Activity::Streaming, by, what);
+        m_of.current.setPlanned();
+        if (const pointing::PermittedRegion& region = m_of.motion.region(); !region.permits(lead.now)) {
+            m_of.current.limit(region.reason(lead.now), view().model.pointing().toSky(lead.now));
+        }
+        m_of.motion.lead(lead.now,
+                         {.azimuth = (lead.soon.azimuth - lead.now.azimuth) / lead.apart,
+                          .elevation = (lead.soon.elevation - lead.now.elevation) / lead.apart},
+                         now());
+        return lead.now;
     });
 }
 

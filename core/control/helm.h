@@ -82,11 +82,18 @@ public:
         SkyPointing soon;
         Seconds apart;
         std::optional<AxisPosition> near;  // determines the wrap; empty: the target before, or where the axes can stop
-        bool isPlanned = false;            // the way to come keeps to the room of the cable
     };
     // Follows the target and returns the position of the axes for `lead.now`. If the direction is out of reach, the
     // mount follows at the nearest permitted place.
     Result<AxisPosition> lead(const Lead& lead, const Source& by, const QString& what);
+    // The same for places of the axes by a plan, which keeps to the room of the cable.
+    struct AxisLead
+    {
+        AxisPosition now;
+        AxisPosition soon;
+        Seconds apart;
+    };
+    Result<AxisPosition> leadAxes(const AxisLead& lead, const Source& by, const QString& what);
     // Moves at these rates until the motion is ended. Where only a slow jog is permitted, a faster one is refused.
     Result<> runAt(const AxisRates& rates, Activity activity, const Source& by, const QString& what);
 

@@ -295,6 +295,7 @@ void OrbitLock::setSatellites(const recognise::SharedSatellites& satellites)
 void OrbitLock::profileChanged(const profile::Profile& before, const profile::Profile& after)
 {
     const bool isElsewhere = before.site.known != after.site.known || before.site.place() != after.site.place();
+    m_track.profileChanged(before, after);
     if (!m_client || !locks(*m_client)) {
         return;
     }

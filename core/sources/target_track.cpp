@@ -3,6 +3,7 @@
 
 #include "core/alarms/catalogue.h"
 #include "core/base/text.h"
+#include "core/plan/plan_words.h"
 #include "core/profile/clear_sky.h"
 #include "core/sources/roomy_start.h"
 #include "core/targets/track_rules.h"
@@ -49,6 +50,12 @@ bool isTable(const targets::Target& target)
     return std::holds_alternative<tables::SharedTable>(target.kind);
 }
 
+// A path of some minutes or hours, known from its rise to its set.
+bool isPass(const targets::Target& target)
+{
+    return elementsOf(target) || isTable(target);
+}
+
 AngularRate rateBetween(const SkyPointing& from, const SkyPointing& to, UtcTime::duration time)
 {
     return angleBetween(from, to) / time;
@@ -75,14 +82,6 @@ Result<SkyPointing> TargetTrack::Tracked::at(UtcTime utc)
         }
         return direction;
     });
-}
-
-Result<SkyPointing> TargetTrack::Tracked::aimAt(UtcTime utc, const pointing::PointingModel& pointing)
-{
-    if (const auto planned = keyhole.placeAt(utc, place)) {
-        return pointing.toSky(*planned);
-    }
-    return at(utc);
 }
 
 // The time for which the mount is aimed: ahead of `utc` by the lead of the profile, because the drives lag.
@@ -135,6 +134,7 @@ Result<> TargetTrack::ask(const request::Track& wanted, const Source& by)
         .and_then([&] { return helm().mayPoint(by); })
         .and_then([&] { return plan(wanted.target, by); })
         .and_then([&](Tracked tracked) {
+            tracked.wanted = wanted.way;
             // The antenna of the satellite is used. If the request is refused, the previous antenna stays in use.
             const std::optional<AntennaChoice::Tracked> before = helm().view().antenna.tracked();
             helm().useAntennaFor(AntennaChoice::Tracked{.satellite = numberOf(wanted.target)});
@@ -177,12 +177,17 @@ Result<> TargetTrack::begin(Tracked tracked)
 
 void TargetTrack::setWay(Tracked& tracked, UtcTime from) const
 {
+    tracked.isWayOld = false;
     tracked.way = wayOf(tracked, from);
     tracked.fastest = fastestOf(*tracked.way);
-    if (elementsOf(tracked.target) && tracked.up.sets) {
+    if (isPass(tracked.target) && tracked.up.sets && from < *tracked.up.sets) {
         const ControlParts view = helm().view();
-        tracked.keyhole = KeyholePlan(tracked.path, {.from = from, .to = *tracked.up.sets, .now = view.heading()},
-                                      view.profile, view.antenna.inUse());
+        tracked.drive.compute(tracked.path,
+                              {.from = from,
+                               .to = *tracked.up.sets,
+                               .now = view.heading(),
+                               .begins = from > tracked.up.rises ? plan::Begins::Now : plan::Begins::Later},
+                              view);
     }
 }
 
@@ -192,9 +197,8 @@ targets::SkyWay TargetTrack::wayOf(Tracked& tracked, UtcTime from) const
     const auto isClear = profile::clearSky(helm().view().profile, helm().view().antenna.inUse());
     tracked.terms = helm().view().antenna.terms();
     const UtcTime end = tracked.up.sets.value_or(from + targets::TargetPath::kSearched);
-    const bool isFast = elementsOf(tracked.target) || isTable(tracked.target);
     const UtcTime::duration step =
-        isFast ? std::max<UtcTime::duration>(kPassStep, (end - from) / kMostSteps) : kSlowStep;
+        isPass(tracked.target) ? std::max<UtcTime::duration>(kPassStep, (end - from) / kMostSteps) : kSlowStep;
     auto way = std::make_shared<std::vector<targets::SkyMoment>>();
     for (UtcTime utc = from; way->empty() || way->back().utc < end; utc = std::min(utc + step, end)) {
         const Result<SkyPointing> direction = tracked.at(utc);
@@ -229,32 +233,37 @@ Result<AxisPosition> TargetTrack::follow(Tracked& tracked, UtcTime utc)
     return tracked.at(from).and_then([&](const SkyPointing& now) {
         return tracked.at(from + kApart).and_then([&](const SkyPointing& soon) {
             tracked.skyRate = rateBetween(now, soon, kApart);
-            const ControlParts view = helm().view();
-            const pointing::PointingModel& pointing = view.model.pointing();
-            const auto planned = tracked.keyhole.placeAt(from, tracked.place);
-            return tracked.aimAt(from, pointing).and_then([&](const SkyPointing& aim) {
-                return tracked.aimAt(waits ? from : from + kApart, pointing).and_then([&](const SkyPointing& next) {
-                    return helm().lead({.now = aim,
-                                        .soon = next,
-                                        .apart = kApart,
-                                        .near = planned ? planned : tracked.place,
-                                        .isPlanned = planned.has_value()},
-                                       tracked.by, Text::tr("track %1").arg(tracked.target.name));
-                });
-            });
+            const QString what = Text::tr("track %1").arg(tracked.target.name);
+            if (const auto place = tracked.drive.placeAt(from)) {
+                const AxisPosition next = waits ? *place : tracked.drive.variant()->placeAt(from + kApart);
+                return helm().leadAxes({.now = *place, .soon = next, .apart = kApart}, tracked.by, what);
+            }
+            return helm().lead({.now = now, .soon = waits ? now : soon, .apart = kApart, .near = tracked.place},
+                               tracked.by, what);
         });
     });
 }
 
-void TargetTrack::notePlan()
+void TargetTrack::takePlan(UtcTime utc)
 {
-    const plan::Forecast& forecast = m_tracked->keyhole.variant().forecast;
-    helm().note(
-        Severity::Advisory,
-        Text::tr(
-            "plans the pass of %1 near the zenith, where the azimuth is too slow: off by up to %2. It is off by more "
-            "than half of the beam width for %3")
-            .arg(m_tracked->target.name, degreesText(forecast.peak), durationText(forecast.beyond)));
+    if (!m_tracked->drive.hasArrived(m_tracked->wanted)) {
+        return;
+    }
+    const plan::PlanVariant& variant = *m_tracked->drive.variant();
+    m_tracked->place = variant.placeAt(std::max(utc, m_tracked->up.rises));
+    if (m_tracked->wanted && plan::choiceFor(variant).way != m_tracked->wanted->way) {
+        helm().note(Severity::Advisory, Text::tr("cannot take the way that was chosen any more: %1. It takes the best")
+                                            .arg(plan::titleOf(m_tracked->wanted->way)));
+    }
+    if (const QString text = plan::planText(variant, m_tracked->target.name); !text.isEmpty()) {
+        helm().note(Severity::Advisory, text);
+    }
+    if (variant.isWhole()) {
+        helm().clearAlarm(alarmEntry("track.split-pass"));
+    } else {
+        helm().raiseAlarm(alarmEntry("track.split-pass"),
+                          {m_tracked->target.name, plan::splitText(variant), durationText(variant.forecast.beyond)});
+    }
 }
 
 // Checks again in each tick, because the profile may have changed.
@@ -287,9 +296,7 @@ void TargetTrack::step(SteadyTime)
         return;
     }
     renewWay(utc);
-    if (m_tracked->keyhole.hasArrived()) {
-        notePlan();
-    }
+    takePlan(utc);
     m_tracked->isUp = utc > m_tracked->up.rises;
     if (m_tracked->up.sets && utc > *m_tracked->up.sets) {
         end(Severity::Advisory, (isTable(m_tracked->target) ? Text::tr("the table of %1 has ended, and the mount holds")
@@ -313,11 +320,20 @@ void TargetTrack::followOn(UtcTime utc)
     end(Severity::Warning, Text::tr("ends the tracking: %1").arg(place.error().text));
 }
 
+void TargetTrack::profileChanged(const profile::Profile& before, const profile::Profile& after)
+{
+    const bool isSame = before.limits == after.limits && before.azimuth.limits == after.azimuth.limits &&
+                        before.elevation.limits == after.elevation.limits;
+    if (m_tracked && !isSame) {
+        m_tracked->isWayOld = true;
+    }
+}
+
 // The profile or the antenna may have changed. The way on the screen must match what the mount does.
 void TargetTrack::renewWay(UtcTime utc)
 {
     const ephemeris::RefractionRule rule = helm().view().profile.orbit.refraction;
-    if (m_tracked->path.rule() != rule || m_tracked->terms != helm().view().antenna.terms()) {
+    if (m_tracked->path.rule() != rule || m_tracked->terms != helm().view().antenna.terms() || m_tracked->isWayOld) {
         m_tracked->path.setRule(rule);
         setWay(*m_tracked, std::max(utc, m_tracked->up.rises));
     }
@@ -331,6 +347,7 @@ Result<> TargetTrack::planAgain(UtcTime utc)
         .and_then([&](const targets::UpTime& up) {
             return targets::isSoon(m_tracked->target.name, up.rises, utc).map([&] {
                 m_tracked->up = up;
+                m_tracked->drive = {};
                 setWay(*m_tracked, std::max(utc, up.rises));
             });
         });
@@ -355,6 +372,7 @@ void TargetTrack::forget()
     }
     m_tracked.reset();
     helm().clearAlarm(alarmEntry("track.clock"));
+    helm().clearAlarm(alarmEntry("track.split-pass"));
 }
 
 void TargetTrack::end(Severity severity, const QString& why)
@@ -382,6 +400,7 @@ void TargetTrack::describe(StationStatus& status) const
                                    .next = m_tracked->isUp ? m_tracked->up.sets : std::optional(m_tracked->up.rises),
                                    .way = m_tracked->way};
     status.tracked->number = numberOf(m_tracked->target);
+    status.tracked->plan = m_tracked->drive.variant();
     if (!targets::stays(m_tracked->target)) {
         status.tracked->skyRate = m_tracked->skyRate;
     }

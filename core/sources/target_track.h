@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/control/motion_source.h"
-#include "core/sources/keyhole_plan.h"
+#include "core/sources/pass_drive.h"
 #include "core/sources/steered_utc.h"
 #include "core/targets/target_path.h"
 
@@ -11,8 +11,8 @@
 // Tracks a target of core/targets. If the target rises and sets, the mount waits where the target rises, follows it
 // until it sets, and holds there. If the target does not move, the mount goes there and stays. In each tick position
 // and rate of the set-point come from the path of the target. The cable wrap is chosen at the start: a wrap with room
-// for the whole path, if there is one. Near the zenith, where the azimuth is too slow for a satellite, the mount moves
-// by a plan. Station thread only.
+// for the whole path, if there is one. A pass of a satellite, or of a table, is driven by a plan of core/plan. Station
+// thread only.
 namespace boresight::sources {
 
 class TargetTrack : public SourceOf<TargetTrack, request::Track>
@@ -22,6 +22,7 @@ public:
 
     Result<> ask(const request::Track& wanted, const Source& by);
     void step(SteadyTime now) override;
+    void profileChanged(const profile::Profile& before, const profile::Profile& after) override;
     void describe(StationStatus& status) const override;
     [[nodiscard]] std::optional<SkyPointing> targetAt(UtcTime utc) override;
 
@@ -42,8 +43,10 @@ private:
         Source by;
         targets::UpTime up = {};
         targets::SkyWay way = {};
-        KeyholePlan keyhole = {};
+        std::optional<plan::ChosenWay> wanted = {};  // by the operator, through the pass
+        PassDrive drive = {};
         pointing::PointingTerms terms = {};      // of the beam when the way was computed
+        bool isWayOld = false;                   // computed for other limits of the mount
         AngularRate skyRate = {};                // across the sky, now or at the rise
         AngularRate fastest = {};                // the largest rate on the way
         std::optional<AxisPosition> place = {};  // last axis position: the next one is on the same wrap
@@ -51,8 +54,6 @@ private:
         bool isUp = false;
 
         [[nodiscard]] Result<SkyPointing> at(UtcTime utc);
-        // The direction of the beam: that of the target, or in the keyhole that of the plan.
-        [[nodiscard]] Result<SkyPointing> aimAt(UtcTime utc, const pointing::PointingModel& pointing);
     };
 
     [[nodiscard]] Result<> permits(const targets::Target& target, UtcTime now) const;
@@ -65,7 +66,7 @@ private:
     [[nodiscard]] Result<> mayGoOn() const;
     Result<> begin(Tracked tracked);
     Result<AxisPosition> follow(Tracked& tracked, UtcTime utc);
-    void notePlan();
+    void takePlan(UtcTime utc);
     void followOn(UtcTime utc);
     void renewWay(UtcTime utc);
     [[nodiscard]] Result<> planAgain(UtcTime utc);

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/sources/keyhole_plan.h"
+#include "core/sources/pass_drive.h"
 
 #include <QPromise>
 #include <QThreadPool>
 
 #include <algorithm>
 #include <memory>
+#include <utility>
 
 namespace boresight::sources {
 namespace {
@@ -21,25 +22,26 @@ tracking::MotionLimits reduced(tracking::MotionLimits limits)
     return limits;
 }
 
-// A mount that can be planned for. The elevations of a client may be above 90°, those of this plan are not.
-Result<plan::PlanMount> uprightMount(profile::Profile profile, const pointing::Antenna& antenna)
+// The mount as it is now: with the keep-outs of the Sun, and no faster than the rotator is.
+Result<plan::PlanMount> presentMount(const ControlParts& view)
 {
-    profile.limits.elevation.max = std::min(profile.limits.elevation.max, 90_deg);
-    return plan::planMount(profile, antenna).map([](plan::PlanMount mount) {
-        mount.azimuth = reduced(mount.azimuth);
-        mount.elevation = reduced(mount.elevation);
+    return plan::planMount(view.profile, view.antenna.inUse()).map([&](plan::PlanMount mount) {
+        mount.region = view.motion.region();
+        mount.pointing = view.model.pointing();
+        mount.azimuth = reduced(view.motion.limits(Axis::Azimuth));
+        mount.elevation = reduced(view.motion.limits(Axis::Elevation));
         return mount;
     });
 }
 
 }  // namespace
 
-// The work owns its promise and its copies, so it can end safely after the plan was deleted.
-KeyholePlan::KeyholePlan(const targets::TargetPath& path, const plan::PlanTask& task, const profile::Profile& profile,
-                         const pointing::Antenna& antenna)
+// The work owns its promise and its copies, so it can end safely after this object was deleted.
+void PassDrive::compute(const targets::TargetPath& path, const plan::PlanTask& task, const ControlParts& view)
 {
-    Result<plan::PlanMount> mount = uprightMount(profile, antenna);
+    Result<plan::PlanMount> mount = presentMount(view);
     if (!mount) {
+        m_variant.reset();
         return;
     }
     const auto promise = std::make_shared<QPromise<plan::PassPlan>>();
@@ -56,31 +58,30 @@ KeyholePlan::KeyholePlan(const targets::TargetPath& path, const plan::PlanTask& 
     });
 }
 
-bool KeyholePlan::hasArrived()
+bool PassDrive::hasArrived(const std::optional<plan::ChosenWay>& wanted)
 {
     if (!m_future.isValid() || !m_future.isFinished()) {
         return false;
     }
     const plan::PassPlan found = m_future.result();
     m_future = {};
-    const auto direct = std::ranges::find_if(found.variants, [](const plan::PlanVariant& variant) {
-        return variant.way == plan::PlanWay::Direct && variant.ramp;
-    });
-    if (direct == found.variants.end()) {
+    if (found.variants.empty()) {
+        m_variant.reset();
         return false;
     }
-    m_variant = *direct;
+    const std::size_t chosen = wanted ? plan::indexOf(found, *wanted).value_or(found.chosen) : found.chosen;
+    m_variant = std::make_shared<const plan::PlanVariant>(found.variants[chosen]);
     return true;
 }
 
-std::optional<AxisPosition> KeyholePlan::placeAt(UtcTime utc, const std::optional<AxisPosition>& last) const
+std::optional<AxisPosition> PassDrive::placeAt(UtcTime utc) const
 {
-    if (!m_variant || utc < m_variant->ramp->from || utc > m_variant->ramp->to) {
+    if (!m_variant) {
         return std::nullopt;
     }
-    AxisPosition place = m_variant->placeAt(utc);
-    place.azimuth = last ? place.azimuth.nearestTo(last->azimuth) : place.azimuth;
-    return place;
+    const bool followsItself = m_variant->way == plan::PlanWay::Direct &&
+                               (!m_variant->ramp || utc < m_variant->ramp->from || utc > m_variant->ramp->to);
+    return followsItself ? std::nullopt : std::optional(m_variant->placeAt(utc));
 }
 
 }  // namespace boresight::sources

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The station drives a whole pass by its plan: over the top, with an unwrap, or as the operator chose.
+#include "core/alarms/catalogue.h"
+#include "tests/core/control/plan/pass_rig.h"
+
+namespace boresight {
+namespace {
+
+using plan::PlanWay;
+
+profile::Profile overTheTopMount()
+{
+    profile::Profile profile = passMount();
+    profile.elevation.geometry.travel.max = 180_deg;
+    return profile;
+}
+
+// The cable ends in the south, so a pass across the south fits on no wrap.
+profile::Profile singleTurnMount()
+{
+    profile::Profile profile = passMount();
+    profile.azimuth.geometry.travel = {.min = -180_deg, .max = 180_deg};
+    return profile;
+}
+
+bool crossesTheSouth(const passes::Pass& pass)
+{
+    const Angle tca = pass.tca.direction.azimuth.wrapped360();
+    const Angle highest = pass.tca.direction.elevation;
+    return 30_deg < highest && highest < 70_deg && 140_deg < tca && tca < 220_deg;
+}
+
+bool isHigh(const passes::Pass& pass)
+{
+    return pass.tca.direction.elevation > 86_deg && pass.tca.direction.elevation < 89.5_deg;
+}
+
+}  // namespace
+
+// REQ-TRACK-1821: A mount whose limits permit elevations above 90° tracks a pass over the top where the error is then
+// smaller. The mount is there before the pass begins, and the status has the plan.
+TEST(StationPlan, GoesOverTheTopWhereThisIsBetter)
+{
+    PassRig at(overTheTopMount());
+    const fakes::FoundOrbit found = at.passWith(isHigh);
+    const plan::PassPlan plan = at.planOf(found);
+    ASSERT_EQ(plan.best().way, PlanWay::OverTheTop);
+    ASSERT_TRUE(at.track(found));
+    at.awaitPlan();
+    EXPECT_TRUE(at.logged("over the top: off by up to "));
+    ASSERT_TRUE(at.rig.control.status().tracked->plan);
+    EXPECT_EQ(at.rig.control.status().tracked->plan->way, PlanWay::OverTheTop);
+    at.runUntil(found.pass.aos.utc);
+    const PassRig::Run run = at.follow(found);
+    EXPECT_LT(run.peak.degrees(), 1.05 * plan.best().forecast.peak.degrees() + 0.1);
+    EXPECT_GT(run.lowest, 90_deg);
+    EXPECT_FALSE(at.rig.control.faultLatched());
+}
+
+// REQ-TRACK-1822: If no wrap of the cable has room for a pass, the mount unwraps at the moment of the plan. An advisory
+// names the time before the pass begins, and goes after the pass. The time lost is that of the plan.
+TEST(StationPlan, UnwrapsAtTheBestMoment)
+{
+    PassRig at(singleTurnMount());
+    const fakes::FoundOrbit found = at.passWith(crossesTheSouth);
+    const plan::PassPlan plan = at.planOf(found);
+    ASSERT_EQ(plan.best().way, PlanWay::Unwraps);
+    ASSERT_TRUE(at.track(found));
+    at.awaitPlan();
+    ASSERT_LT(at.rig.clock.utc(), found.pass.aos.utc);
+    EXPECT_TRUE(at.rig.alarms.active(alarmEntry("track.split-pass")));
+    at.runUntil(found.pass.aos.utc + std::chrono::seconds(1));
+    const PassRig::Run run = at.follow(found);
+    const Seconds planned = plan.best().unwrap->to - plan.best().unwrap->from;
+    EXPECT_LT(run.lost.count(), planned.count() + 5.0);
+    EXPECT_GT(run.lost.count(), 20.0) << "the cable was unwrapped";
+    EXPECT_FALSE(at.logged("reaches its cable end"));
+    at.runUntil(found.pass.los.utc + std::chrono::seconds(2));
+    EXPECT_FALSE(at.rig.alarms.active(alarmEntry("track.split-pass")));
+    EXPECT_FALSE(at.rig.control.faultLatched());
+    RecordProperty("lost_s", std::to_string(run.lost.count()));
+    RecordProperty("planned_s", std::to_string(planned.count()));
+}
+
+// REQ-TRACK-1823: The operator can choose another way through the pass.
+TEST(StationPlan, DrivesTheChosenWay)
+{
+    PassRig at(singleTurnMount());
+    const fakes::FoundOrbit found = at.passWith(crossesTheSouth);
+    const plan::PassPlan plan = at.planOf(found);
+    const auto waits = std::ranges::find(plan.variants, PlanWay::WaitsAtTheEnd, &plan::PlanVariant::way);
+    ASSERT_NE(waits, plan.variants.end());
+    ASSERT_TRUE(at.track(found, plan::choiceFor(*waits)));
+    at.awaitPlan();
+    EXPECT_EQ(at.rig.control.status().tracked->plan->way, PlanWay::WaitsAtTheEnd);
+    EXPECT_NEAR(at.rig.control.status().tracked->plan->start().azimuth.degrees(), waits->start().azimuth.degrees(),
+                0.1);
+    at.runUntil(found.pass.aos.utc);
+    const double start = at.rig.azimuthDegrees();
+    (void)at.follow(found);
+    EXPECT_NEAR(at.rig.azimuthDegrees(), waits->end().azimuth.degrees(), 0.5) << "started at " << start;
+}
+
+// REQ-TRACK-1824: If the pass has no such way any more, the log says so, and the best way is taken.
+TEST(StationPlan, TakesTheBestWayIfTheChosenOneIsGone)
+{
+    PassRig at(passMount());
+    const fakes::FoundOrbit found = at.passWith(crossesTheSouth);
+    ASSERT_TRUE(at.track(found, plan::ChosenWay{.way = PlanWay::OverTheTop, .startAzimuth = 90_deg}));
+    at.awaitPlan();
+    EXPECT_EQ(at.rig.control.status().tracked->plan->way, PlanWay::Direct);
+    EXPECT_TRUE(at.logged("cannot take the way that was chosen any more: Over the top. It takes the best"));
+}
+
+// REQ-TRACK-1825: A change of speeds or limits during a pass plans the rest of it again. The mount stays on its side of
+// the zenith, because a change would lose time.
+TEST(StationPlan, StaysOnItsSideWhenItIsPlannedAgain)
+{
+    PassRig at(overTheTopMount());
+    const fakes::FoundOrbit found = at.passWith(isHigh);
+    ASSERT_TRUE(at.track(found));
+    at.awaitPlan();
+    at.runUntil(found.pass.tca.utc + std::chrono::seconds(60));  // from here on both sides are equally good
+    profile::Profile faster = at.rig.profile;
+    faster.azimuth.limits.speed = 8_deg_s;
+    at.rig.setProfile(faster);
+    const PassRig::Run run = at.follow(found, at.rig.clock.utc() + std::chrono::seconds(1));
+    at.awaitPlan();
+    EXPECT_EQ(at.rig.control.status().tracked->plan->way, PlanWay::OverTheTop);
+    const PassRig::Run rest = at.follow(found);
+    EXPECT_LT(std::max(run.peak, rest.peak), 0.5_deg);
+    EXPECT_GT(std::min(run.lowest, rest.lowest), 90_deg);
+}
+
+}  // namespace boresight
