@@ -216,6 +216,9 @@ Result<AxisPosition> Helm::lead(const Lead& lead, const Source& by, const QStrin
         const bool limited = here.limited || !m_of.motion.region().permits(here.position);
         begin(Activity::Streaming, by, what);
         beginTurnBack(back);
+        if (lead.isPlanned) {
+            m_of.current.setPlanned();
+        }
         if (limited) {
             m_of.current.limit(here.limited ? here.reason : m_of.motion.region().reason(here.position), lead.now);
         }

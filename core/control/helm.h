@@ -82,6 +82,7 @@ public:
         SkyPointing soon;
         Seconds apart;
         std::optional<AxisPosition> near;  // determines the wrap; empty: the target before, or where the axes can stop
+        bool isPlanned = false;            // the cable has room for the way to come
     };
     // Follows the target and returns the position of the axes for `lead.now`. If the direction is out of reach, the
     // mount follows at the nearest permitted place.

@@ -234,11 +234,16 @@ Result<AxisPosition> TargetTrack::follow(Tracked& tracked, UtcTime utc)
         return tracked.at(from + kApart).and_then([&](const SkyPointing& soon) {
             tracked.skyRate = rateBetween(now, soon, kApart);
             const QString what = Text::tr("track %1").arg(tracked.target.name);
-            if (const auto place = tracked.drive.placeAt(from)) {
+            const bool isPlanned = tracked.drive.variant() && !helm().current().keepsWrap();
+            if (const auto place = isPlanned ? tracked.drive.placeAt(from) : std::nullopt) {
                 const AxisPosition next = waits ? *place : tracked.drive.variant()->placeAt(from + kApart);
                 return helm().leadAxes({.now = *place, .soon = next, .apart = kApart}, tracked.by, what);
             }
-            return helm().lead({.now = now, .soon = waits ? now : soon, .apart = kApart, .near = tracked.place},
+            return helm().lead({.now = now,
+                                .soon = waits ? now : soon,
+                                .apart = kApart,
+                                .near = tracked.place,
+                                .isPlanned = isPlanned},
                                tracked.by, what);
         });
     });

@@ -330,44 +330,7 @@ protected:
         profile.limits.azimuth = {0_deg, 360_deg};
         return profile;
     }
-
-    // The moment when the satellite passes north.
-    static UtcTime passesNorth(const FoundOrbit& found)
-    {
-        UtcTime utc = found.pass.aos.utc;
-        while (directionOf(found, utc).azimuth.wrapped360() > 180_deg) {
-            utc += std::chrono::milliseconds(100);
-        }
-        return utc;
-    }
 };
-
-// REQ-CONTROL-31c
-TEST_F(StationSatelliteNorth, ThePassTellsWhatHoldingAtTheCableEndLoses)
-{
-    const FoundOrbit found = orbitWith(kTrackSite, now(), [&](const passes::Pass& pass) {
-        const Seconds wait = pass.aos.utc - now();
-        const Angle rises = pass.aos.direction.azimuth;
-        const Angle sets = pass.los.direction.azimuth;
-        return Seconds(20.0) < wait && wait < Seconds(300.0) && !pass.isUpAtEnd && 280_deg < rises && rises < 340_deg &&
-               20_deg < sets && sets < 80_deg;
-    });
-    ASSERT_EQ(ask(found), "");
-    while (!rig.control.status().cableEnd && now() < found.pass.los.utc) {
-        rig.run(Seconds(1.0));
-    }
-    ASSERT_TRUE(rig.control.status().cableEnd);
-    const CableEnd end = *rig.control.status().cableEnd;
-    ASSERT_TRUE(end.turningBack);
-    ASSERT_TRUE(end.lostByHolding);
-    const Seconds afterTheEnd = found.pass.los.utc - passesNorth(found);
-    EXPECT_GT(afterTheEnd, Seconds(60.0));
-    EXPECT_NEAR(end.lostByHolding->count(), afterTheEnd.count(), 6.0) << "it does not come back before it sets";
-
-    ASSERT_TRUE(rig.ask(request::HoldAtEnd{}));
-    rig.run(Seconds(2.0));
-    EXPECT_FALSE(rig.control.status().cableEnd->lostByHolding) << "it is chosen";
-}
 
 // REQ-CONTROL-31c
 TEST_F(StationSatelliteNorth, OfAStreamHoldingIsJudgedByItsAzimuthRate)

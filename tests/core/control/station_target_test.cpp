@@ -109,6 +109,34 @@ TEST_F(StationTarget, FollowsABodyUntilItSets)
     }
 }
 
+// REQ-CONTROL-31c
+TEST(StationTargetSouth, TheWayTellsWhatHoldingAtTheCableEndLoses)
+{
+    profile::Profile profile = atSite();
+    profile.limits.azimuth = {-180_deg, 180_deg};
+    StationRig rig(profile);
+    rig.run(Seconds(0.5));
+    targets::TargetPath path(targetOf("moon"), kSite);
+    const auto up = path.nextUp(rig.clock.utc()).value();
+    UtcTime south = up.rises;
+    while (path.at(south)->azimuth < 180_deg) {
+        south += std::chrono::seconds(10);
+    }
+    rig.clock.setUtc(south - std::chrono::minutes(10));
+    rig.run(Seconds(0.2));
+    ASSERT_TRUE(rig.ask(request::Track{targetOf("moon")}));
+    rig.settle();
+    rig.run(Seconds(5.0));
+    ASSERT_TRUE(rig.control.status().cableEnd);
+    const CableEnd end = *rig.control.status().cableEnd;
+    EXPECT_TRUE(end.turningBack);
+    ASSERT_TRUE(end.lostByHolding);
+    EXPECT_NEAR(end.lostByHolding->count(), Seconds(*up.sets - south).count(), 400.0) << "the way has a point in 5 min";
+    ASSERT_TRUE(rig.ask(request::HoldAtEnd{}));
+    rig.run(Seconds(2.0));
+    EXPECT_FALSE(rig.control.status().cableEnd->lostByHolding) << "it is chosen";
+}
+
 // REQ-TRACK-928: The direction of the tracked target is known for any time, also below the horizon. For a target that
 // does not depend on the time there is none.
 TEST_F(StationTarget, TheDirectionAtAnotherTimeIsKnown)
