@@ -113,11 +113,12 @@ TEST_F(StationTarget, FollowsABodyUntilItSets)
 TEST(StationTargetSouth, TheWayTellsWhatHoldingAtTheCableEndLoses)
 {
     profile::Profile profile = atSite();
-    profile.limits.azimuth = {-180_deg, 180_deg};
+    profile.azimuth.geometry.travel = {-180_deg, 180_deg};
     StationRig rig(profile);
     rig.run(Seconds(0.5));
     targets::TargetPath path(targetOf("moon"), kSite);
-    const auto up = path.nextUp(rig.clock.utc()).value();
+    const UtcTime sets = path.nextUp(rig.clock.utc()).value().sets.value();
+    const auto up = path.nextUp(sets + std::chrono::minutes(1)).value();
     UtcTime south = up.rises;
     while (path.at(south)->azimuth < 180_deg) {
         south += std::chrono::seconds(10);
