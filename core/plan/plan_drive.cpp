@@ -47,15 +47,16 @@ AxisStates permitted(const AxisStates& wanted, const PlanMount& mount)
     return place ? standing(*place) : wanted;
 }
 
-// Where to go now on the way to a goal.
+// Where to go now on the way to a goal. Axes that slid along a slope of the horizon may be slightly below it.
 AxisPosition nextStop(const AxisPosition& now, const AxisPosition& goal, const PlanMount& mount)
 {
-    if (mount.region.permits(AxisBox::between(now, goal))) {
+    const AxisPosition from = mount.region.permits(now) ? now : nearestPermitted(mount.region, now).value_or(now);
+    if (mount.region.permits(AxisBox::between(from, goal))) {
         return goal;
     }
     const AxisRates speed{.azimuth = mount.azimuth.speed, .elevation = mount.elevation.speed};
-    const auto way = route(mount.region, now, goal, speed);
-    return way ? way->front() : now;
+    const auto way = route(mount.region, from, goal, speed);
+    return way ? way->front() : from;
 }
 
 MotionState moved(const MotionState& now, const MotionState& target, const tracking::MotionLimits& limits, double time)
