@@ -162,7 +162,9 @@ Result<> TargetTrack::begin(Tracked tracked)
     }
     const UtcTime from = std::max(now, tracked.up.rises);
     setWay(tracked, from);
-    tracked.place = roomyStart(helm().view(), *tracked.way);
+    // If the pass has begun, the plan decides whether the mount changes its wrap.
+    const bool isWithinPass = isPass(tracked.target) && tracked.isUp;
+    tracked.place = isWithinPass ? helm().heading() : roomyStart(helm().view(), *tracked.way);
     const bool goesOn = helm().current().continues(Activity::Streaming, tracked.by);
     return follow(tracked, from).map([&](const AxisPosition& place) {
         if (goesOn && tracked.by.kind != SourceKind::Client) {  // otherwise the log would not show the new target
@@ -234,12 +236,15 @@ Result<AxisPosition> TargetTrack::follow(Tracked& tracked, UtcTime utc)
         return tracked.at(from + kApart).and_then([&](const SkyPointing& soon) {
             tracked.skyRate = rateBetween(now, soon, kApart);
             const QString what = Text::tr("track %1").arg(tracked.target.name);
-            if (const auto place = tracked.drive.placeAt(from)) {
+            // Not by the plan if the operator chose to wait at the end of the cable.
+            const bool keepsWrap = helm().current().keepsWrap();
+            if (const auto place = keepsWrap ? std::nullopt : tracked.drive.placeAt(from)) {
                 const AxisPosition next = waits ? *place : tracked.drive.variant()->placeAt(from + kApart);
                 return helm().leadAxes({.now = *place, .soon = next, .apart = kApart}, tracked.by, what);
             }
-            return helm().lead({.now = now, .soon = waits ? now : soon, .apart = kApart, .near = tracked.place},
-                               tracked.by, what);
+            const std::optional<AxisPosition> near = keepsWrap ? std::optional(helm().heading()) : tracked.place;
+            return helm().lead({.now = now, .soon = waits ? now : soon, .apart = kApart, .near = near}, tracked.by,
+                               what);
         });
     });
 }

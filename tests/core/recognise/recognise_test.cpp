@@ -63,7 +63,7 @@ protected:
         return namesOf(recognise(points, sky));
     }
     // The same satellite, behind itself by this part of its orbit: 0.1° is 12 km.
-    [[nodiscard]] orbit::ElementSet behind(int number, const std::string& name, Angle by) const
+    [[nodiscard]] orbit::ElementSet behind(std::int64_t number, const std::string& name, Angle by) const
     {
         orbit::ElementSet other = found.elements;
         other.number = number;
