@@ -127,6 +127,7 @@ Result<> Helm::goTo(const AxisPosition& place, Activity activity, const Source& 
     return may.and_then([&] { return mayGoTo(place); }).map([&] {
         const AxisPosition end = view().model.resolve(place).position;
         begin(activity, by, what, arrivalText(end));
+        commanded(by);
         m_of.motion.goTo(end);
     });
 }
@@ -270,6 +271,7 @@ Result<> Helm::follow(pointing::Resolved resolved, const SkyPointing& asked, con
         resolved = endOf(*std::exchange(back, std::nullopt), resolved.position);
     }
     begin(Activity::Streaming, by, what.isEmpty() ? Text::tr("go to %1").arg(boresight::directionText(asked)) : what);
+    commanded(by);
     beginTurnBack(back);
     if (newStream) {
         m_of.motion.rest();  // the stream of another client does not continue the earlier points
@@ -332,6 +334,7 @@ Result<> Helm::runAt(const AxisRates& rates, Activity activity, const Source& by
 {
     return mayRun(rates, activity, by).and_then([&] { return m_of.firstMoves.admits(view(), rates); }).map([&] {
         begin(activity, by, what);
+        commanded(by);
         m_of.motion.run(rates);
     });
 }
@@ -362,6 +365,13 @@ void Helm::settleStream(const Source& by)
     if (current().is(Activity::Streaming) && current().isFor(by)) {
         m_of.motion.settleStream();
         m_of.current.settleStream();
+    }
+}
+
+void Helm::commanded(const Source& by)
+{
+    if (by.kind == SourceKind::Client) {
+        m_of.clientControl.moved(by, now());
     }
 }
 
@@ -417,9 +427,6 @@ void Helm::begin(Activity activity, const Source& by, const QString& what, const
         const QString line = Text::tr("moves the mount from %1: %2").arg(directionText(standing()), what);
         m_of.log.add(Severity::Advisory, by, detail.isEmpty() ? line : line + QStringLiteral(", ") + detail,
                      LogKind::MotionStart);
-    }
-    if (by.kind == SourceKind::Client) {
-        m_of.clientControl.moved(by, now());
     }
     m_of.current.begin(activity, by, what);
     m_of.mount.engage();

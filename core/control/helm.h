@@ -108,6 +108,8 @@ public:
     void setTrim(const AxisPosition& trim, const Source& by);
     // If the mount follows the stream of this source, it stops at the last point.
     void settleStream(const Source& by);
+    // If a client sent this command, it was active just now.
+    void commanded(const Source& by);
     // This client has read the position. If the mount follows its stream, the last point stays valid.
     void confirmStream(std::uint64_t clientId);
 

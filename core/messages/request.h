@@ -78,6 +78,7 @@ struct TrackFile  // the same with the table of a file. The answer comes after t
 struct TrackForClient  // the answer to an offer: track the target of this client from Boresight's own orbit, or do not
 {
     std::uint64_t clientId = 0;
+    QString target;        // the name in the offer
     bool isWanted = true;  // false: the target is not offered to this client again
 };
 struct FollowAzel  // track the Moon by azel.dat of WSJT-X; while the Moon is below the horizon the mount is parked

@@ -47,16 +47,26 @@ AxisStates permitted(const AxisStates& wanted, const PlanMount& mount)
     return place ? standing(*place) : wanted;
 }
 
-// Where to go now on the way to a goal. Axes that slid along a slope of the horizon may be slightly below it.
+bool isNear(const AxisPosition& one, const AxisPosition& other)
+{
+    constexpr Angle kNear = Angle::fromDegrees(2.0);
+    return abs(one.azimuth - other.azimuth) < kNear && abs(one.elevation - other.elevation) < kNear;
+}
+
+// Where to go now on the way to a goal. Short legs are left out: along a slope of the horizon the axes slide.
 AxisPosition nextStop(const AxisPosition& now, const AxisPosition& goal, const PlanMount& mount)
 {
     const AxisPosition from = mount.region.permits(now) ? now : nearestPermitted(mount.region, now).value_or(now);
-    if (mount.region.permits(AxisBox::between(from, goal))) {
+    if (isNear(from, goal) || mount.region.permits(AxisBox::between(from, goal))) {
         return goal;
     }
     const AxisRates speed{.azimuth = mount.azimuth.speed, .elevation = mount.elevation.speed};
     const auto way = route(mount.region, from, goal, speed);
-    return way ? way->front() : from;
+    if (!way) {
+        return from;
+    }
+    const auto far = std::ranges::find_if(*way, [&](const AxisPosition& leg) { return !isNear(from, leg); });
+    return far == way->end() ? goal : *far;
 }
 
 MotionState moved(const MotionState& now, const MotionState& target, const tracking::MotionLimits& limits, double time)

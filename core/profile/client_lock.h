@@ -6,7 +6,7 @@ namespace boresight::profile {
 // What Boresight does when it recognises the target that a client tracks.
 enum class ClientLock
 {
-    Always,  // it tracks the target from its own orbit at once
+    Always,  // it tracks the target from its own orbit as soon as the points move along the target
     Ask,     // the window offers this
     Never    // only the points of the client move the mount
 };

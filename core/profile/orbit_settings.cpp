@@ -135,9 +135,11 @@ void addClientLock(std::vector<Setting>& list)
         {QT_TRANSLATE_NOOP("Text", "Lock to the target of a client"),
          QT_TRANSLATE_NOOP("Text",
                            "What Boresight does when it recognises the target that a client tracks, such as a "
-                           "satellite of Gpredict. \"always\": it tracks the target from its own orbit at once. "
-                           "\"ask\": the window offers this. \"never\": only the points of the client move the "
-                           "mount.")},
+                           "satellite of Gpredict. \"always\": it tracks the target from its own orbit as soon as "
+                           "the points of the client move along the target. \"ask\": the window offers this. "
+                           "\"never\": only the points of the client move the mount. While "
+                           "rotctld.outside_limits is \"refuse\", \"always\" and \"ask\" do the same as "
+                           "\"never\".")},
         [](auto& p) -> auto& { return p.clientLock; }));
 }
 

@@ -24,6 +24,7 @@ struct Nearest
 {
     orbit::Vector unit;
     Seconds ahead;      // of the time at which the point arrived
+    Angle lead;         // the same along the path. 0: the point is behind
     double rate = 0.0;  // rad/s
 };
 
@@ -56,12 +57,15 @@ std::optional<Nearest> nearestTo(const SentPoint& point, const UnitAt& unitAt, A
         }
         found.ahead = bounded;
     }
+    if (const auto present = unitAt(point.utc); present && found.ahead > Seconds(0.0)) {
+        found.lead = angleBetween(*present, found.unit);
+    }
     return found;
 }
 
 }  // namespace
 
-std::optional<double> movingMisfit(const SentPoints& points, const UnitAt& unitAt)
+std::optional<MovingFit> movingFit(const SentPoints& points, const UnitAt& unitAt)
 {
     const Angle lead = leadOf(points);
     const Angle step = stepOf(points);
@@ -89,7 +93,8 @@ std::optional<double> movingMisfit(const SentPoints& points, const UnitAt& unitA
     }
     // A time ahead that the lead explains is no error of the clock.
     const Seconds clock = std::max({earliest.ahead - led, -latest.ahead, Seconds(0.0)});
-    return across / static_cast<double>(points.size()) + std::pow(clock / kUsualClock, 2);
+    return MovingFit{.misfit = across / static_cast<double>(points.size()) + std::pow(clock / kUsualClock, 2),
+                     .lead = std::ranges::max(found, {}, &Nearest::lead).lead};
 }
 
 }  // namespace boresight::recognise

@@ -13,9 +13,14 @@ namespace boresight::recognise {
 // The direction at a time, as a vector of length 1. Empty: unknown.
 using UnitAt = std::function<std::optional<orbit::Vector>(UtcTime)>;
 
-// The misfit, 0 for a perfect fit. A difference of kClearly between two misfits is more than chance. Empty: the path
-// does not fit.
-[[nodiscard]] std::optional<double> movingMisfit(const SentPoints& points, const UnitAt& unitAt);
+struct MovingFit
+{
+    double misfit = 0.0;  // 0 for a perfect fit. A difference of kClearly between two misfits is more than chance
+    Angle lead;           // how far ahead of the path the points are along it, at most
+};
+
+// Empty: the path does not fit.
+[[nodiscard]] std::optional<MovingFit> movingFit(const SentPoints& points, const UnitAt& unitAt);
 
 inline constexpr double kClearly = 4.0;
 

@@ -8,7 +8,6 @@
 #include "core/targets/track_rules.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <iterator>
@@ -25,25 +24,32 @@ constexpr double kNearRise = 0.98;  // cosine of 11°
 constexpr Angle kFarthestRise = 0.5_deg;
 constexpr Angle kUsualRise = 0.15_deg;
 constexpr std::chrono::minutes kAroundRise{1};
-// Docked modules with elements of different days differ by this near the zenith.
-constexpr Angle kTogether = 0.8_deg;
-// Two satellites are together if they are at the same place at these times from now.
-constexpr std::array kLater{std::chrono::minutes(0), std::chrono::minutes(2), std::chrono::minutes(4),
-                            std::chrono::minutes(6), std::chrono::minutes(9), std::chrono::minutes(12)};
+// Two satellites are together if they are no farther apart than this through the visible pass. Docked modules have
+// nearly equal elements. At the horizon this is 4 km.
+constexpr Angle kTogether = 0.1_deg;
+constexpr std::chrono::seconds kPassStep{30};
+// Of a satellite that is up for hours, the first two hours decide.
+constexpr std::size_t kMostMoments = 240;
+
+struct Fit
+{
+    double misfit = 0.0;
+    Angle lead = {};
+    UtcTime from;  // now, or the rise
+};
 
 struct Candidate
 {
     targets::Target target;
     UnitAt unitAt;
-    double misfit = 0.0;
+    Fit fit;
 };
 
-using Days = std::chrono::duration<double, std::chrono::days::period>;
-
-bool isFresh(const orbit::ElementSet& set, const orbit::JulianDate& now, double oldestDays)
+struct Moment
 {
-    return std::abs(orbit::minutesBetween(set.epoch, now)) <= oldestDays * orbit::kMinutesPerDay;
-}
+    UtcTime utc;
+    orbit::Vector unit;
+};
 
 UnitAt pathOf(const orbit::Sgp4& orbit, const orbit::Observer& observer)
 {
@@ -82,8 +88,8 @@ public:
 private:
     // A quick look that leaves out nearly all satellites.
     [[nodiscard]] std::optional<UtcTime> worthwhile(const orbit::GroundState& state) const;
-    [[nodiscard]] std::optional<double> misfitOf(const UnitAt& unitAt, UtcTime about) const;
-    [[nodiscard]] std::optional<double> riseMisfit(const std::optional<Rise>& rise) const;
+    [[nodiscard]] std::optional<Fit> moving(const UnitAt& unitAt) const;
+    [[nodiscard]] std::optional<Fit> rising(const UnitAt& unitAt, UtcTime from, UtcTime until) const;
     [[nodiscard]] UtcTime latestRise() const { return m_now + targets::kLongestWait; }
 
     const SentPoints& m_points;
@@ -105,17 +111,20 @@ std::optional<UtcTime> Question::worthwhile(const orbit::GroundState& state) con
     return rise && dot(rise->unit, m_last) > kNearRise ? std::optional(rise->utc) : std::nullopt;
 }
 
-std::optional<double> Question::riseMisfit(const std::optional<Rise>& rise) const
+std::optional<Fit> Question::moving(const UnitAt& unitAt) const
 {
-    const Angle off = rise ? angleBetween(rise->unit, m_last) : 180_deg;
-    const bool fits = rise && rise->utc <= latestRise() && off <= kFarthestRise + 0.5 * stepOf(m_points);
-    return fits ? std::optional(std::pow(off / (kUsualRise + 0.5 * stepOf(m_points)), 2)) : std::nullopt;
+    const auto fit = movingFit(m_points, unitAt);
+    return fit ? std::optional(Fit{.misfit = fit->misfit, .lead = fit->lead, .from = m_now}) : std::nullopt;
 }
 
-std::optional<double> Question::misfitOf(const UnitAt& unitAt, UtcTime about) const
+std::optional<Fit> Question::rising(const UnitAt& unitAt, UtcTime from, UtcTime until) const
 {
-    return m_waits ? riseMisfit(exactRise(unitAt, std::max(m_now, about - kAroundRise), about + kAroundRise))
-                   : movingMisfit(m_points, unitAt);
+    const auto rise = exactRise(unitAt, from, until);
+    const Angle off = rise ? angleBetween(rise->unit, m_last) : 180_deg;
+    if (!rise || rise->utc > latestRise() || off > kFarthestRise + 0.5 * stepOf(m_points)) {
+        return std::nullopt;
+    }
+    return Fit{.misfit = std::pow(off / (kUsualRise + 0.5 * stepOf(m_points)), 2), .from = rise->utc};
 }
 
 std::vector<Candidate> Question::satellites() const
@@ -123,7 +132,7 @@ std::vector<Candidate> Question::satellites() const
     const orbit::JulianDate now = orbit::julianDate(m_now);
     std::vector<Candidate> found;
     for (const orbit::ElementSet& set : *m_sky.satellites) {
-        if (!isFresh(set, now, m_sky.oldestDays)) {
+        if (!targets::isFresh(set, m_now, m_sky.oldestDays)) {
             continue;
         }
         const orbit::Sgp4 orbit(set);
@@ -133,8 +142,10 @@ std::vector<Candidate> Question::satellites() const
             continue;
         }
         UnitAt unitAt = pathOf(orbit, m_observer);
-        if (const auto misfit = misfitOf(unitAt, *about)) {
-            found.push_back({.target = targets::satelliteTarget(set), .unitAt = std::move(unitAt), .misfit = *misfit});
+        const auto fit =
+            m_waits ? rising(unitAt, std::max(m_now, *about - kAroundRise), *about + kAroundRise) : moving(unitAt);
+        if (fit) {
+            found.push_back({.target = targets::satelliteTarget(set), .unitAt = std::move(unitAt), .fit = *fit});
         }
     }
     return found;
@@ -145,31 +156,45 @@ std::vector<Candidate> Question::bodies() const
     std::vector<Candidate> found;
     for (const targets::Target& target : targets::objectTargets()) {
         UnitAt unitAt = pathOf(target, m_sky.site);
-        const auto misfit =
-            m_waits ? riseMisfit(exactRise(unitAt, m_now, latestRise())) : movingMisfit(m_points, unitAt);
-        if (misfit) {
-            found.push_back({.target = target, .unitAt = std::move(unitAt), .misfit = *misfit});
+        if (const auto fit = m_waits ? rising(unitAt, m_now, latestRise()) : moving(unitAt)) {
+            found.push_back({.target = target, .unitAt = std::move(unitAt), .fit = *fit});
         }
     }
     return found;
 }
 
-bool isTogether(const UnitAt& one, const UnitAt& other, UtcTime now)
+// From the rise, or from now, to the set.
+std::vector<Moment> visiblePass(const Candidate& one)
 {
-    return std::ranges::all_of(kLater, [&](std::chrono::minutes time) {
-        const auto a = one(now + time);
-        const auto b = other(now + time);
-        return a && b && angleBetween(*a, *b) <= kTogether;
+    std::vector<Moment> pass;
+    for (UtcTime utc = one.fit.from; pass.size() < kMostMoments; utc += kPassStep) {
+        const auto unit = one.unitAt(utc);
+        if (!unit || (!pass.empty() && unit->z < 0.0)) {
+            break;
+        }
+        pass.push_back({.utc = utc, .unit = *unit});
+    }
+    return pass;
+}
+
+bool isTogether(const std::vector<Moment>& pass, const UnitAt& other)
+{
+    return std::ranges::all_of(pass, [&](const Moment& moment) {
+        const auto unit = other(moment.utc);
+        return unit && angleBetween(moment.unit, *unit) <= kTogether;
     });
 }
 
-// Of those at the same place: the one whose path is nearest to the points. Among equal ones the smallest number is the
-// oldest: a station, and not a ship that is docked to it.
-std::pair<double, std::int64_t> rankOf(const Candidate& candidate)
+// The smallest number is the oldest: a station, and not a ship that is docked to it.
+std::int64_t numberOf(const Candidate& candidate)
 {
-    constexpr double kAlike = 0.25;
     const auto* const set = std::get_if<orbit::ElementSet>(&candidate.target.kind);
-    return {std::floor(candidate.misfit / kAlike), set ? set->number : 0};
+    return set ? set->number : 0;
+}
+
+double misfitOf(const Candidate& candidate)
+{
+    return candidate.fit.misfit;
 }
 
 }  // namespace
@@ -185,16 +210,15 @@ Recognition recognise(const SentPoints& points, const Sky& sky)
     if (all.empty()) {
         return {};
     }
-    const UtcTime now = points.back().utc;
-    const double best = std::ranges::min(all, {}, &Candidate::misfit).misfit;
-    std::erase_if(all, [best](const Candidate& one) { return one.misfit > best + kClearly; });
-    std::ranges::sort(all, {}, &Candidate::misfit);
+    const double best = misfitOf(std::ranges::min(all, {}, misfitOf));
+    std::erase_if(all, [best](const Candidate& one) { return misfitOf(one) > best + kClearly; });
+    std::ranges::sort(all, {}, misfitOf);
     // What is together with the best one counts as one of them.
-    const UnitAt bestAt = all.front().unitAt;
+    const std::vector<Moment> pass = visiblePass(all.front());
     const auto apart =
-        std::ranges::stable_partition(all, [&](const Candidate& one) { return isTogether(bestAt, one.unitAt, now); });
-    std::ranges::sort(all.begin(), apart.begin(), {}, rankOf);
-    Recognition found;
+        std::ranges::stable_partition(all, [&](const Candidate& one) { return isTogether(pass, one.unitAt); });
+    std::ranges::sort(all.begin(), apart.begin(), {}, numberOf);
+    Recognition found{.isMoving = !waitsAtHorizon(points), .lead = all.front().fit.lead};
     found.fits.push_back(all.front().target);
     for (auto one = all.begin() + 1; one != apart.begin(); ++one) {
         found.together.push_back(one->target.name);

@@ -28,6 +28,8 @@ struct Recognition
 {
     std::vector<targets::Target> fits;  // best first. Empty: none. More than one: they fit alike, at different places
     QStringList together;               // other satellites at the place of the first one, as docked ones are
+    bool isMoving = false;              // the points move along the target. False: the client waits for a rise
+    Angle lead = {};                    // how far ahead of the first one the moving points are
 };
 
 // `points` are one to five. One point, or several equal ones, are recognised only at the horizon: the client waits

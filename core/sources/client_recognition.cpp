@@ -17,7 +17,7 @@ constexpr std::size_t kMostPoints = 5;
 constexpr Angle kPointsApart = 0.1_deg;  // points that are nearer to each other show no rate
 // The pause between two computations of moving points is 1 s at first, and doubles up to 8 s.
 constexpr int kMostDoublings = 3;
-// A client that sends one point and leaves the mount there does not wait for a rise.
+// A client whose point stands at the horizon for this time waits for a rise.
 constexpr std::chrono::seconds kWaits{3};
 constexpr std::chrono::minutes kRisesAgain{1};  // another satellite may rise within the next half hour now
 
@@ -44,11 +44,18 @@ recognise::Recognition recognised(const recognise::SentPoints& points, const rec
 
 void ClientRecognition::add(const recognise::SentPoint& point, SteadyTime now)
 {
-    m_seen = now;
+    if (m_newest && m_newest->direction == point.direction) {
+        return;  // repeated
+    }
+    if (waitsForRise(now)) {
+        m_points.clear();  // where the client has waited is no place of a motion
+    }
+    m_newest = point;
+    m_came = now;
+    m_triedRise.reset();
     const auto unit = recognise::unitOf(point.direction);
-    if (m_points.empty()) {
-        m_began = now;
-    } else if (recognise::angleBetween(recognise::unitOf(m_points.back().direction), unit) < kPointsApart) {
+    if (!m_points.empty() &&
+        recognise::angleBetween(recognise::unitOf(m_points.back().direction), unit) < kPointsApart) {
         return;
     }
     m_points.push_back(point);
@@ -58,39 +65,50 @@ void ClientRecognition::add(const recognise::SentPoint& point, SteadyTime now)
     m_isNew = true;
 }
 
-void ClientRecognition::clear()
+bool ClientRecognition::waitsForRise(SteadyTime now) const
 {
-    *this = {};
+    return m_newest && recognise::waitsAtHorizon({*m_newest}) && now - m_came >= kWaits;
 }
 
-bool ClientRecognition::isDue(SteadyTime now) const
+bool ClientRecognition::hasNewMotion() const
 {
-    if (m_points.empty() || m_future.isValid()) {
-        return false;
+    return m_isNew && recognise::showsMotion(m_points);
+}
+
+bool ClientRecognition::isMotionDue(SteadyTime now) const
+{
+    const std::chrono::seconds pause(1 << std::min(m_tries, kMostDoublings));
+    return hasNewMotion() && (m_tries == 0 || now - m_tried >= pause);
+}
+
+// Points that move along a target need no other explanation.
+bool ClientRecognition::isRiseDue(SteadyTime now) const
+{
+    const bool isExplained = hasNewMotion() || (m_found.isMoving && !m_found.fits.empty());
+    return waitsForRise(now) && !isExplained && (!m_triedRise || now - *m_triedRise >= kRisesAgain);
+}
+
+void ClientRecognition::step(const recognise::Sky& sky, SteadyTime now)
+{
+    if (m_future.isValid()) {
+        return;
     }
-    const bool isMoving = m_points.size() > 1;
-    const SteadyTime::duration pause =
-        isMoving ? SteadyTime::duration(std::chrono::seconds(1 << std::min(m_tries, kMostDoublings))) : kRisesAgain;
-    if (m_tries > 0 && now - m_asked < pause) {
-        return false;
+    if (isMotionDue(now)) {
+        m_tried = now;
+        ++m_tries;
+        m_isNew = false;
+        compute(m_points, sky);
+    } else if (isRiseDue(now)) {
+        m_triedRise = now;
+        recognise::SentPoint still = *m_newest;  // the client still waits there
+        still.utc += std::chrono::duration_cast<UtcTime::duration>(now - m_came);
+        compute({still}, sky);
     }
-    return isMoving ? m_isNew && recognise::showsMotion(m_points) : now - m_began >= kWaits && now - m_seen < kWaits;
 }
 
 // The work owns its promise and its copies, so it can end safely after this was deleted.
-void ClientRecognition::step(const recognise::Sky& sky, SteadyTime now)
+void ClientRecognition::compute(const recognise::SentPoints& points, const recognise::Sky& sky)
 {
-    if (!isDue(now)) {
-        return;
-    }
-    m_asked = now;
-    ++m_tries;
-    m_isNew = false;
-    recognise::SentPoints points = m_points;
-    if (points.size() == 1) {
-        points.front().utc +=
-            std::chrono::duration_cast<UtcTime::duration>(now - m_began);  // the client still waits there
-    }
     const auto promise = std::make_shared<QPromise<recognise::Recognition>>();
     m_future = promise->future();
     QThreadPool::globalInstance()->start([promise, points, sky] {

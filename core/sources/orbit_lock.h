@@ -13,9 +13,10 @@
 
 // Recognises the target that the client in control tracks, and locks to it: Boresight tracks the target from its own
 // orbit, and the points of the client are only compared with it. The client stays the source of the motion, so all
-// gates of a client apply in each tick. A lock begins only while the client moves the mount by its points. It is over
-// when the motion of the client ends, for any reason. The setting clients.lock decides whether it begins by itself, is
-// offered, or never begins. Station thread only.
+// gates of a client apply in each tick. A lock begins only while the client moves the mount by its points and reads the
+// position. It is over when the motion of the client ends, for any reason. The setting clients.lock decides whether it
+// begins by itself, is offered, or never begins. It begins by itself only when the points have moved along the target.
+// Station thread only.
 namespace boresight::sources {
 
 class OrbitLock
@@ -39,43 +40,75 @@ public:
 
     void step(SteadyTime now);
     void gone(const Source& client);
-    void setSatellites(const recognise::SharedSatellites& satellites);
+    // A lock keeps the elements with which it began.
+    void setSatellites(const recognise::SharedSatellites& satellites) { m_satellites = satellites; }
     void profileChanged(const profile::Profile& before, const profile::Profile& after);
     void describe(StationStatus& status) const;
     [[nodiscard]] std::optional<SkyPointing> targetAt(UtcTime utc) { return m_track.targetAt(utc); }
 
 private:
-    [[nodiscard]] bool isLocked() const { return m_target && m_isLocked; }
-    [[nodiscard]] profile::ClientLock rule() const { return m_helm.view().profile.clientLock; }
+    struct Offered
+    {
+        targets::Target target;
+        Angle lead;  // of the client
+    };
+    // The points of a client move the mount, and its target is looked for.
+    struct Stream
+    {
+        Source client;
+        std::uint64_t motionId = 0;
+        ClientRecognition recognition = {};
+        std::optional<SteadyTime> read = {};  // when the client last read the position
+        std::optional<Offered> offered = {};
+        std::set<QString> told = {};  // what the log has a line about
+    };
+    struct Departure
+    {
+        Point last;
+        SteadyTime since;
+    };
+    struct Locked
+    {
+        Source client;
+        QString target;
+        Angle lead;                               // how far ahead of the target the client aims
+        SteadyTime seen;                          // when the client sent a point or read the position
+        std::optional<Departure> departing = {};  // its last point is away from the target
+    };
+    // What the notice says about the end of a lock.
+    struct Ending
+    {
+        QString why;
+        QString action;
+        QString remedy;
+    };
+
     [[nodiscard]] SkyPointing directionOf(const Point& point) const;
     [[nodiscard]] bool isNear(const SkyPointing& direction);
+    [[nodiscard]] bool goesOn() const;
+    [[nodiscard]] bool isReading(SteadyTime now) const;
     void lookForTarget(SteadyTime now);
     void take(const recognise::Recognition& found);
-    void offer(const targets::Target& target, const QStringList& together);
-    void tellOnce(const QString& text);
+    void takeTarget(const recognise::Recognition& found);
+    void tellOnce(const QString& about, const QString& text);
     Result<> lock();
     void watch(SteadyTime now);
+    [[nodiscard]] static Ending held(const QString& why);
+    [[nodiscard]] std::optional<Ending> endOfMotion() const;
     void ended();
     void departed();
     // The lock is over. The notice is on the board for a while.
-    void over(const QString& why);
+    void over(const Ending& ending);
     // The same, and the mount holds.
     void endAndHold(const QString& why);
-    void forget();
+    void forgetLock();
 
     Helm& m_helm;
     recognise::SharedSatellites m_satellites = std::make_shared<const std::vector<orbit::ElementSet>>();
-    ClientRecognition m_recognition;
     TargetTrack m_track;
-    std::optional<Source> m_client;           // whose points are collected, or whose target is locked
-    std::uint64_t m_motionId = 0;             // of the motion of this client
-    std::optional<targets::Target> m_target;  // offered or locked
-    bool m_isLocked = false;
-    std::optional<Point> m_departing;  // the last point, if it departs from the locked target
-    SteadyTime m_departsSince{};
-    SteadyTime m_seen{};  // when the locked client sent a point or read the position
-    std::map<std::uint64_t, std::set<QString>> m_answered{};  // targets that are not offered to a client again
-    std::map<std::uint64_t, std::set<QString>> m_told{};      // lines that the log has about a client
+    std::optional<Stream> m_stream;
+    std::optional<Locked> m_locked;
+    std::map<std::uint64_t, std::set<QString>> m_declined{};  // targets that a client does not get again
     std::optional<SteadyTime> m_noticed{};                    // when the notice was raised
 };
 

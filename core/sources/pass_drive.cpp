@@ -34,6 +34,25 @@ Result<plan::PlanMount> presentMount(const ControlParts& view)
     });
 }
 
+bool isWithin(const plan::PlanSpan& span, UtcTime utc)
+{
+    return span.from <= utc && utc <= span.to;
+}
+
+// The time at the end of the cable: there the target is farthest off.
+std::optional<plan::PlanSpan> waitIn(const plan::PlanVariant& variant)
+{
+    const auto isOff = [](const plan::PlannedMoment& moment) { return moment.isHidden ? Angle{} : moment.error; };
+    const Angle end = std::ranges::max_element(variant.moments, {}, isOff)->axes.azimuth;
+    std::optional<plan::PlanSpan> span;
+    for (const plan::PlannedMoment& moment : variant.moments) {
+        if (abs(moment.axes.azimuth - end) < Angle::fromDegrees(0.001)) {
+            span = plan::PlanSpan{.from = span ? span->from : moment.utc, .to = moment.utc};
+        }
+    }
+    return span;
+}
+
 }  // namespace
 
 // The work owns its promise and its copies, so it can end safely after this object was deleted.
@@ -41,7 +60,7 @@ void PassDrive::compute(const targets::TargetPath& path, const plan::PlanTask& t
 {
     Result<plan::PlanMount> mount = presentMount(view);
     if (!mount) {
-        m_variant.reset();
+        *this = {};
         return;
     }
     const auto promise = std::make_shared<QPromise<plan::PassPlan>>();
@@ -66,22 +85,28 @@ bool PassDrive::hasArrived(const std::optional<plan::ChosenWay>& wanted)
     const plan::PassPlan found = m_future.result();
     m_future = {};
     if (found.variants.empty()) {
-        m_variant.reset();
+        *this = {};
         return false;
     }
     const std::size_t chosen = wanted ? plan::indexOf(found, *wanted).value_or(found.chosen) : found.chosen;
     m_variant = std::make_shared<const plan::PlanVariant>(found.variants[chosen]);
+    m_driven = m_variant->way == plan::PlanWay::WaitsAtTheEnd ? waitIn(*m_variant) : m_variant->ramp;
     return true;
 }
 
 std::optional<AxisPosition> PassDrive::placeAt(UtcTime utc) const
 {
-    if (!m_variant) {
-        return std::nullopt;
-    }
-    const bool followsItself = m_variant->way == plan::PlanWay::Direct &&
-                               (!m_variant->ramp || utc < m_variant->ramp->from || utc > m_variant->ramp->to);
-    return followsItself ? std::nullopt : std::optional(m_variant->placeAt(utc));
+    return m_driven && isWithin(*m_driven, utc) ? std::optional(m_variant->placeAt(utc)) : std::nullopt;
+}
+
+AxisPosition PassDrive::sideAt(UtcTime utc) const
+{
+    return m_variant->placeAt(unwrapsAt(utc) ? m_variant->unwrap->to : utc);
+}
+
+bool PassDrive::unwrapsAt(UtcTime utc) const
+{
+    return m_variant->unwrap && isWithin(*m_variant->unwrap, utc);
 }
 
 }  // namespace boresight::sources

@@ -10,8 +10,8 @@
 #include <optional>
 
 // How the mount drives a pass: by a plan of core/plan. The plan is computed on another thread, because it takes longer
-// than a tick. Until it is there the mount follows the target itself. If the plan is the direct way, the mount does so
-// outside the keyhole, too. Station thread only.
+// than a tick. The mount follows the target itself, on the wrap and the side of the plan. In the keyhole, and while it
+// waits at the end of the cable, it moves as the plan does. Station thread only.
 namespace boresight::sources {
 
 class PassDrive
@@ -25,12 +25,17 @@ public:
     [[nodiscard]] bool hasArrived(const std::optional<plan::ChosenWay>& wanted);
     // Null: no plan, or not yet.
     [[nodiscard]] const plan::SharedVariant& variant() const { return m_variant; }
-    // Where the axes are by the plan. Empty: the mount follows the target itself.
+    // These need a variant. Where the axes are by the plan; empty: the mount follows the target itself.
     [[nodiscard]] std::optional<AxisPosition> placeAt(UtcTime utc) const;
+    // A place on the wrap, and on the side of the zenith, on which the mount follows the target.
+    [[nodiscard]] AxisPosition sideAt(UtcTime utc) const;
+    // The mount is on its way to another wrap.
+    [[nodiscard]] bool unwrapsAt(UtcTime utc) const;
 
 private:
     QFuture<plan::PassPlan> m_future;
     plan::SharedVariant m_variant;
+    std::optional<plan::PlanSpan> m_driven;  // the mount does not follow the target itself
 };
 
 }  // namespace boresight::sources

@@ -56,6 +56,12 @@ bool isPass(const targets::Target& target)
     return elementsOf(target) || isTable(target);
 }
 
+// The same direction, for axes that lean over the zenith.
+SkyPointing overTheTop(const SkyPointing& direction)
+{
+    return {.azimuth = direction.azimuth + 180_deg, .elevation = 180_deg - direction.elevation};
+}
+
 AngularRate rateBetween(const SkyPointing& from, const SkyPointing& to, UtcTime::duration time)
 {
     return angleBetween(from, to) / time;
@@ -162,7 +168,9 @@ Result<> TargetTrack::begin(Tracked tracked)
     }
     const UtcTime from = std::max(now, tracked.up.rises);
     setWay(tracked, from);
-    tracked.place = roomyStart(helm().view(), *tracked.way);
+    // If the pass has begun, the plan decides whether the mount changes its wrap.
+    const bool isWithinPass = isPass(tracked.target) && tracked.isUp;
+    tracked.place = isWithinPass ? helm().heading() : roomyStart(helm().view(), *tracked.way);
     const bool goesOn = helm().current().continues(Activity::Streaming, tracked.by);
     return follow(tracked, from).map([&](const AxisPosition& place) {
         if (goesOn && tracked.by.kind != SourceKind::Client) {  // otherwise the log would not show the new target
@@ -233,20 +241,36 @@ Result<AxisPosition> TargetTrack::follow(Tracked& tracked, UtcTime utc)
     return tracked.at(from).and_then([&](const SkyPointing& now) {
         return tracked.at(from + kApart).and_then([&](const SkyPointing& soon) {
             tracked.skyRate = rateBetween(now, soon, kApart);
-            const QString what = Text::tr("track %1").arg(tracked.target.name);
-            const bool isPlanned = tracked.drive.variant() && !helm().current().keepsWrap();
-            if (const auto place = isPlanned ? tracked.drive.placeAt(from) : std::nullopt) {
-                const AxisPosition next = waits ? *place : tracked.drive.variant()->placeAt(from + kApart);
-                return helm().leadAxes({.now = *place, .soon = next, .apart = kApart}, tracked.by, what);
-            }
-            return helm().lead({.now = now,
-                                .soon = waits ? now : soon,
-                                .apart = kApart,
-                                .near = tracked.place,
-                                .isPlanned = isPlanned},
-                               tracked.by, what);
+            return point(tracked, {.now = now, .soon = waits ? now : soon, .apart = kApart, .near = tracked.place},
+                         from);
         });
     });
+}
+
+// By the plan, unless the operator chose to wait at the end of the cable.
+Result<AxisPosition> TargetTrack::point(const Tracked& tracked, Helm::Lead lead, UtcTime utc)
+{
+    const PassDrive& drive = tracked.drive;
+    const bool keepsWrap = helm().current().keepsWrap();
+    lead.isPlanned = drive.variant() && !keepsWrap;
+    const bool unwraps = lead.isPlanned && drive.unwrapsAt(utc);
+    const QString what =
+        (unwraps ? Text::tr("unwrap the cable for %1") : Text::tr("track %1")).arg(tracked.target.name);
+    if (!lead.isPlanned) {
+        lead.near = keepsWrap ? std::optional(helm().heading()) : tracked.place;
+        return helm().lead(lead, tracked.by, what);
+    }
+    if (const auto place = drive.placeAt(utc)) {
+        const bool stands = lead.now == lead.soon;
+        const AxisPosition next = stands ? *place : drive.variant()->placeAt(utc + kApart);
+        return helm().leadAxes({.now = *place, .soon = next, .apart = kApart}, tracked.by, what);
+    }
+    lead.near = drive.sideAt(utc);
+    if (lead.near->elevation > 90_deg) {
+        lead.now = overTheTop(lead.now);
+        lead.soon = overTheTop(lead.soon);
+    }
+    return helm().lead(lead, tracked.by, what);
 }
 
 void TargetTrack::takePlan(UtcTime utc)

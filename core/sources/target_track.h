@@ -66,6 +66,7 @@ private:
     [[nodiscard]] Result<> mayGoOn() const;
     Result<> begin(Tracked tracked);
     Result<AxisPosition> follow(Tracked& tracked, UtcTime utc);
+    Result<AxisPosition> point(const Tracked& tracked, Helm::Lead lead, UtcTime utc);
     void takePlan(UtcTime utc);
     void followOn(UtcTime utc);
     void renewWay(UtcTime utc);

@@ -15,6 +15,11 @@ namespace {
 
 using Days = std::chrono::duration<double, std::chrono::days::period>;
 
+double ageInDays(const orbit::ElementSet& elements, UtcTime now)
+{
+    return std::abs(Days(now - orbit::utcTime(elements.epoch)).count());
+}
+
 }  // namespace
 
 Result<> hasSite(const Target& target, bool isSiteKnown)
@@ -27,14 +32,19 @@ Result<> hasSite(const Target& target, bool isSiteKnown)
 Result<> isFresh(const Target& target, UtcTime now, double oldestDays)
 {
     const auto* const elements = std::get_if<orbit::ElementSet>(&target.kind);
-    const double age = elements ? std::abs(Days(now - orbit::utcTime(elements->epoch)).count()) : 0.0;
-    return age <= oldestDays ? Result<>{}
-                             : failure(ErrorCode::Refused,
-                                       Text::tr("The elements of %1 are %2 days old. The setting oldest_days permits "
-                                                "%3. Load newer elements.")
-                                           .arg(target.name)
-                                           .arg(age, 0, 'f', 1)
-                                           .arg(oldestDays, 0, 'f', 0));
+    return !elements || isFresh(*elements, now, oldestDays)
+               ? Result<>{}
+               : failure(ErrorCode::Refused,
+                         Text::tr("The elements of %1 are %2 days old. The setting oldest_days permits "
+                                  "%3. Load newer elements.")
+                             .arg(target.name)
+                             .arg(ageInDays(*elements, now), 0, 'f', 1)
+                             .arg(oldestDays, 0, 'f', 0));
+}
+
+bool isFresh(const orbit::ElementSet& elements, UtcTime now, double oldestDays)
+{
+    return ageInDays(elements, now) <= oldestDays;
 }
 
 Result<> isSoon(const QString& name, UtcTime rises, UtcTime now)

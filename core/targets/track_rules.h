@@ -18,6 +18,8 @@ inline constexpr std::chrono::minutes kLongestWait{30};
 [[nodiscard]] Result<> hasSite(const Target& target, bool isSiteKnown);
 // The elements of a satellite must not be older than `oldestDays`. Other targets need no elements.
 [[nodiscard]] Result<> isFresh(const Target& target, UtcTime now, double oldestDays);
+// The same for elements alone, without the reason.
+[[nodiscard]] bool isFresh(const orbit::ElementSet& elements, UtcTime now, double oldestDays);
 [[nodiscard]] Result<> isSoon(const QString& name, UtcTime rises, UtcTime now);
 
 }  // namespace boresight::targets

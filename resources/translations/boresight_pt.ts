@@ -11188,10 +11188,6 @@ até %1</translation>
         <translation>Prima Rearmar. Depois procure a referência, ou acerte a posição na caixa. Se isto se repetir, procure um eixo bloqueado.</translation>
     </message>
     <message>
-        <source>plans the pass of %1 near the zenith, where the azimuth is too slow: off by up to %2. It is off by more than half of the beam width for %3</source>
-        <translation>planeia a passagem de %1 perto do zénite, onde o azimute é demasiado lento: desvio até %2. O desvio é maior do que metade da largura do feixe durante %3</translation>
-    </message>
-    <message>
         <source>Free the axis. Reduce speed and acceleration, or correct the gains. Then re-arm</source>
         <translation>Solte o eixo. Reduza a velocidade e a aceleração, ou corrija os ganhos. Depois rearme</translation>
     </message>
@@ -11752,14 +11748,6 @@ até %1</translation>
         <translation>O Boresight já não segue %1 pela sua própria órbita: %2</translation>
     </message>
     <message>
-        <source>From now on only points of the client move the mount</source>
-        <translation>A partir de agora só os pontos do cliente movem a montagem</translation>
-    </message>
-    <message>
-        <source>Nothing to do if the client has another target, or has ended</source>
-        <translation>Nada a fazer se o cliente tem outro alvo, ou terminou</translation>
-    </message>
-    <message>
         <source>Always</source>
         <translation>Sempre</translation>
     </message>
@@ -11770,10 +11758,6 @@ até %1</translation>
     <message>
         <source>Lock to the target of a client</source>
         <translation>Fixar no alvo de um cliente</translation>
-    </message>
-    <message>
-        <source>What Boresight does when it recognises the target that a client tracks, such as a satellite of Gpredict. &quot;always&quot;: it tracks the target from its own orbit at once. &quot;ask&quot;: the window offers this. &quot;never&quot;: only the points of the client move the mount.</source>
-        <translation>O que o Boresight faz quando reconhece o alvo que um cliente segue, como um satélite do Gpredict. &quot;always&quot;: segue logo o alvo pela sua própria órbita. &quot;ask&quot;: a janela propõe-no. &quot;never&quot;: só os pontos do cliente movem a montagem.</translation>
     </message>
     <message>
         <source>the client stopped the mount</source>
@@ -11824,12 +11808,156 @@ até %1</translation>
         <translation>o cliente desligou-se</translation>
     </message>
     <message>
-        <source>its elements have changed</source>
-        <translation>os seus elementos mudaram</translation>
+        <source>The cable has no room for the whole pass of %1</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the setting clients.lock was changed</source>
-        <translation>a definição clients.lock foi alterada</translation>
+        <source>%2 The beam is off the target for %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On the page Passes, the view Plan shows the other ways</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is off by more than half of the beam width for %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Direct</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Over the top</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Through the zenith</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Other way round</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Waits at the cable end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unwraps in the pass</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (−%2 dB)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (beyond the beam)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mount unwraps from %1 to %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mount waits at the end of the cable while the target is beyond it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>plans the pass of %1 near the zenith, where the azimuth is too slow: off by up to %2. %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>plans the pass of %1 over the top: off by up to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>plans the pass of %1 through the zenith, and changes over the top there: off by up to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>plans the pass of %1 with the azimuth going the other way round near the zenith: off by up to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>plans the pass of %1, for which the cable has no room. %2 %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What Boresight does when it recognises the target that a client tracks, such as a satellite of Gpredict. &quot;always&quot;: it tracks the target from its own orbit as soon as the points of the client move along the target. &quot;ask&quot;: the window offers this. &quot;never&quot;: only the points of the client move the mount. While rotctld.outside_limits is &quot;refuse&quot;, &quot;always&quot; and &quot;ask&quot; do the same as &quot;never&quot;.</source>
+        <translation>O que o Boresight faz quando reconhece o alvo que um cliente segue, como um satélite do Gpredict. &quot;always&quot;: segue o alvo pela sua própria órbita assim que os pontos do cliente avançam com o alvo. &quot;ask&quot;: a janela propõe-no. &quot;never&quot;: só os pontos do cliente movem a montagem. Enquanto rotctld.outside_limits for &quot;refuse&quot;, &quot;always&quot; e &quot;ask&quot; fazem o mesmo que &quot;never&quot;.</translation>
+    </message>
+    <message>
+        <source>the setting clients.lock is &quot;never&quot;</source>
+        <translation>a definição clients.lock é &quot;never&quot;</translation>
+    </message>
+    <message>
+        <source>the setting rotctld.outside_limits is &quot;refuse&quot;</source>
+        <translation>a definição rotctld.outside_limits é &quot;refuse&quot;</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 e mais %2</translation>
+    </message>
+    <message>
+        <source>The client tracks another target now: %1.</source>
+        <translation>O cliente segue agora outro alvo: %1.</translation>
+    </message>
+    <message>
+        <source>The client has not read the position in the last %1 s. Boresight tracks a target only for a client that reads the position.</source>
+        <translation>O cliente não leu a posição nos últimos %1 s. O Boresight só segue um alvo para um cliente que lê a posição.</translation>
+    </message>
+    <message>
+        <source>The mount holds</source>
+        <translation>A montagem mantém a posição</translation>
+    </message>
+    <message>
+        <source>Nothing to do if the client has ended. Otherwise the next point of the client moves the mount</source>
+        <translation>Nada a fazer se o cliente terminou. Caso contrário, o próximo ponto do cliente move a montagem</translation>
+    </message>
+    <message>
+        <source>another client moves the mount</source>
+        <translation>outro cliente move a montagem</translation>
+    </message>
+    <message>
+        <source>The commands of the other client move the mount</source>
+        <translation>Os comandos do outro cliente movem a montagem</translation>
+    </message>
+    <message>
+        <source>The page Clients shows which client has control</source>
+        <translation>A página Clientes mostra que cliente tem o controlo</translation>
+    </message>
+    <message>
+        <source>Nothing to do if this is intended. Otherwise press Hold</source>
+        <translation>Nada a fazer se isto for intencional. Caso contrário, prima Manter</translation>
+    </message>
+    <message>
+        <source>The mount moves to its park position</source>
+        <translation>A montagem move-se para a posição de estacionamento</translation>
+    </message>
+    <message>
+        <source>The points of the client move the mount</source>
+        <translation>Os pontos do cliente movem a montagem</translation>
+    </message>
+    <message>
+        <source>the client sent a move command</source>
+        <translation>o cliente enviou um comando de movimento</translation>
+    </message>
+    <message>
+        <source>The move command of the client moves the mount</source>
+        <translation>O comando de movimento do cliente move a montagem</translation>
+    </message>
+    <message>
+        <source>Nothing to do if the client has another target</source>
+        <translation>Nada a fazer se o cliente tem outro alvo</translation>
+    </message>
+    <message>
+        <source>waits for the rise of %1. Boresight tracks it from its own orbit when the points move along it, or when you press Track it in the window</source>
+        <translation>espera que %1 nasça. O Boresight segue-o pela sua própria órbita quando os pontos avançam com ele, ou quando prime Segui-lo na janela</translation>
+    </message>
+    <message>
+        <source>cannot take the way that was chosen any more: %1. It takes the best</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

@@ -43,7 +43,8 @@ LockPrompt::LockPrompt(RequestDesk& desk, QWidget* parent)
     const auto answer = [this](CommandButton* button, bool isWanted) {
         connect(button, &QPushButton::clicked, this, [this, button, isWanted] {
             if (m_guard.isOver()) {
-                button->ask(request::TrackForClient{.clientId = m_offered.clientId, .isWanted = isWanted});
+                button->ask(request::TrackForClient{
+                    .clientId = m_offered.clientId, .target = m_offered.name, .isWanted = isWanted});
             }
         });
     };

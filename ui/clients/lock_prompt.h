@@ -6,7 +6,7 @@
 #include "ui/kit/prompt_bar.h"
 
 // Shown over the plot with every panel: Boresight recognised the target that a client tracks, and offers to track it
-// from its own orbit. The station offers each target of a client once.
+// from its own orbit. A target that was declined is not offered to this client again.
 namespace boresight::ui {
 
 class CommandButton;

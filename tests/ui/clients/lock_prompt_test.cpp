@@ -39,6 +39,7 @@ TEST_F(LockPromptTest, OffersTheTargetOfAClient)
     click("Track it");
     ASSERT_EQ(asked<request::TrackForClient>().size(), 1U);
     EXPECT_EQ(asked<request::TrackForClient>()[0].clientId, 1U);
+    EXPECT_EQ(asked<request::TrackForClient>()[0].target, QStringLiteral("METEOR-M2 4"));
     EXPECT_TRUE(asked<request::TrackForClient>()[0].isWanted);
     offer(QStringLiteral("METEOR-M2 4"), true);
     EXPECT_FALSE(prompt().isVisible());
@@ -65,7 +66,8 @@ TEST_F(LockPromptTest, AnotherTargetNeedsAnotherLook)
     EXPECT_TRUE(asked<request::TrackForClient>().empty());
     elapse(Seconds(1.0));
     click("Track it");
-    EXPECT_EQ(asked<request::TrackForClient>().size(), 1U);
+    ASSERT_EQ(asked<request::TrackForClient>().size(), 1U);
+    EXPECT_EQ(asked<request::TrackForClient>()[0].target, QStringLiteral("ISS (ZARYA)"));
 }
 
 // REQ-UI-1801: While Boresight tracks the target of a client, the page Clients shows the target.
