@@ -10,10 +10,12 @@ namespace boresight::plan {
 
 namespace {
 
-// How long the target is visible to the mount, but beyond the bound of the error.
+// How long the target is visible to the mount, but beyond the bound of the error. A further sentence, or empty.
 QString lostText(const Forecast& forecast)
 {
-    return Text::tr("It is off by more than half of the beam width for %1").arg(durationText(forecast.beyond));
+    return forecast.beyond < Seconds(0.5)
+               ? QString()
+               : Text::tr(". It is off by more than half of the beam width for %1").arg(durationText(forecast.beyond));
 }
 
 }  // namespace
@@ -63,8 +65,9 @@ QString planText(const PlanVariant& variant, const QString& target)
         case PlanWay::Direct:
             return variant.ramp ? Text::tr(
                                       "plans the pass of %1 near the zenith, where the azimuth is too slow: off by "
-                                      "up to %2. %3")
-                                      .arg(target, error, lostText(variant.forecast))
+                                      "up to %2")
+                                          .arg(target, error) +
+                                      lostText(variant.forecast)
                                 : QString();
         case PlanWay::OverTheTop:
             return Text::tr("plans the pass of %1 over the top: off by up to %2").arg(target, error);
@@ -78,8 +81,8 @@ QString planText(const PlanVariant& variant, const QString& target)
                 .arg(target, error);
         case PlanWay::WaitsAtTheEnd:
         case PlanWay::Unwraps:
-            return Text::tr("plans the pass of %1, for which the cable has no room. %2 %3")
-                .arg(target, splitText(variant), lostText(variant.forecast));
+            return Text::tr("plans the pass of %1, for which the cable has no room. %2 The beam is off it for %3")
+                .arg(target, splitText(variant), durationText(variant.forecast.beyond));
     }
     return {};
 }
