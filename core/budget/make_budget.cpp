@@ -129,7 +129,8 @@ ErrorLine calibrationLine(const CalibrationFacts& facts)
     const double mean = std::max(residuals, sigmas) / static_cast<double>(facts.points.size());
     return {.part = ErrorPart::Calibration,
             .error = Angle::fromRadians(std::sqrt(mean)),
-            .basis = Text::tr("Residual rms of the measured points: %1.").arg(facts.points.size())};
+            .basis = Text::tr("Residual rms of the measured points (%1), at least the uncertainty of their centring.")
+                         .arg(facts.points.size())};
 }
 
 // What the wind does to the axes is measured as a part of the servo. What it bends is not measured by anything.
