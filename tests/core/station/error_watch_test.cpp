@@ -2,6 +2,9 @@
 #include "core/station/error_watch.h"
 
 #include "core/elements/julian_date.h"
+#include "tests/core/station/moving_station.h"
+
+#include <QTemporaryDir>
 
 #include <gtest/gtest.h>
 
@@ -144,6 +147,29 @@ TEST(ErrorWatch, MeasuresTheServoOnTheSky)
     EXPECT_NEAR(status.errorBudget->lines.front().error->degrees(), 0.05, 1e-6);
     watch.fill(status, {}, SteadyTime{} + std::chrono::seconds(3));
     EXPECT_FALSE(status.errorBudget->lines.front().error) << "nothing was measured for 2 s";
+}
+
+// REQ-STATION-973: While the mount is sent to a direction, each status of the station has the error budget. On the way
+// the way counts, at the target only what was measured. After STOP there is no budget.
+TEST(ErrorWatch, EachStatusOfAStationHasTheBudget)
+{
+    const QTemporaryDir folder;
+    MovingStation moving(folder.path());
+    EXPECT_FALSE(moving.station->status().errorBudget);
+    moving.station->request({.id = 1, .request = request::PointSky{{.azimuth = 20_deg, .elevation = 30_deg}}});
+    moving.run(Seconds(0.5));
+    const auto onTheWay = moving.station->status().errorBudget;
+    ASSERT_TRUE(onTheWay);
+    EXPECT_GT(onTheWay->sum, 1_deg);
+    moving.run(Seconds(40.0));
+    const auto there = moving.station->status().errorBudget;
+    ASSERT_TRUE(there);
+    EXPECT_EQ(there->lines.front().part, ErrorPart::Servo);
+    ASSERT_TRUE(there->lines.front().error);
+    EXPECT_LT(there->sum, 0.1_deg);
+    moving.station->request({.id = 2, .request = request::Stop{}});
+    moving.run(Seconds(1.0));
+    EXPECT_FALSE(moving.station->status().errorBudget);
 }
 
 }  // namespace
