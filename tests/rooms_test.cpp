@@ -88,9 +88,9 @@ Rooms joined(Rooms one, const Rooms& other)
     return one;
 }
 
-const Rooms kSeenByTheWindow{"core/base",   "core/units",    "core/pointing", "core/profile",
-                             "core/alarms", "core/messages", "core/elements", "core/orbit",
-                             "core/passes", "core/gpredict", "core/schedule", "core/targets"};
+const Rooms kSeenByTheWindow{"core/base",     "core/units",    "core/pointing", "core/profile", "core/alarms",
+                             "core/messages", "core/elements", "core/orbit",    "core/passes",  "core/gpredict",
+                             "core/schedule", "core/targets",  "core/budget"};
 const Rooms kAboveTheDriver{"core/control", "core/guards", "core/sources", "core/motion",     "core/mount",
                             "core/north",   "core/tuning", "core/night",   "core/cross_check"};
 const Rooms kBelowPanels{"ui/kit", "ui/look", "ui/link", "ui/hold", "ui/sky"};
@@ -170,9 +170,10 @@ TEST(Rooms, OnlyTheirDriverKnowsTheCheckAndTheJournal)
 
 TEST(Rooms, MessagesAreMadeOfValues)
 {
-    EXPECT_THAT(wrong({"core/messages"}, {"core/base", "core/brake", "core/end_switches", "core/units", "core/pointing",
-                                          "core/profile", "core/elements", "core/calibration", "core/ephemeris",
-                                          "core/orientation", "core/response", "core/schedule", "core/targets"}),
+    EXPECT_THAT(wrong({"core/messages"},
+                      {"core/base", "core/brake", "core/budget", "core/end_switches", "core/units", "core/pointing",
+                       "core/profile", "core/elements", "core/calibration", "core/ephemeris", "core/orientation",
+                       "core/response", "core/schedule", "core/targets"}),
                 IsEmpty());
 }
 

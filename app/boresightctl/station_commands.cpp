@@ -296,8 +296,8 @@ const Subcommand kStatusCommand{.name = "status",
 
 Prints the station, its state, and where the mount points. A station of this user on this computer also reports by its
 local socket: the state that its window shows (TRACK, HOLD, …), the motion, the next rise or set of the tracked target,
-whether the schedule is armed, the wind, the brake, the end switches, the third axis, whether the transmit output is on,
-whether the station still uses the old time after its clock was set, and the alarms. A station on another computer reports only by rotctld.
+the error budget with its parts, whether the schedule is armed, the wind, the brake, the end switches, the third axis,
+whether the transmit output is on, whether the station still uses the old time after its clock was set, and the alarms. A station on another computer reports only by rotctld.
 Its state is MOVING, or SLOW OR NOT MOVING: rotctld reports no motion below 0.02°/s, for example while the mount tracks the
 Moon.
 )" + kExitStatus + R"(

@@ -79,6 +79,25 @@ QString thirdAxisText(const QJsonObject& axis)
         .arg(axis[QStringLiteral("name")].toString(), parts.join(QStringLiteral(", ")));
 }
 
+// The sum, and a line for each part. Empty: no direction is aimed at, the position is old, or the station runs on
+// another computer.
+QString budgetText(const QJsonObject& budget)
+{
+    if (budget.isEmpty()) {
+        return {};
+    }
+    QString text = QStringLiteral("error:    %1\n").arg(budget[QStringLiteral("text")].toString());
+    for (const QJsonValue& part : budget[QStringLiteral("parts")].toArray()) {
+        const QJsonValue error = part[QStringLiteral("degrees")];
+        text += QStringLiteral("  %1%2 %3\n")
+                    .arg((part[QStringLiteral("part")].toString() + QLatin1Char(':')).leftJustified(13),
+                         error.isDouble() ? QString::number(error.toDouble(), 'f', 3) + QStringLiteral("°.")
+                                          : QStringLiteral("not in the sum."),
+                         part[QStringLiteral("from")].toString());
+    }
+    return text;
+}
+
 // Empty: the station uses the clock of its computer, or runs on another computer.
 QString clockText(const QJsonValue& setBy)
 {
@@ -145,6 +164,7 @@ QString reportText(const QJsonObject& report)
            lineOf(report, QStringLiteral("rises")) + lineOf(report, QStringLiteral("sets")) +
            lineOf(report, QStringLiteral("schedule")) +
            QStringLiteral("actual:   %1\n").arg(actualText(report[QStringLiteral("actual")])) +
+           budgetText(report[QStringLiteral("errorBudget")].toObject()) +
            clockText(report[QStringLiteral("clockSetBy")]) + windText(report[QStringLiteral("wind")].toObject()) +
            brakeText(report[QStringLiteral("brake")].toObject()) +
            endSwitchText(report[QStringLiteral("endSwitches")].toArray()) +

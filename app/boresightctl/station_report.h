@@ -9,6 +9,9 @@
 //   actual              {azimuth, elevation} in degrees, or null: unknown
 // A station on this computer also sends these keys through its local socket:
 //   reason, motion      text: the reason of the state, and the present motion. May be empty
+//   errorBudget         {degrees: the sum, whole: no part is unknown, loss in dB or null beyond the main lobe, text,
+//                       parts: of each {part: "servo", "way", "stream", "clock", "elements", "calibration" or "wind",
+//                       degrees or null, from}}. Missing: no direction is aimed at, or the position is old
 //   wind                {speed in m/s or null, age in s, silent, obstacle, overriddenUntil: UTC or null}.
 //                       Missing: no wind is read
 //   brake               {state: "set", "opens", "open", "closes" or "failed", output, problem}. Missing: there is none

@@ -3,6 +3,7 @@
 
 #include "core/base/text.h"
 #include "core/base/time_of_day.h"
+#include "core/budget/budget_text.h"
 #include "core/elements/julian_date.h"
 #include "core/messages/state_word.h"
 #include "core/night/schedule_json.h"
@@ -12,6 +13,8 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+
+#include <cmath>
 
 namespace boresight {
 namespace {
@@ -122,6 +125,29 @@ QJsonObject thirdAxisObject(const ThirdAxisStatus& axis)
             {QStringLiteral("boardTemperature"), numberOf(axis.boardTemperature)}};
 }
 
+// To a ten thousandth of a degree.
+double shownDegrees(Angle angle)
+{
+    constexpr double kSteps = 1e4;
+    return std::round(angle.degrees() * kSteps) / kSteps;
+}
+
+QJsonObject budgetObject(const budget::ErrorBudget& budget)
+{
+    QJsonArray parts;
+    for (const budget::ErrorLine& line : budget.lines) {
+        parts.append(
+            QJsonObject{{QStringLiteral("part"), QString::fromLatin1(budget::keyOf(line.part))},
+                        {QStringLiteral("degrees"), line.error ? QJsonValue(shownDegrees(*line.error)) : QJsonValue()},
+                        {QStringLiteral("from"), line.basis}});
+    }
+    return {{QStringLiteral("degrees"), shownDegrees(budget.sum)},
+            {QStringLiteral("whole"), budget.isWhole},
+            {QStringLiteral("loss"), numberOf(budget.loss)},
+            {QStringLiteral("text"), budget::offByText(budget)},
+            {QStringLiteral("parts"), parts}};
+}
+
 // The state as the header of the window shows it. `motion` is what the mount does now.
 QByteArray statusJson(const StationStatus& status)
 {
@@ -150,6 +176,9 @@ QByteArray statusJson(const StationStatus& status)
     }
     if (status.thirdAxis) {
         all[QStringLiteral("thirdAxis")] = thirdAxisObject(*status.thirdAxis);
+    }
+    if (status.errorBudget) {
+        all[QStringLiteral("errorBudget")] = budgetObject(*status.errorBudget);
     }
     if (status.clock.ahead) {
         all[QStringLiteral("clockSetBy")] = status.clock.ahead->count();

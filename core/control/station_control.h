@@ -152,6 +152,8 @@ public:
     [[nodiscard]] AxisPosition untrimmedGoal() const { return whereabouts().untrimmedGoal(); }
     // The correction by the operator that is added to every target that is tracked.
     [[nodiscard]] const AxisPosition& trim() const { return m_motion.trim(); }
+    // How well the points that are followed show their target. Empty: no stream of points is followed.
+    [[nodiscard]] std::optional<tracking::StreamError> streamError() const { return m_motion.streamError(m_now); }
     // Whether both axes are this near to their target.
     [[nodiscard]] bool onTarget(Angle within) const { return report().onTarget(within); }
     // Why the mount goes to the nearest permitted place instead of the target. Empty: it goes to the target.

@@ -3,6 +3,7 @@
 
 #include "core/base/clock.h"
 #include "core/base/result.h"
+#include "core/budget/error_budget.h"
 #include "core/elements/element_set.h"
 #include "core/ephemeris/almanac.h"
 #include "core/messages/azel_status.h"
@@ -288,6 +289,8 @@ struct StationStatus
     std::vector<SkyPointing> route;    // the beam goes around forbidden places, from `commanded` to the target
     std::optional<SlewProgress> slew;  // empty: the mount is not on its way to a fixed target
     std::optional<SkyPointing> trim;   // the sum of the operator's nudges, added to each point of a stream
+    // The parts of the pointing error. Empty: no direction is aimed at, or the measured position is old.
+    std::optional<budget::ErrorBudget> errorBudget;
     std::optional<CableEnd> cableEnd;  // reported at least 30° or 30 s ahead, and while the mount waits there
     Authority authority = Authority::Clients;
     // The operator took control by something other than "Take control", and clients have not got it back since.

@@ -198,6 +198,12 @@ std::optional<tracking::MovingTarget> Motion::movingTarget(SteadyTime now) const
     return std::nullopt;
 }
 
+std::optional<tracking::StreamError> Motion::streamError(SteadyTime now) const
+{
+    const auto* const stream = std::get_if<tracking::TargetStream>(&m_wanted);
+    return stream != nullptr ? stream->error(now) : std::nullopt;
+}
+
 void Motion::advance(SteadyTime now, Seconds step)
 {
     if (const auto target = movingTarget(now)) {

@@ -82,7 +82,9 @@ public:
     [[nodiscard]] std::optional<AxisPosition> target(SteadyTime now) const;  // empty while resting or running
     [[nodiscard]] bool streaming(SteadyTime now) const;                      // the points look like a path in the sky
     [[nodiscard]] std::optional<tracking::MovingTarget> path(SteadyTime now) const;  // the position on that path
-    [[nodiscard]] bool atRest() const { return m_axes.atRest(); }                    // both set-points stand still
+    // How well the points of a stream show the target. Empty: there is no stream.
+    [[nodiscard]] std::optional<tracking::StreamError> streamError(SteadyTime now) const;
+    [[nodiscard]] bool atRest() const { return m_axes.atRest(); }  // both set-points stand still
 
     // How far beside its set-point each axis may be sent. For a motor that is only switched on and off.
     [[nodiscard]] std::array<tracking::Leeway, 2> leeway(SteadyTime now) const;

@@ -206,6 +206,7 @@ void Station::keepSample()
 {
     if (const auto sample = m_control.sample()) {
         m_screen.keep(*sample);
+        m_errorWatch.keep(*sample, m_control.mount().capabilities(), m_control.pointing());
     }
 }
 
@@ -480,6 +481,7 @@ StationStatus Station::status() const
     status.rehearsal = m_rehearsal.status();
     status.clock = m_clockGuard.status();
     status.transmit = m_transmit.status();
+    m_errorWatch.fill(status, m_control.streamError(), m_clock.now());
     return status;
 }
 

@@ -20,6 +20,7 @@
 #include "core/profile/in_force.h"
 #include "core/profile/profile.h"
 #include "core/sim_bus/running_faults.h"
+#include "core/station/error_watch.h"
 #include "core/station/profile_desk.h"
 #include "core/station/real_time.h"
 #include "core/station/screen_feed.h"
@@ -157,6 +158,7 @@ private:
     QTimer m_updateTimer;
     QTimer m_reopenTimer;
     TickLateness m_lateness;
+    ErrorWatch m_errorWatch;
     RealTime m_realTime{this};
     bool m_wantsRealTime = false;
     ScreenFeed m_screen;

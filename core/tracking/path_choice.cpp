@@ -43,6 +43,12 @@ void PathChoice::clear()
     *this = {};
 }
 
+std::optional<double> PathChoice::foretold() const
+{
+    const Candidate& used = m_paths[m_best];
+    return used.path && used.judged >= kFewestJudged ? std::optional(std::sqrt(used.error)) : std::nullopt;
+}
+
 void PathChoice::fit(std::span<const Point> points)
 {
     m_last = points.back().time;

@@ -27,6 +27,9 @@ public:
 
     // The straight path through the last few points. Empty if there are too few.
     [[nodiscard]] const std::optional<PointPath>& straight() const { return m_paths.front().path; }
+    // The root mean square of what the path to follow foretold wrong, in radians. Empty: it was not judged often
+    // enough.
+    [[nodiscard]] std::optional<double> foretold() const;
     // The path to follow.
     [[nodiscard]] const std::optional<PointPath>& best() const { return m_paths[m_best].path; }
 

@@ -194,6 +194,18 @@ std::optional<AxisPosition> TargetStream::lastPoint() const
     return m_points.empty() ? std::nullopt : std::optional(m_points.back().position);
 }
 
+std::optional<StreamError> TargetStream::error(SteadyTime now) const
+{
+    if (m_points.size() < 2 || now - m_points.back().time > kLongestRun + kLongestWait) {
+        return std::nullopt;
+    }
+    const double step = distance(m_points.back().direction, m_points[m_points.size() - 2].direction);
+    const auto moving = target(now);
+    const auto foretold = moving && moving->streaming ? m_paths.foretold() : std::nullopt;
+    return StreamError{.step = Angle::fromRadians(step),
+                       .foretold = foretold ? std::optional(Angle::fromRadians(*foretold)) : std::nullopt};
+}
+
 std::optional<MovingTarget> TargetStream::target(SteadyTime now) const
 {
     if (m_points.empty()) {

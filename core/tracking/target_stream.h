@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/tracking/path_choice.h"
+#include "core/tracking/stream_error.h"
 
 #include <optional>
 #include <vector>
@@ -35,6 +36,8 @@ public:
 
     [[nodiscard]] std::optional<AxisPosition> lastPoint() const;  // empty before the first point
     [[nodiscard]] std::optional<MovingTarget> target(SteadyTime now) const;
+    // Empty while there is one point, and after the stream has ended.
+    [[nodiscard]] std::optional<StreamError> error(SteadyTime now) const;
 
 private:
     // How far the target may follow a path ahead of the last point.

@@ -11959,6 +11959,146 @@ até %1</translation>
         <source>cannot take the way that was chosen any more: %1. It takes the best</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Servo</source>
+        <translation>Servo</translation>
+    </message>
+    <message>
+        <source>Way to the target</source>
+        <translation>Até ao alvo</translation>
+    </message>
+    <message>
+        <source>Between points</source>
+        <translation>Entre pontos</translation>
+    </message>
+    <message>
+        <source>Clock</source>
+        <translation>Relógio</translation>
+    </message>
+    <message>
+        <source>Age of elements</source>
+        <translation>Idade dos elementos</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>Calibração</translation>
+    </message>
+    <message>
+        <source>Wind</source>
+        <translation>Vento</translation>
+    </message>
+    <message>
+        <source>at least %1</source>
+        <translation>pelo menos %1</translation>
+    </message>
+    <message>
+        <source>Off by %1 (%2)</source>
+        <translation>Desvio de %1 (%2)</translation>
+    </message>
+    <message>
+        <source>beyond the main lobe</source>
+        <translation>fora do lóbulo principal</translation>
+    </message>
+    <message>
+        <source>not in the sum</source>
+        <translation>não somado</translation>
+    </message>
+    <message>
+        <source>The target moves %1/s.</source>
+        <translation>O alvo move-se a %1/s.</translation>
+    </message>
+    <message>
+        <source>The axes have not answered a set-point.</source>
+        <translation>Os eixos não responderam a nenhuma referência.</translation>
+    </message>
+    <message>
+        <source>Measured: rms of the last 10 s. Now %1. Peak %2.</source>
+        <translation>Medido: rms dos últimos 10 s. Agora %1. Pico %2.</translation>
+    </message>
+    <message>
+        <source>The steps of the rotator add %1.</source>
+        <translation>Os passos do rotor acrescentam %1.</translation>
+    </message>
+    <message>
+        <source>From the set-points to the target, now.</source>
+        <translation>Das referências ao alvo, agora.</translation>
+    </message>
+    <message>
+        <source>Boresight computes each position. Nothing lies between points.</source>
+        <translation>O Boresight calcula cada posição. Não há nada entre pontos.</translation>
+    </message>
+    <message>
+        <source>Too few points have arrived.</source>
+        <translation>Chegaram poucos pontos.</translation>
+    </message>
+    <message>
+        <source>The points are %1 apart.</source>
+        <translation>Os pontos distam %1.</translation>
+    </message>
+    <message>
+        <source>The path foretold them with this rms error.</source>
+        <translation>A trajetória previu-os com este erro rms.</translation>
+    </message>
+    <message>
+        <source>Half a step.</source>
+        <translation>Metade de um passo.</translation>
+    </message>
+    <message>
+        <source>Boresight does not know the clock of the program that sends the points.</source>
+        <translation>O Boresight não conhece o relógio do programa que envia os pontos.</translation>
+    </message>
+    <message>
+        <source>The clock of this computer was set, and Boresight points by the old time. %1</source>
+        <translation>O relógio deste computador foi acertado, e o Boresight aponta pela hora antiga. %1</translation>
+    </message>
+    <message>
+        <source>No time source sets the clock. %1</source>
+        <translation>Nenhuma fonte de tempo acerta o relógio. %1</translation>
+    </message>
+    <message>
+        <source>The time source reports no error. %1</source>
+        <translation>A fonte de tempo não comunica nenhum erro. %1</translation>
+    </message>
+    <message>
+        <source>The time source reports an error of %1 ms. %2</source>
+        <translation>A fonte de tempo comunica um erro de %1 ms. %2</translation>
+    </message>
+    <message>
+        <source>Boresight does not know the elements of the client.</source>
+        <translation>O Boresight não conhece os elementos do cliente.</translation>
+    </message>
+    <message>
+        <source>The elements of the satellite are not loaded now.</source>
+        <translation>Os elementos do satélite não estão carregados agora.</translation>
+    </message>
+    <message>
+        <source>%1 days old. Expected: %2 km along the orbit, %3 s.</source>
+        <translation>Com %1 dias. Esperado: %2 km ao longo da órbita, %3 s.</translation>
+    </message>
+    <message>
+        <source>The stated uncertainty of the calibration in force.</source>
+        <translation>A incerteza indicada da calibração em vigor.</translation>
+    </message>
+    <message>
+        <source>No point was measured, and north has no stated uncertainty.</source>
+        <translation>Nenhum ponto foi medido, e o norte não tem incerteza indicada.</translation>
+    </message>
+    <message>
+        <source>Not in the sum. Nothing measures how far the wind bends mast and antenna.</source>
+        <translation>Não somado. Nada mede quanto o vento dobra o mastro e a antena.</translation>
+    </message>
+    <message>
+        <source>Wind %1 m/s.</source>
+        <translation>Vento %1 m/s.</translation>
+    </message>
+    <message>
+        <source>No fresh wind reading.</source>
+        <translation>Sem leitura recente do vento.</translation>
+    </message>
+    <message>
+        <source>Residual rms of the measured points (%1), at least the uncertainty of their centring.</source>
+        <translation>Resíduo rms dos pontos medidos (%1), pelo menos a incerteza da sua centragem.</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>
@@ -12974,6 +13114,44 @@ O Boresight retoma o rotor quando este tiver estado parado alguns segundos. Depo
     </message>
 </context>
 <context>
+    <name>boresight::ui::BudgetCard</name>
+    <message>
+        <source>Parts of the pointing error</source>
+        <translation>Partes do erro de apontamento</translation>
+    </message>
+    <message>
+        <source>Error budget</source>
+        <translation>Balanço de erros</translation>
+    </message>
+    <message>
+        <source>Sum of the error budget</source>
+        <translation>Soma do balanço de erros</translation>
+    </message>
+    <message>
+        <source>Independent parts are added as squares. An unknown part is not in the sum.</source>
+        <translation>As partes independentes somam-se em quadrado. Uma parte desconhecida não entra na soma.</translation>
+    </message>
+    <message>
+        <source>There is no error budget: no direction is aimed at, or the position is old.</source>
+        <translation>Não há balanço de erros: não há direção visada, ou a posição é antiga.</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::BudgetModel</name>
+    <message>
+        <source>Part</source>
+        <translation>Parte</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Erro</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Origem</translation>
+    </message>
+</context>
+<context>
     <name>boresight::ui::BusPicture</name>
     <message>
         <source>Cabling of adapter and drives</source>
@@ -13923,6 +14101,45 @@ Mantenha pessoas e cordas afastadas da antena. STOP termina o ensaio.</translati
     <message>
         <source>Error in beam widths. The middle is the target. Each end is one beam width.</source>
         <translation>Erro em larguras de feixe. O meio é o alvo. Cada extremo é uma largura de feixe.</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::ErrorCorner</name>
+    <message>
+        <source>total %1</source>
+        <translation>total %1</translation>
+    </message>
+    <message>
+        <source>total ≥%1</source>
+        <translation>total ≥%1</translation>
+    </message>
+    <message>
+        <source>Distance to the target</source>
+        <translation>Distância ao alvo</translation>
+    </message>
+    <message>
+        <source>off by</source>
+        <translation>desvio</translation>
+    </message>
+    <message>
+        <source>Off by</source>
+        <translation>Desvio</translation>
+    </message>
+    <message>
+        <source>Pointing loss</source>
+        <translation>Perda de apontamento</translation>
+    </message>
+    <message>
+        <source>Total of the error budget</source>
+        <translation>Total do balanço de erros</translation>
+    </message>
+    <message>
+        <source>Loss of power by the pointing error. It is shown up to one beam width.</source>
+        <translation>Perda de potência pelo erro de apontamento. É indicada até uma largura de feixe.</translation>
+    </message>
+    <message>
+        <source>The angle on the sky between the target and the direction of the mount</source>
+        <translation>O ângulo no céu entre o alvo e a direção da montagem</translation>
     </message>
 </context>
 <context>
@@ -16499,6 +16716,17 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
     </message>
 </context>
 <context>
+    <name>boresight::ui::OffButton</name>
+    <message>
+        <source>Error budget</source>
+        <translation>Balanço de erros</translation>
+    </message>
+    <message>
+        <source>Show the error budget</source>
+        <translation>Mostrar o balanço de erros</translation>
+    </message>
+</context>
+<context>
     <name>boresight::ui::PanelTabs</name>
     <message>
         <source>Panels</source>
@@ -17159,18 +17387,6 @@ el %2</translation>
         <translation>Não gravado: %1</translation>
     </message>
     <message>
-        <source>Distance to the target</source>
-        <translation>Distância ao alvo</translation>
-    </message>
-    <message>
-        <source>off by</source>
-        <translation>desvio</translation>
-    </message>
-    <message>
-        <source>Off by</source>
-        <translation>Desvio</translation>
-    </message>
-    <message>
         <source>Azimuth cable</source>
         <translation>Cabo de azimute</translation>
     </message>
@@ -17183,20 +17399,8 @@ el %2</translation>
         <translation>O ângulo do eixo de azimute. Em 0° o cabo não está enrolado. O anel em volta do céu mostra o curso.</translation>
     </message>
     <message>
-        <source>Loss of power by the pointing error. It is shown up to one beam width.</source>
-        <translation>O que o erro de apontamento custa. Acima de uma largura de feixe não é indicado.</translation>
-    </message>
-    <message>
         <source>Zoom in on the target (Ctrl+0, Ctrl++, Ctrl+- or wheel)</source>
         <translation>Ampliar em torno do alvo (Ctrl+0, Ctrl++, Ctrl+- ou roda)</translation>
-    </message>
-    <message>
-        <source>The angle on the sky between the target and the direction of the mount</source>
-        <translation>O ângulo no céu entre o alvo e a direção da montagem</translation>
-    </message>
-    <message>
-        <source>Pointing loss</source>
-        <translation>Perda de apontamento</translation>
     </message>
 </context>
 <context>

@@ -32,6 +32,27 @@ TEST(StationReport, HasTheTransmitOutput)
                     .endsWith(QStringLiteral("\ntransmit: off. unplugged. STOP is latched.\n")));
 }
 
+// REQ-CTL-999: boresightctl status has the error budget of a station of this computer: the sum, and a line for each
+// part.
+TEST(StationReport, HasTheErrorBudget)
+{
+    QJsonObject report = reportWith({});
+    report[QStringLiteral("errorBudget")] = QJsonObject{
+        {QStringLiteral("text"), QString::fromUtf8("Off by at least 0.04° (-0.1 dB)")},
+        {QStringLiteral("parts"),
+         QJsonArray{QJsonObject{{QStringLiteral("part"), QStringLiteral("servo")},
+                                {QStringLiteral("degrees"), 0.0312},
+                                {QStringLiteral("from"), QStringLiteral("Measured.")}},
+                    QJsonObject{{QStringLiteral("part"), QStringLiteral("clock")},
+                                {QStringLiteral("degrees"), QJsonValue()},
+                                {QStringLiteral("from"), QStringLiteral("No time source sets the clock.")}}}}};
+    EXPECT_TRUE(reportText(report).endsWith(
+        QString::fromUtf8("\nerror:    Off by at least 0.04° (-0.1 dB)\n"
+                          "  servo:       0.031°. Measured.\n"
+                          "  clock:       not in the sum. No time source sets the clock.\n")))
+        << reportText(report).toStdString();
+}
+
 // REQ-BRAKE-34: boresightctl status has a line about the brake of a station of this computer: its state, and the
 // problem of its output.
 TEST(StationReport, HasTheBrake)

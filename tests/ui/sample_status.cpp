@@ -117,6 +117,37 @@ void dropTarget(StationStatus& status)
     status.azimuth.target.reset();
     status.elevation.target.reset();
     status.targetText.clear();
+    status.errorBudget.reset();
+}
+
+// Of a client that sends fine points, on a mount with calibration points.
+budget::ErrorBudget sampleBudget()
+{
+    using budget::ErrorPart;
+    return {
+        .lines = {{.part = ErrorPart::Servo,
+                   .error = 0.031_deg,
+                   .basis = QStringLiteral("Measured: rms of the last 10 s. Now 0.024°. Peak 0.052°.")},
+                  {.part = ErrorPart::Way,
+                   .error = 0.200_deg,
+                   .basis = QStringLiteral("From the set-points to the target, now.")},
+                  {.part = ErrorPart::Stream,
+                   .error = 0.018_deg,
+                   .basis = QStringLiteral("The points are 0.10° apart. The path foretold them with this rms error.")},
+                  {.part = ErrorPart::Clock,
+                   .basis = QStringLiteral("Boresight does not know the clock of the program that sends the points.")},
+                  {.part = ErrorPart::Elements,
+                   .basis = QStringLiteral("Boresight does not know the elements of the client.")},
+                  {.part = ErrorPart::Calibration,
+                   .error = 0.110_deg,
+                   .basis = QStringLiteral(
+                       "Residual rms of the measured points (6), at least the uncertainty of their centring.")},
+                  {.part = ErrorPart::Wind,
+                   .basis =
+                       QStringLiteral("Not in the sum. Nothing measures how far the wind bends mast and antenna.")}},
+        .sum = 0.231_deg,
+        .isWhole = false,
+        .loss = 0.0064};
 }
 
 StationStatus idle()
@@ -164,6 +195,7 @@ StationStatus tracking(double seconds)
                             .arg(status.target->elevation.degrees(), 0, 'f', 2);
     status.commander = {SourceKind::Client, 1, QStringLiteral("rotctld 127.0.0.1:51234")};
     status.clients.front().driving = true;
+    status.errorBudget = sampleBudget();
     status.utc = kUtc + std::chrono::milliseconds(static_cast<int>(seconds * 1000.0));
     return status;
 }

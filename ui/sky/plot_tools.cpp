@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/sky/plot_tools.h"
 
-#include "core/pointing/beam.h"
 #include "ui/kit/file_dialog.h"
 #include "ui/kit/format.h"
 #include "ui/kit/value_label.h"
+#include "ui/sky/error_corner.h"
 #include "ui/sky/plot_button.h"
 #include "ui/sky/plot_picture.h"
 
@@ -18,11 +18,6 @@ namespace boresight::ui {
 namespace {
 constexpr int kPlotToolsGap = 4;  // px
 constexpr int kReadoutLines = 3;
-
-QString lossText(double loss)  // dB
-{
-    return (loss < 0.05 ? QStringLiteral("%1 dB") : QStringLiteral("-%1 dB")).arg(loss, 0, 'f', 1);
-}
 
 // Over the sky of a magnified plot the words have their own background.
 ValueLabel* onGround(ValueLabel* label, Qt::Alignment alignment)
@@ -41,21 +36,17 @@ PlotTools::PlotTools(QWidget* parent)
                             tr("Zoom in on the target (Ctrl+0, Ctrl++, Ctrl+- or wheel)"), this)),
       m_save(
           new PlotButton(PlotButton::Glyph::Save, tr("Save …"), tr("Save the plot as a picture (PNG or SVG)"), this)),
-      m_offCaption(new ValueLabel(tr("Distance to the target"), fonts::label(), tr("off by"), this)),
-      m_off(new ValueLabel(tr("Off by"), fonts::value(), angleText(Angle::fromDegrees(888.88)), this)),
-      m_loss(new ValueLabel(tr("Pointing loss"), fonts::label(), lossText(12.0), this)),
+      m_error(new ErrorCorner(*this)),
       m_cable(new ValueLabel(tr("Azimuth cable"), fonts::label(), widestCableWords().place, this)),
       m_travel(new ValueLabel(tr("Travel of the azimuth cable"), fonts::label(), widestCableWords().travel, this)),
       m_readout(new ValueLabel(tr("Under the cursor"), fonts::label(), QStringLiteral("az 000.0°…000.0°"), this))
 {
     m_travel->setSymbolRoom(true);
-    for (ValueLabel* const label : {m_offCaption, m_off, m_loss, m_cable, m_travel}) {
+    for (ValueLabel* const label : {m_cable, m_travel}) {
         onGround(label, Qt::AlignRight | Qt::AlignVCenter);
     }
     m_readout->setLines(kReadoutLines);
     onGround(m_readout, Qt::AlignLeft | Qt::AlignBottom);
-    m_off->setToolTip(tr("The angle on the sky between the target and the direction of the mount"));
-    m_loss->setToolTip(tr("Loss of power by the pointing error. It is shown up to one beam width."));
     m_cable->setToolTip(
         tr("The angle of the azimuth axis. At 0° the cable is not wound. The ring around the sky shows the travel."));
     connect(m_edit, &QToolButton::toggled, this, &PlotTools::editToggled);
@@ -75,7 +66,7 @@ bool PlotTools::hasReadout() const
 
 QList<QWidget*> PlotTools::corners() const
 {
-    return {m_edit, m_zoom, m_save, m_offCaption, m_off, m_loss, m_cable, m_travel};
+    return QList<QWidget*>{m_edit, m_zoom, m_save} + m_error->parts() + QList<QWidget*>{m_cable, m_travel};
 }
 
 void PlotTools::setFrame(const SkyFrame& frame)
@@ -108,7 +99,7 @@ void PlotTools::place()
         label->setGeometry(width() - size.width() - kPlotToolsGap, top, size.width(), size.height());
         return top + size.height();
     };
-    right(m_loss, right(m_off, right(m_offCaption, kPlotToolsGap)));
+    m_error->place(m_frame, kPlotToolsGap);
     const int travelTop = height() - m_travel->sizeHint().height() - 2;
     right(m_travel, travelTop);
     right(m_cable, travelTop - m_cable->sizeHint().height());
@@ -125,8 +116,7 @@ void PlotTools::showMask()
     QList<QWidget*> all = corners();
     all.append(m_readout);
     for (QWidget* const one : std::as_const(all)) {
-        const auto* const label = qobject_cast<const ValueLabel*>(one);
-        const bool needed = label == nullptr || !label->text().isEmpty();
+        const bool needed = !m_error->isEmpty(*one);
         one->setVisible(needed);
         if (needed) {
             region += one->geometry();
@@ -149,13 +139,14 @@ void PlotTools::showZoom(bool on)
 
 void PlotTools::showOffTarget(const std::optional<Angle>& error, Angle beamWidth, bool unplanned)
 {
-    const auto loss = error ? pointing::pointingLoss(*error, beamWidth) : std::nullopt;
-    const auto isShown = [this] { return std::pair(!m_off->text().isEmpty(), !m_loss->text().isEmpty()); };
-    const auto before = isShown();
-    m_offCaption->setValue(error ? tr("off by") : QString(), Tone::Secondary);
-    m_off->setValue(error ? angleText(*error) : QString(), unplanned ? Tone::Warning : Tone::Normal);
-    m_loss->setValue(loss ? lossText(*loss) : QString(), unplanned ? Tone::Warning : Tone::Secondary);
-    if (before != isShown()) {
+    if (m_error->showOffTarget(error, beamWidth, unplanned)) {
+        showMask();
+    }
+}
+
+void PlotTools::showBudget(const std::optional<budget::ErrorBudget>& budget, UtcTime utc)
+{
+    if (m_error->showBudget(budget, utc)) {
         showMask();
     }
 }
@@ -183,7 +174,8 @@ void PlotTools::setReadout(const QString& text)
 
 void PlotTools::paintWords(QPainter& painter) const
 {
-    for (const ValueLabel* const label : {m_offCaption, m_off, m_cable, m_travel}) {
+    const QList<const ValueLabel*> all = m_error->words() + QList<const ValueLabel*>{m_cable, m_travel};
+    for (const ValueLabel* const label : all) {
         painter.setFont(label->font());
         painter.setPen(currentTheme().colour(label->tone()));
         painter.drawText(label->geometry().adjusted(0, 0, -2, 0), Qt::AlignRight | Qt::AlignVCenter, label->text());

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/clock.h"
+#include "core/budget/error_budget.h"
 #include "ui/sky/cable_words.h"
 #include "ui/sky/sky_frame.h"
 
@@ -16,6 +18,7 @@ class QPainter;
 // every click beside a button passes through.
 namespace boresight::ui {
 
+class ErrorCorner;
 class PlotButton;
 class ValueLabel;
 
@@ -31,6 +34,7 @@ public:
     void showEditing(bool on);
     void showZoom(bool on);
     void showOffTarget(const std::optional<Angle>& error, Angle beamWidth, bool unplanned);
+    void showBudget(const std::optional<budget::ErrorBudget>& budget, UtcTime utc);
     void showCable(const CableWords& words);
     void setReadout(const QString& text);
     void save(const QString& path);
@@ -59,9 +63,7 @@ private:
     PlotButton* m_edit;
     PlotButton* m_zoom;
     PlotButton* m_save;
-    ValueLabel* m_offCaption;
-    ValueLabel* m_off;
-    ValueLabel* m_loss;  // dB
+    ErrorCorner* m_error;
     ValueLabel* m_cable;
     ValueLabel* m_travel;
     ValueLabel* m_readout;

@@ -437,6 +437,7 @@ void PolarPlot::showMarkers(const StationStatus& status)
     m_markers->setChosen(m_chosenWay, status.utc);
     m_tools->showOffTarget(markers.live ? distanceTo(status, status.target) : std::nullopt, m_beamWidth,
                            markers.offTarget);
+    m_tools->showBudget(markers.live ? status.errorBudget : std::nullopt, status.utc);
     m_caption = QString::fromStdString(status.profile->mount.name) + QStringLiteral("  ") + minuteText(status.utc);
 }
 

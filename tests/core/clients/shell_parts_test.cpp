@@ -31,6 +31,25 @@ TEST(StationShell, ReportsTheWindAndOverridesIt)
     EXPECT_THAT(rig.answerTo("status\n"), HasSubstr(R"("obstacle":"","overriddenUntil":"00:)"));
 }
 
+// REQ-STATION-972: The shell reports the error budget with the status: the sum, its loss, and each part. What is
+// unknown is null.
+TEST(StationShell, ReportsTheErrorBudget)
+{
+    ShellRig rig;
+    EXPECT_THAT(rig.answerTo("status\n"), Not(HasSubstr("errorBudget")));
+    rig.errorBudget = budget::ErrorBudget{
+        .lines = {{.part = budget::ErrorPart::Servo, .error = 0.25_deg, .basis = QStringLiteral("Measured.")},
+                  {.part = budget::ErrorPart::Clock, .basis = QStringLiteral("No time source.")}},
+        .sum = 0.25_deg,
+        .isWhole = false,
+        .loss = {}};
+    const std::string answer = rig.answerTo("status\n");
+    EXPECT_THAT(answer, HasSubstr(R"("errorBudget":{"degrees":0.25,"loss":null,"parts":[)"));
+    EXPECT_THAT(answer, HasSubstr(R"({"degrees":0.25,"from":"Measured.","part":"servo"},)"));
+    EXPECT_THAT(answer, HasSubstr(R"({"degrees":null,"from":"No time source.","part":"clock"}],)"));
+    EXPECT_THAT(answer, HasSubstr(R"j("text":"Off by at least 0.25° (beyond the main lobe)","whole":false})j"));
+}
+
 // REQ-BRAKE-35: The shell reports the brake with the status if the mount has one.
 TEST(StationShell, ReportsTheBrake)
 {

@@ -49,6 +49,7 @@ struct ShellRig : StationRig
     TransmitStatus transmit;
     ClockStatus watched;
     std::optional<TrackedTarget> tracked;
+    std::optional<budget::ErrorBudget> errorBudget;
     std::vector<Alarm> alarms;
     std::optional<QStringList> console;
     std::optional<ThirdAxisStatus> third;
@@ -74,6 +75,7 @@ struct ShellRig : StationRig
                                 StationStatus status = control.status();
                                 status.clock = watched;
                                 status.tracked = tracked ? tracked : status.tracked;
+                                status.errorBudget = errorBudget;
                                 status.alarms = alarms;
                                 status.console = console;
                                 status.thirdAxis = third;

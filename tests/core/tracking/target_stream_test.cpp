@@ -44,6 +44,29 @@ TEST(TargetStream, OneCommandIsItsPoint)
     EXPECT_FALSE(stream.target(at(101)));
 }
 
+// REQ-TRACKING-401: A stream knows the step between its last two points, and the rms error at the next point of the
+// path that is followed. Without a judged path there is no such error. One point and an ended stream have neither.
+TEST(TargetStream, KnowsHowWellItsPointsShowTheTarget)
+{
+    EXPECT_FALSE(TargetStream().error(at(0)));
+    const TargetStream rising = risingStream(0.5);
+    const auto fine = rising.error(at(20.5));
+    ASSERT_TRUE(fine && fine->foretold);
+    EXPECT_NEAR(fine->step.degrees(), 0.5, 0.001);
+    EXPECT_LT(fine->foretold->degrees(), 0.01);  // the points are rounded to 0.01°
+    EXPECT_FALSE(rising.error(at(45)));
+    TargetStream coarse;
+    coarse.add(at(0), axes(100, 10));
+    EXPECT_FALSE(coarse.error(at(0)));
+    for (int i = 1; i <= 6; ++i) {
+        coarse.add(at(4.0 * i), axes(100, 10 + 5 * i));
+    }
+    const auto wide = coarse.error(at(24));
+    ASSERT_TRUE(wide);
+    EXPECT_NEAR(wide->step.degrees(), 5.0, 0.01);
+    EXPECT_FALSE(wide->foretold) << "points 5° apart are no path";
+}
+
 // Story: at the cable end, where each point is the same, a bent path through the points before it led back for 2 s.
 // REQ-TRACKING-12b: A target that turns or stops is followed from the second point on, however long it moved straight.
 TEST(TargetStream, APathThatEndsIsLeftAtTheSecondPoint)

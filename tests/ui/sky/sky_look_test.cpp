@@ -4,7 +4,9 @@
 #include "tests/ui/sample_status.h"
 #include "ui/kit/axes.h"
 #include "ui/kit/value_label.h"
+#include "ui/sky/budget_card.h"
 #include "ui/sky/cable_words.h"
+#include "ui/sky/off_button.h"
 #include "ui/sky/plot_editor.h"
 #include "ui/sky/plot_tools.h"
 #include "ui/sky/polar_plot.h"
@@ -12,9 +14,11 @@
 #include <QAction>
 #include <QApplication>
 #include <QContextMenuEvent>
+#include <QLabel>
 #include <QMenu>
 #include <QPainter>
 #include <QScreen>
+#include <QTableView>
 #include <QTest>
 
 #include <gtest/gtest.h>
@@ -165,6 +169,71 @@ TEST_F(SkyLook, OffByIsAnAngleOnTheSky)
     EXPECT_EQ(words("Off by"), QStringLiteral("1.00°"));  // 2° of azimuth at 60°
     show(samples::withAge(status, std::chrono::milliseconds(900)));
     EXPECT_EQ(words("Off by"), QString()) << "an old place is no error";
+}
+
+// REQ-UI-1802: The distance from the target is bold, and as large as the corner beside the sky permits.
+TEST_F(SkyLook, OffByIsLarge)
+{
+    show(samples::tracking(200.0));
+    const auto points = [this](int side) {
+        plot.resize(side, side);
+        for (const ValueLabel* const label : plot.findChildren<ValueLabel*>()) {
+            if (label->accessibleName() == QLatin1String("Off by")) {
+                EXPECT_TRUE(label->font().bold());
+                EXPECT_FALSE(label->isElided());
+                return label->font().pointSize();
+            }
+        }
+        return 0;
+    };
+    EXPECT_GE(points(489), 16);
+    EXPECT_GE(points(660), 22);
+    EXPECT_EQ(points(1000), 26);
+}
+
+// REQ-UI-1803: A press on the distance opens the error budget as a list, with mouse or keyboard: each part with its
+// error and where the number comes from, and the sum. It is not modal, and Esc closes it.
+TEST_F(SkyLook, TheErrorBudgetOpensAsAList)
+{
+    show(samples::tracking(200.0));
+    EXPECT_EQ(words("Total of the error budget"), QString::fromUtf8("total ≥0.23°"));
+    auto* const button = plot.findChild<OffButton*>();
+    auto* const card = plot.findChild<BudgetCard*>();
+    ASSERT_TRUE(button->isVisible());
+    EXPECT_FALSE(card->isVisible());
+    EXPECT_TRUE(button->toolTip().contains(QString::fromUtf8("Servo: 0.031°. Measured: ")));
+    EXPECT_TRUE(button->accessibleDescription().startsWith(QString::fromUtf8("Off by at least 0.23°")));
+    button->setFocus();
+    QTest::keyClick(button, Qt::Key_Space);
+    ASSERT_TRUE(card->isVisible());
+    EXPECT_FALSE(card->isModal());
+    const QAbstractItemModel& parts = *card->findChild<QTableView*>()->model();
+    ASSERT_EQ(parts.rowCount(), 7);
+    const auto cell = [&parts](int row, int column) { return parts.index(row, column).data().toString(); };
+    EXPECT_EQ(cell(0, 0), QStringLiteral("Servo"));
+    EXPECT_EQ(cell(0, 1), QString::fromUtf8("0.031°"));
+    EXPECT_EQ(cell(3, 1), QStringLiteral("unknown"));
+    EXPECT_EQ(cell(6, 1), QStringLiteral("not in the sum"));
+    for (int row = 0; row < parts.rowCount(); ++row) {
+        EXPECT_FALSE(cell(row, 2).isEmpty()) << row;
+    }
+    QTest::keyClick(card, Qt::Key_Escape);
+    EXPECT_FALSE(card->isVisible());
+    QTest::mouseClick(button, Qt::LeftButton);
+    EXPECT_TRUE(card->isVisible());
+}
+
+// REQ-UI-1804: An old position has no error budget. The open list says so, and the button is gone with the distance.
+TEST_F(SkyLook, AnOldPositionHasNoErrorBudget)
+{
+    show(samples::tracking(200.0));
+    plot.findChild<OffButton*>()->click();
+    show(samples::withAge(samples::tracking(200.0), std::chrono::milliseconds(900)));
+    EXPECT_EQ(words("Total of the error budget"), QString());
+    EXPECT_FALSE(plot.findChild<OffButton*>()->isVisible());
+    const auto* const card = plot.findChild<BudgetCard*>();
+    EXPECT_EQ(card->findChild<QTableView*>()->model()->rowCount(), 0);
+    EXPECT_TRUE(card->findChild<QLabel*>()->text().startsWith(QStringLiteral("There is no error budget")));
 }
 
 // REQ-UI-702: In every theme the colour of the sky changes from the rim to the zenith, and the land below the horizon
