@@ -10,12 +10,15 @@ namespace boresight::plan {
 
 namespace {
 
-// How long the target is visible to the mount, but beyond the bound of the error. A further sentence, or empty.
-QString lostText(const Forecast& forecast)
+QString keyholeText(const Forecast& forecast, const QString& target)
 {
+    const QString text =
+        Text::tr("plans the pass of %1 near the zenith, where the azimuth is too slow: off by up to %2")
+            .arg(target, errorText(forecast));
     return forecast.beyond < Seconds(0.5)
-               ? QString()
-               : Text::tr(". It is off by more than half of the beam width for %1").arg(durationText(forecast.beyond));
+               ? text
+               : QStringLiteral("%1. %2").arg(text, Text::tr("It is off by more than half of the beam width for %1")
+                                                        .arg(durationText(forecast.beyond)));
 }
 
 }  // namespace
@@ -63,12 +66,7 @@ QString planText(const PlanVariant& variant, const QString& target)
     const QString error = errorText(variant.forecast);
     switch (variant.way) {
         case PlanWay::Direct:
-            return variant.ramp ? Text::tr(
-                                      "plans the pass of %1 near the zenith, where the azimuth is too slow: off by "
-                                      "up to %2")
-                                          .arg(target, error) +
-                                      lostText(variant.forecast)
-                                : QString();
+            return variant.ramp ? keyholeText(variant.forecast, target) : QString();
         case PlanWay::OverTheTop:
             return Text::tr("plans the pass of %1 over the top: off by up to %2").arg(target, error);
         case PlanWay::ThroughTheZenith:
