@@ -6,6 +6,7 @@
 #include "core/rotctld/command_parser.h"
 #include "core/rotctld/conversation.h"
 #include "core/rotctld/handlers.h"
+#include "core/rotctld/received_line.h"
 #include "core/rotctld/rotator.h"
 
 #include <cstdint>
@@ -38,6 +39,10 @@ private:
     bool resume(std::string& reply);
     bool inputTaken(std::string& reply);
     void run(std::string& reply);
+    void keep(std::string_view bytes);
+    void logLine(Exchange exchange);
+    void logUnread(const QString& reason);
+    Result<> obey(std::string& reply, QString& became);
     void failed(const Error& error, std::string& reply, std::size_t replyStart);
     void drop(const QString& reason);
     void endAsForeign();
@@ -54,6 +59,7 @@ private:
     ClientHabits m_habits;
     std::string m_input;
     std::size_t m_taken = 0;  // bytes of m_input that were read
+    ReceivedLine m_line;      // of the command that is being read; empty while the protocol log is off
     bool m_inputEnded = false;
     std::optional<SteadyTime> m_pausedUntil;
     std::string m_pauseReply;
