@@ -18,7 +18,7 @@ namespace boresight {
 namespace {
 
 constexpr int kShellLinesPerSecond = 4;
-// In one answer. Their texts take the station about 1 ms.
+// In one answer. Their texts take the station 0.1 ms. Those of all lines would take 2 ms of a tick.
 constexpr std::size_t kProtocolLines = 100;
 // Words that a shell can send in place of a target.
 const QByteArray kPositionWord = "position";
