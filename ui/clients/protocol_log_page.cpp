@@ -14,6 +14,15 @@ namespace boresight::ui {
 namespace {
 // The newest clients. A program may connect again for each command.
 constexpr int kMostClients = 20;
+
+// "go to 100.0° / 10.0°", in the language of the window.
+QString usualMeaning()
+{
+    ProtocolLine line;
+    line.acts = {{.kind = ProtocolAct::Kind::Point, .azimuth = 100_deg, .elevation = 10_deg}};
+    return understoodText(line);
+}
+
 }  // namespace
 
 ProtocolLogPage::ProtocolLogPage(RequestDesk& desk, QWidget* parent)
@@ -30,7 +39,7 @@ ProtocolLogPage::ProtocolLogPage(RequestDesk& desk, QWidget* parent)
     m_view->setColumnRoom(ProtocolLogModel::Time, QStringLiteral("00:00:00.000"));
     m_view->setColumnRoom(ProtocolLogModel::Client, QStringLiteral("rotctld :00000"));
     m_view->setColumnRoom(ProtocolLogModel::Line, QStringLiteral("P 000.00 00.00"));
-    m_view->setColumnRoom(ProtocolLogModel::Understood, QStringLiteral("asks the position"));
+    m_view->setColumnRoom(ProtocolLogModel::Understood, usualMeaning());
     addClients();
     QPushButton* const back = makePushButton(
         {.text = tr("Clients"), .name = tr("Back to the clients"), .help = tr("Show the list of clients again")}, this);
