@@ -58,7 +58,7 @@ bool Session::step(std::string& reply)
     if (!m_ending.isEmpty()) {
         return false;
     }
-    if (m_pausedUntil) {
+    if (m_pause) {
         return resume(reply);
     }
     const std::string_view unread = std::string_view(m_input).substr(m_taken);
@@ -90,13 +90,13 @@ bool Session::step(std::string& reply)
 
 bool Session::resume(std::string& reply)
 {
-    if (m_clock.now() < *m_pausedUntil) {
+    if (m_clock.now() < m_pause->until) {
         return false;
     }
-    m_pausedUntil.reset();
-    reply += m_pauseReply;
+    const std::string answer = std::exchange(m_pause, std::nullopt)->reply;
+    reply += answer;
     if (m_rotator.isLoggingExchanges()) {
-        m_rotator.logExchange(m_client, {.command = "pause", .answer = m_pauseReply});
+        m_rotator.logExchange(m_client, {.command = "pause", .answer = answer});
     }
     return true;
 }
@@ -195,8 +195,8 @@ Result<> Session::obey(std::string& reply, QString& became)
         return outcome;
     }
     m_oddInARow = 0;
-    if (paused()) {
-        m_pauseReply = reply.substr(before);
+    if (m_pause) {
+        m_pause->reply = reply.substr(before);
         reply.resize(before);
     }
     return outcome;
@@ -234,7 +234,7 @@ Result<> Session::pause(const Command& command)
         return badArgument(command, 0);
     }
     if (*seconds > 0) {
-        m_pausedUntil = m_clock.now() + std::chrono::seconds(*seconds);
+        m_pause = Pause{.until = m_clock.now() + std::chrono::seconds(*seconds)};
     }
     return {};
 }

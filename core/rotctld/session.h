@@ -31,11 +31,17 @@ public:
     [[nodiscard]] const Client& client() const override { return m_client; }
     [[nodiscard]] const QString& ending() const override { return m_ending; }
     [[nodiscard]] bool dropped() const override { return m_dropped; }
-    [[nodiscard]] bool paused() const override { return m_pausedUntil.has_value(); }
+    [[nodiscard]] bool paused() const override { return m_pause.has_value(); }
     [[nodiscard]] bool midCommand() const override { return m_parser.midCommand(); }
     [[nodiscard]] const ClientHabits& habits() const override { return m_habits; }
 
 private:
+    struct Pause
+    {
+        SteadyTime until;
+        std::string reply = {};  // at its end
+    };
+
     bool resume(std::string& reply);
     bool inputTaken(std::string& reply);
     void run(std::string& reply);
@@ -61,8 +67,7 @@ private:
     std::size_t m_taken = 0;  // bytes of m_input that were read
     ReceivedLine m_line;      // of the command that is being read; empty while the protocol log is off
     bool m_inputEnded = false;
-    std::optional<SteadyTime> m_pausedUntil;
-    std::string m_pauseReply;
+    std::optional<Pause> m_pause;
     // Of the last command: why it was refused, or the changed target. Empty: it was accepted as it was sent.
     QString m_outcome;
     QString m_ending;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/clients/protocol_log_page.h"
+
 #include "core/messages/protocol_line.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/clients/clients_panel.h"
-#include "ui/clients/protocol_log_page.h"
 #include "ui/kit/theme.h"
 
 #include <QApplication>
