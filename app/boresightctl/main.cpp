@@ -25,7 +25,7 @@ constexpr std::array kSubcommands{&kSimulateCommand,     &kScanCommand,       &k
                                   &kOverrideWindCommand, &kUseNewTimeCommand, &kParkCommand,
                                   &kTrackCommand,        &kTakeCommand,       &kReleaseCommand,
                                   &kSatellitesCommand,   &kAntennaCommand,    &kScheduleCommand,
-                                  &kStatusCommand,       &kConsoleCommand};
+                                  &kStatusCommand,       &kConsoleCommand,    &kProtocolLogCommand};
 constexpr std::size_t kNameWidth = 20;
 
 const Subcommand* findSubcommand(const std::string& name)

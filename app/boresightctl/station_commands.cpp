@@ -59,6 +59,9 @@ QString doneText(local::LocalCommand command)
         case local::LocalCommand::Simulate:
         case local::LocalCommand::TypeLine:
         case local::LocalCommand::ConsoleLines:
+        case local::LocalCommand::ProtocolLogOn:
+        case local::LocalCommand::ProtocolLogOff:
+        case local::LocalCommand::ProtocolLines:
             break;
     }
     return QStringLiteral("STOP is latched. The mount slows down and holds. Nothing moves it until reset-stop.");

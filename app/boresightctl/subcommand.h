@@ -52,6 +52,7 @@ extern const Subcommand kTrackCommand;
 extern const Subcommand kAntennaCommand;
 extern const Subcommand kSatellitesCommand;
 extern const Subcommand kConsoleCommand;
+extern const Subcommand kProtocolLogCommand;
 
 // Prints to standard output without delay, also into a pipe: text for programs, and tables and help of fixed width.
 void print(const std::string& text);

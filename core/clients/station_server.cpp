@@ -63,9 +63,11 @@ StationServer::StationServer(StationControl& control, const profile::InForce& pr
       m_profile(profile),
       m_log(log),
       m_rotator(control, profile, log, clock),
+      m_protocolLog(clock),
+      m_logged(m_rotator, m_protocolLog),
       m_server(serverSettings(profile->rotctld),
-               rotctld::talkRotctld(m_rotator, clock, formOf(profile->rotctld.dumpState)), m_rotator, clock, parent),
-      m_further(control, profile, log, m_rotator, clock, m_server.newestClient(), parent)
+               rotctld::talkRotctld(m_logged, clock, formOf(profile->rotctld.dumpState)), m_logged, clock, parent),
+      m_further(control, profile, log, m_logged, clock, m_server.newestClient(), parent)
 {}
 
 Result<> StationServer::open()

@@ -2,6 +2,8 @@
 #pragma once
 
 #include "core/alarms/event_log.h"
+#include "core/clients/logged_rotator.h"
+#include "core/clients/protocol_log.h"
 #include "core/clients/station_listeners.h"
 #include "core/clients/station_rotator.h"
 #include "core/control/station_control.h"
@@ -35,7 +37,9 @@ public:
     [[nodiscard]] QString address() const;  // empty: it does not listen
     // Adds the clients of the listeners and `others`, which use the same rotator.
     [[nodiscard]] std::vector<ClientStatus> clients(std::vector<rotctld::ClientInfo> others) const;
-    [[nodiscard]] rotctld::Rotator& rotator() { return m_rotator; }
+    [[nodiscard]] rotctld::Rotator& rotator() { return m_logged; }
+    [[nodiscard]] ProtocolLog& protocolLog() { return m_protocolLog; }
+    [[nodiscard]] const ProtocolLog& protocolLog() const { return m_protocolLog; }
     [[nodiscard]] const std::shared_ptr<std::uint64_t>& newestClient() const { return m_server.newestClient(); }
 
 private:
@@ -45,6 +49,8 @@ private:
     const profile::InForce& m_profile;
     EventLog& m_log;
     StationRotator m_rotator;
+    ProtocolLog m_protocolLog;
+    LoggedRotator m_logged;    // the rotator of all servers
     rotctld::Server m_server;  // after the rotator, so that its clients end first
     StationListeners m_further;
 };

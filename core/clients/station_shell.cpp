@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/clients/station_shell.h"
 
+#include "core/base/numbers.h"
 #include "core/base/text.h"
 #include "core/base/time_of_day.h"
 #include "core/budget/budget_text.h"
@@ -20,6 +21,8 @@ namespace boresight {
 namespace {
 
 constexpr int kShellLinesPerSecond = 4;
+// In one answer. Their texts take the station 0.1 ms. Those of all lines would take 2 ms of a tick.
+constexpr std::size_t kProtocolLines = 100;
 // Words that a shell can send in place of a target.
 const QByteArray kPositionWord = "position";
 const QByteArray kAzelWord = "azel.dat";
@@ -52,6 +55,10 @@ Request requestOf(const local::LocalRequest& asked)
             return request::UseAntenna{asked.target.toStdString()};
         case local::LocalCommand::TypeLine:
             return request::TypeLine{asked.target.toStdString()};
+        case local::LocalCommand::ProtocolLogOn:
+            return request::LogProtocol{.on = true};
+        case local::LocalCommand::ProtocolLogOff:
+            return request::LogProtocol{.on = false};
         case local::LocalCommand::Stop:
         case local::LocalCommand::Track:
         case local::LocalCommand::Satellites:
@@ -63,6 +70,7 @@ Request requestOf(const local::LocalRequest& asked)
         case local::LocalCommand::Transmit:
         case local::LocalCommand::Simulate:
         case local::LocalCommand::ConsoleLines:
+        case local::LocalCommand::ProtocolLines:
             break;
     }
     return request::Stop{};
@@ -268,6 +276,9 @@ local::LocalAnswer StationShell::answerNow(const local::LocalRequest& asked)
     if (asked.command == local::LocalCommand::ConsoleLines) {
         return consoleJson(m_station.status().console);
     }
+    if (asked.command == local::LocalCommand::ProtocolLines) {
+        return protocolLines(asked.target);
+    }
     if (asked.command == local::LocalCommand::Transmit) {
         return transmitJson(m_station.transmit()) + '\n';
     }
@@ -370,6 +381,23 @@ QByteArray StationShell::antennaLines() const
         lines += local::antennaLine(one);
     }
     return lines;
+}
+
+// Each line has its number first, so that the next question can continue after it.
+local::LocalAnswer StationShell::protocolLines(const QByteArray& after) const
+{
+    const auto number = parseInteger(after.toStdString());
+    if (!number || *number < 0) {
+        return failure(ErrorCode::InvalidInput, Text::tr("Write protocol-lines with the number of the last line that "
+                                                         "you know. The first lines come after 0."));
+    }
+    QByteArray text;
+    if (const ProtocolLines lines = m_station.protocolLines(static_cast<std::uint64_t>(*number), kProtocolLines)) {
+        for (const ProtocolLine& line : *lines) {
+            text += QByteArray::number(static_cast<qulonglong>(line.number)) + '\t' + fileText(line).toUtf8() + '\n';
+        }
+    }
+    return text;
 }
 
 }  // namespace boresight

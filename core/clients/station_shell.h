@@ -6,6 +6,7 @@
 #include "core/inputs/station_follow.h"
 #include "core/inputs/station_tables.h"
 #include "core/local_socket/local_server.h"
+#include "core/messages/protocol_line.h"
 #include "core/messages/request.h"
 #include "core/messages/station_status.h"
 
@@ -35,6 +36,8 @@ public:
         std::function<RehearsalStatus()> rehearsal;
         std::function<StationStatus()> status;
         std::function<TransmitStatus()> transmit;
+        // The oldest lines of the protocol log after a number, at most `limit` of them.
+        std::function<ProtocolLines(std::uint64_t after, std::size_t limit)> protocolLines;
         std::function<Result<QString>(const QByteArray& text)> simulate;
     };
 
@@ -60,6 +63,7 @@ private:
     [[nodiscard]] local::LocalAnswer told(const local::LocalRequest& asked, local::LocalAnswer answer);
     [[nodiscard]] QByteArray satelliteLines() const;
     [[nodiscard]] QByteArray antennaLines() const;
+    [[nodiscard]] local::LocalAnswer protocolLines(const QByteArray& after) const;
 
     Station m_station;
     LogThrottle m_lines;

@@ -19,7 +19,7 @@ constexpr bool kIsCarriedOutAbove =
     std::is_same_v<Wanted, CalibrationRequest> || std::is_same_v<Wanted, TuningRequest> ||
     std::is_same_v<Wanted, ScheduleRequest> || std::is_same_v<Wanted, request::Rehearse> ||
     std::is_same_v<Wanted, request::JudgeDirection> || std::is_same_v<Wanted, request::TrackFile> ||
-    std::is_same_v<Wanted, request::UseNewTime>;
+    std::is_same_v<Wanted, request::UseNewTime> || std::is_same_v<Wanted, request::LogProtocol>;
 
 }  // namespace
 

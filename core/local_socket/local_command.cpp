@@ -36,6 +36,9 @@ constexpr std::array kWords{std::pair{LocalCommand::Take, "take"},
                             std::pair{LocalCommand::Simulate, "simulate"},
                             std::pair{LocalCommand::TypeLine, "console"},
                             std::pair{LocalCommand::ConsoleLines, "console-lines"},
+                            std::pair{LocalCommand::ProtocolLogOn, "protocol-log-on"},
+                            std::pair{LocalCommand::ProtocolLogOff, "protocol-log-off"},
+                            std::pair{LocalCommand::ProtocolLines, "protocol-lines"},
                             std::pair{LocalCommand::Track, "track"}};
 constexpr int kDecimals = 6;  // of a degree, as in the profile
 const QByteArray kAgreed = "ok\n";
@@ -44,7 +47,7 @@ const QByteArray kRefused = "error: ";
 bool takesTarget(LocalCommand command)
 {
     return command == LocalCommand::Track || command == LocalCommand::UseAntenna || command == LocalCommand::Simulate ||
-           command == LocalCommand::TypeLine;
+           command == LocalCommand::TypeLine || command == LocalCommand::ProtocolLines;
 }
 
 std::optional<KnownAntenna> antennaOf(const QByteArray& line)
@@ -122,7 +125,8 @@ Result<LocalRequest> parseRequest(const QByteArray& line)
             ErrorCode::InvalidInput,
             Text::tr("This is not a command. The commands are take, release, stop, reset-stop, override-wind, "
                      "use-new-time, satellites, status, transmit, track TARGET, antennas, antenna NAME, "
-                     "simulate FAULT, console LINE, console-lines and the commands of the schedule."));
+                     "simulate FAULT, console LINE, console-lines, protocol-log-on, protocol-log-off, "
+                     "protocol-lines NUMBER and the commands of the schedule."));
     }
     return LocalRequest{.command = found->first, .target = hasTarget ? text.mid(word.size()).trimmed() : QByteArray()};
 }

@@ -38,21 +38,25 @@ enum class LocalCommand
     Transmit,           // whether the transmitter may transmit, as JSON
     Simulate,           // shows a fault on a simulated mount
     TypeLine,           // to the control box of the mount, as it is
-    ConsoleLines        // the typed lines and the answers of the control box, as JSON
+    ConsoleLines,       // the typed lines and the answers of the control box, as JSON
+    ProtocolLogOn,      // begins the protocol log
+    ProtocolLogOff,     // ends it; its lines stay
+    ProtocolLines       // the lines of the protocol log after a number, some at a time
 };
 
 struct LocalRequest
 {
     LocalCommand command = LocalCommand::Stop;
-    // The target of Track, the name of UseAntenna, the fault of Simulate or the line of TypeLine, as typed: UTF-8
-    // without LF.
+    // The target of Track, the name of UseAntenna, the fault of Simulate, the line of TypeLine, or the number for
+    // ProtocolLines, as typed: UTF-8 without LF.
     QByteArray target = {};
 
     bool operator==(const LocalRequest&) const = default;
 };
 
 // The lines after "ok", each with its LF: the name of the tracked target, the satellites, the antennas, or the report
-// about the station, the schedule or the transmit output, or the fault that begins. Empty for other commands.
+// about the station, the schedule or the transmit output, or the fault that begins, or lines of the protocol log. Empty
+// for other commands.
 using LocalAnswer = Result<QByteArray>;
 
 // The longest line of a command, without its LF. A path has up to 4096 bytes.

@@ -146,6 +146,10 @@ struct Disconnect
 {
     std::uint64_t clientId = 0;
 };
+struct LogProtocol  // begin or end the protocol log: StationUpdate::protocol
+{
+    bool on = true;
+};
 struct AcknowledgeAlarms
 {};
 struct AcknowledgeAlarm
@@ -334,8 +338,8 @@ using AnyRequest =
                  request::TypeLine, request::MakeHomeRun, request::SetGain, request::PutGainsBack, request::StoreGains,
                  request::Trial, request::FollowAzel, request::FollowPosition, request::FollowRotator,
                  request::TrackForClient, request::Rehearse, request::TrackFile, request::UseAntenna,
-                 request::OverrideWind, request::UseNewTime, request::JogThirdAxis, TuningRequest, CalibrationRequest,
-                 ScheduleRequest>;
+                 request::OverrideWind, request::UseNewTime, request::JogThirdAxis, request::LogProtocol, TuningRequest,
+                 CalibrationRequest, ScheduleRequest>;
 
 // Copying so many alternatives is compiled once in request.cpp, and not in every source that includes this header.
 struct Request : AnyRequest

@@ -46,6 +46,8 @@
 // mechanical (unwrapped). `SkyPointing` values are directions.
 namespace boresight {
 
+struct ProtocolLine;  // protocol_line.h
+
 // A default value. All statuses share one object, because a status is made many times a second.
 template <class T>
 [[nodiscard]] std::shared_ptr<const T> fresh()
@@ -318,6 +320,7 @@ struct StationStatus
     bool simulated = false;
     QString listening;  // "127.0.0.1:4533", empty when the server could not listen
     std::vector<ClientStatus> clients;
+    bool isProtocolLogged = false;  // the protocol log is on
     PowerStatus power;
     TimingStatus timing;
     BrokerStatus broker;
@@ -432,6 +435,7 @@ struct StationUpdate
     std::vector<LogEntry> log;
     std::vector<Answer> answers;
     std::vector<TickSample> samples;  // of the ticks since the last update; if there were too many, only the newest
+    std::shared_ptr<const std::vector<ProtocolLine>> protocol = {};  // new lines of the protocol log; null: none
 };
 
 // The words of ui.md and of every log line: "TRACK", "NO DATA".

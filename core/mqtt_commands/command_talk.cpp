@@ -43,6 +43,14 @@ bool namesItsPlace(const pairs::Command& command)
     return place == nullptr ? !std::holds_alternative<pairs::MoveBy>(command) : place->azimuth.has_value();
 }
 
+QByteArray answerText(std::string_view line, const LineOutcome& outcome)
+{
+    const QJsonObject all{{QStringLiteral("command"), shownText(line)},
+                          {QStringLiteral("ok"), outcome.result.has_value()},
+                          {QStringLiteral("answer"), QString::fromStdString(outcome.reply).trimmed()}};
+    return QJsonDocument(all).toJson(QJsonDocument::Compact);
+}
+
 bool moves(const pairs::Command& command)
 {
     return !std::holds_alternative<pairs::Report>(command) && !std::holds_alternative<pairs::Stop>(command);
@@ -68,15 +76,17 @@ std::optional<QByteArray> CommandTalk::obey(const QByteArray& message, Retain re
 {
     const std::string_view line = trimmed(textOf(message));  // a script ends a message with a line end
     if (asksForStop(line)) {
-        return latch(line, retain);
+        return latch(message, line, retain);
     }
     const bool flood = isFlood();
     const bool isHold = asksForHold(line);
     if (flood && !isHold) {
+        if (m_rotator.isLoggingExchanges()) {
+            logMessage(message, {}, {.reply = {}, .result = m_budget.admits()});
+        }
         return std::nullopt;
     }
-    const QByteArray text = answer(line, run(line, isHold, retain));
-    return flood ? std::nullopt : std::optional(text);
+    return answer(message, line, run(line, isHold, retain), flood);
 }
 
 Urgency CommandTalk::urgencyOf(const QByteArray& message)
@@ -88,14 +98,14 @@ Urgency CommandTalk::urgencyOf(const QByteArray& message)
     return asksForHold(line) ? Urgency::Hold : Urgency::None;
 }
 
-std::optional<QByteArray> CommandTalk::stop(const QByteArray& /*message*/, Retain retain)
+std::optional<QByteArray> CommandTalk::stop(const QByteArray& message, Retain retain)
 {
-    return latch("stop", retain);
+    return latch(message, "stop", retain);
 }
 
 // A live STOP is always obeyed: it is neither counted nor refused within kSettling. In a flood only its answer is left
 // out.
-std::optional<QByteArray> CommandTalk::latch(std::string_view line, Retain retain)
+std::optional<QByteArray> CommandTalk::latch(const QByteArray& message, std::string_view line, Retain retain)
 {
     LineOutcome outcome{.reply = std::string(pairs::kDone), .result = {}, .stop = true};
     if (retain == Retain::Yes) {
@@ -103,8 +113,7 @@ std::optional<QByteArray> CommandTalk::latch(std::string_view line, Retain retai
     } else if (outcome.result = m_latchStop(m_client); !outcome.result) {
         outcome.reply = pairs::refusalOf(outcome.result.error());
     }
-    const QByteArray text = answer(line, outcome);
-    return isFlood() ? std::nullopt : std::optional(text);
+    return answer(message, line, outcome, isFlood());
 }
 
 LineOutcome CommandTalk::run(std::string_view line, bool isHold, Retain retain)
@@ -173,17 +182,29 @@ bool CommandTalk::isFlood()
     return m_budget.isFlood();
 }
 
-QByteArray CommandTalk::answer(std::string_view line, const LineOutcome& outcome)
+std::optional<QByteArray> CommandTalk::answer(const QByteArray& message, std::string_view line,
+                                              const LineOutcome& outcome, bool flood)
 {
     m_habits.take(line.substr(0, rotctld::kShownBytes), outcome, m_clock.now());
     m_habits.answered(outcome.result, outcome.became);
-    if (!outcome.result && outcome.result.error().code == ErrorCode::InvalidInput) {
+    if (isOdd(outcome)) {
         m_habits.countOdd();
     }
-    const QJsonObject all{{QStringLiteral("command"), shownText(line)},
-                          {QStringLiteral("ok"), outcome.result.has_value()},
-                          {QStringLiteral("answer"), QString::fromStdString(outcome.reply).trimmed()}};
-    return QJsonDocument(all).toJson(QJsonDocument::Compact);
+    const QByteArray text = flood ? QByteArray() : answerText(line, outcome);
+    logMessage(message, text, outcome);
+    return flood ? std::nullopt : std::optional(text);
+}
+
+void CommandTalk::logMessage(const QByteArray& message, const QByteArray& answer, const LineOutcome& outcome)
+{
+    if (m_rotator.isLoggingExchanges()) {
+        m_rotator.logExchange(m_client, {.line = textOf(message),
+                                         .command = outcome.stop ? "STOP" : "",
+                                         .answer = textOf(answer),
+                                         .result = outcome.result,
+                                         .became = outcome.became,
+                                         .odd = isOdd(outcome)});
+    }
 }
 
 }  // namespace boresight::mqtt

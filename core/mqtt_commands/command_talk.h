@@ -47,13 +47,15 @@ public:
     [[nodiscard]] const rotctld::ClientHabits& habits() const { return m_habits; }
 
 private:
-    [[nodiscard]] std::optional<QByteArray> latch(std::string_view line, Retain retain);
+    [[nodiscard]] std::optional<QByteArray> latch(const QByteArray& message, std::string_view line, Retain retain);
     [[nodiscard]] rotctld::LineOutcome run(std::string_view line, bool isHold, Retain retain);
     [[nodiscard]] rotctld::LineOutcome refuseOld(std::string_view line);
     [[nodiscard]] rotctld::LineOutcome refuse(std::string_view line, ErrorCode code, const QString& reason);
     [[nodiscard]] Result<> admits(const pairs::Command& command) const;
     [[nodiscard]] bool isFlood();
-    QByteArray answer(std::string_view line, const rotctld::LineOutcome& outcome);
+    std::optional<QByteArray> answer(const QByteArray& message, std::string_view line,
+                                     const rotctld::LineOutcome& outcome, bool flood);
+    void logMessage(const QByteArray& message, const QByteArray& answer, const rotctld::LineOutcome& outcome);
 
     rotctld::Client m_client;
     rotctld::Rotator& m_rotator;

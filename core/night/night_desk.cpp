@@ -38,6 +38,7 @@ bool leavesTheMount(const Request& request)
            std::holds_alternative<request::TakeAuthority>(request) ||
            std::holds_alternative<request::ApplyProfile>(request) ||
            std::holds_alternative<request::UseNewTime>(request) ||
+           std::holds_alternative<request::LogProtocol>(request) ||
            std::holds_alternative<request::ReadGains>(request) || std::holds_alternative<request::Rehearse>(request) ||
            std::holds_alternative<ScheduleRequest>(request);
 }

@@ -24,6 +24,12 @@ struct LineOutcome
     std::optional<SkyPointing> point = {};  // the target that it requested
 };
 
+// The line is an odd command: see ClientHabits::countOdd().
+[[nodiscard]] inline bool isOdd(const LineOutcome& outcome)
+{
+    return !outcome.result && outcome.result.error().code == ErrorCode::InvalidInput;
+}
+
 class LineProtocol
 {
 public:

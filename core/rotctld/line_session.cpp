@@ -61,19 +61,38 @@ void LineSession::wait()
 
 void LineSession::run(std::string_view line, std::string& reply)
 {
+    const LineOutcome outcome = obey(line);
+    reply += outcome.reply;
+    if (m_rotator.isLoggingExchanges()) {
+        logLine(line, outcome);
+    }
+}
+
+LineOutcome LineSession::obey(std::string_view line)
+{
     if (speaksOtherwise(line)) {
         drop(Text::tr("is not a program for rotators (%1)").arg(shownText(line)));
-        return;
+        return {.reply = {}, .result = failure(ErrorCode::InvalidInput, m_ending)};
     }
-    const LineOutcome outcome = m_protocol->obey(line);
-    reply += outcome.reply;
+    LineOutcome outcome = m_protocol->obey(line);
     m_habits.take(line.substr(0, kShownBytes), outcome, m_clock.now());
     m_habits.answered(outcome.result, outcome.became);
-    if (!outcome.result && outcome.result.error().code == ErrorCode::InvalidInput) {
+    if (isOdd(outcome)) {
         odd(line);
     } else {
         m_oddInARow = 0;
     }
+    return outcome;
+}
+
+// An opening of another protocol is logged as an odd command, too.
+void LineSession::logLine(std::string_view line, const LineOutcome& outcome)
+{
+    m_rotator.logExchange(m_client, {.line = line,
+                                     .answer = outcome.reply,
+                                     .result = outcome.result,
+                                     .became = outcome.became,
+                                     .odd = isOdd(outcome)});
 }
 
 void LineSession::odd(std::string_view line)

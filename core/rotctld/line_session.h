@@ -31,6 +31,8 @@ public:
 
 private:
     void run(std::string_view line, std::string& reply);
+    [[nodiscard]] LineOutcome obey(std::string_view line);
+    void logLine(std::string_view line, const LineOutcome& outcome);
     void odd(std::string_view line);
     void wait();
     void drop(const QString& reason);

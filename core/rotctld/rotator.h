@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/rotctld/exchange.h"
 #include "core/units/sky.h"
 
 #include <QString>
@@ -114,6 +115,10 @@ public:
     virtual void clientGone(const Client& client, const QString& reason) = 0;
     // For the log: a client did something that needs a line (foreign protocol, flood, dropped, refused).
     virtual void clientRemark(const Client& client, const QString& text) = 0;
+
+    // The protocol log is on: pass each line of a client, after it was carried out, to logExchange().
+    [[nodiscard]] virtual bool isLoggingExchanges() const { return false; }
+    virtual void logExchange(const Client& /*client*/, const Exchange& /*exchange*/) {}
 };
 
 }  // namespace boresight::rotctld

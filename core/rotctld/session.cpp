@@ -58,12 +58,14 @@ bool Session::step(std::string& reply)
     if (!m_ending.isEmpty()) {
         return false;
     }
-    if (m_pausedUntil) {
+    if (m_pause) {
         return resume(reply);
     }
-    std::string_view rest = std::string_view(m_input).substr(m_taken);
+    const std::string_view unread = std::string_view(m_input).substr(m_taken);
+    std::string_view rest = unread;
     const Event event = m_parser.next(rest);
     m_taken = m_input.size() - rest.size();
+    keep(unread.substr(0, unread.size() - rest.size()));
     switch (event) {
         case Event::NeedMore:
             return inputTaken(reply);
@@ -72,12 +74,15 @@ bool Session::step(std::string& reply)
             break;
         case Event::Odd:
             unknown(rest);
+            logUnread({});
             break;
         case Event::Foreign:
             endAsForeign();
+            logUnread(m_ending);
             break;
         case Event::TooLong:
             drop(Text::tr("sent %1 bytes without a line end").arg(QString::number(kMaxLineLength)));
+            logUnread(m_ending);
             break;
     }
     return true;
@@ -85,11 +90,14 @@ bool Session::step(std::string& reply)
 
 bool Session::resume(std::string& reply)
 {
-    if (m_clock.now() < *m_pausedUntil) {
+    if (m_clock.now() < m_pause->until) {
         return false;
     }
-    m_pausedUntil.reset();
-    reply += m_pauseReply;
+    const std::string answer = std::exchange(m_pause, std::nullopt)->reply;
+    reply += answer;
+    if (m_rotator.isLoggingExchanges()) {
+        m_rotator.logExchange(m_client, {.command = "pause", .answer = answer});
+    }
     return true;
 }
 
@@ -119,18 +127,61 @@ bool Session::inputTaken(std::string& reply)
     return true;
 }
 
+// Only the protocol log wants the bytes of a command.
+void Session::keep(std::string_view bytes)
+{
+    if (m_rotator.isLoggingExchanges()) {
+        m_line.add(bytes);
+    } else {
+        m_line.forget();
+    }
+}
+
+// Adds the bytes of the command that was read last. The rest of a failed line is ignored.
+void Session::logLine(Exchange exchange)
+{
+    if (!exchange.result) {
+        m_line.addIgnored(std::string_view(m_input).substr(m_taken));
+    }
+    exchange.line = m_line.bytes();
+    exchange.size = m_line.size();
+    m_rotator.logExchange(m_client, exchange);
+    m_line.end();
+}
+
+void Session::logUnread(const QString& reason)
+{
+    if (m_rotator.isLoggingExchanges()) {
+        logLine({.result = failure(ErrorCode::InvalidInput, reason), .odd = true});
+    }
+}
+
 void Session::run(std::string& reply)
+{
+    const std::size_t before = reply.size();
+    const std::uint64_t odd = m_habits.oddCommands();
+    QString became;
+    const Result<> outcome = obey(reply, became);
+    if (m_rotator.isLoggingExchanges()) {
+        logLine({.command = m_parser.command().spec->name,
+                 .answer = std::string_view(reply).substr(before),
+                 .result = outcome,
+                 .became = became,
+                 .odd = m_habits.oddCommands() != odd});
+    }
+}
+
+Result<> Session::obey(std::string& reply, QString& became)
 {
     const Command& command = m_parser.command();
     m_habits.take(command, m_clock.now());
     if (command.spec->id == CommandId::Quit) {
         m_ending = Text::tr("ended the session");
-        return;
+        return {};
     }
     const std::size_t before = reply.size();
     ReplyWriter writer(command, reply);
-    QString became;
-    const Result<> outcome = execute(command, writer, became);
+    Result<> outcome = execute(command, writer, became);
     writer.finish(outcome);
     m_habits.answered(outcome, became);
     if (command.spec->id != CommandId::GetOutcome) {
@@ -141,13 +192,14 @@ void Session::run(std::string& reply)
     }
     if (!outcome) {
         failed(outcome.error(), reply, before);
-        return;
+        return outcome;
     }
     m_oddInARow = 0;
-    if (paused()) {
-        m_pauseReply = reply.substr(before);
+    if (m_pause) {
+        m_pause->reply = reply.substr(before);
         reply.resize(before);
     }
+    return outcome;
 }
 
 void Session::failed(const Error& error, std::string& reply, std::size_t replyStart)
@@ -182,7 +234,7 @@ Result<> Session::pause(const Command& command)
         return badArgument(command, 0);
     }
     if (*seconds > 0) {
-        m_pausedUntil = m_clock.now() + std::chrono::seconds(*seconds);
+        m_pause = Pause{.until = m_clock.now() + std::chrono::seconds(*seconds)};
     }
     return {};
 }

@@ -6,6 +6,7 @@
 #include "core/rotctld/command_parser.h"
 #include "core/rotctld/conversation.h"
 #include "core/rotctld/handlers.h"
+#include "core/rotctld/received_line.h"
 #include "core/rotctld/rotator.h"
 
 #include <cstdint>
@@ -30,14 +31,24 @@ public:
     [[nodiscard]] const Client& client() const override { return m_client; }
     [[nodiscard]] const QString& ending() const override { return m_ending; }
     [[nodiscard]] bool dropped() const override { return m_dropped; }
-    [[nodiscard]] bool paused() const override { return m_pausedUntil.has_value(); }
+    [[nodiscard]] bool paused() const override { return m_pause.has_value(); }
     [[nodiscard]] bool midCommand() const override { return m_parser.midCommand(); }
     [[nodiscard]] const ClientHabits& habits() const override { return m_habits; }
 
 private:
+    struct Pause
+    {
+        SteadyTime until;
+        std::string reply = {};  // at its end
+    };
+
     bool resume(std::string& reply);
     bool inputTaken(std::string& reply);
     void run(std::string& reply);
+    void keep(std::string_view bytes);
+    void logLine(Exchange exchange);
+    void logUnread(const QString& reason);
+    Result<> obey(std::string& reply, QString& became);
     void failed(const Error& error, std::string& reply, std::size_t replyStart);
     void drop(const QString& reason);
     void endAsForeign();
@@ -54,9 +65,9 @@ private:
     ClientHabits m_habits;
     std::string m_input;
     std::size_t m_taken = 0;  // bytes of m_input that were read
+    ReceivedLine m_line;      // of the command that is being read; empty while the protocol log is off
     bool m_inputEnded = false;
-    std::optional<SteadyTime> m_pausedUntil;
-    std::string m_pauseReply;
+    std::optional<Pause> m_pause;
     // Of the last command: why it was refused, or the changed target. Empty: it was accepted as it was sent.
     QString m_outcome;
     QString m_ending;

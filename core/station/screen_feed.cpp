@@ -19,14 +19,16 @@ void ScreenFeed::keep(const TickSample& sample)
     }
 }
 
-StationUpdate ScreenFeed::take(StationStatus status, const EventLog& log)
+StationUpdate ScreenFeed::take(StationStatus status, const EventLog& log, const ProtocolLog& protocol)
 {
     m_wanted = false;
     StationUpdate update{.status = std::move(status),
                          .log = log.since(m_lastLogSent, kMostLogLines),
                          .answers = std::exchange(m_answers, {}),
-                         .samples = {m_samples.begin(), m_samples.end()}};
+                         .samples = {m_samples.begin(), m_samples.end()},
+                         .protocol = protocol.newest(m_lastProtocolSent, ProtocolLog::kCapacity)};
     m_samples.clear();
+    m_lastProtocolSent = protocol.lastNumber();
     m_lastLogSent = log.lastNumber();
     return update;
 }

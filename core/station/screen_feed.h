@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/alarms/event_log.h"
+#include "core/clients/protocol_log.h"
 #include "core/messages/request.h"
 #include "core/messages/station_status.h"
 
@@ -11,8 +12,8 @@
 #include <vector>
 
 // Keeps everything that the screen has not got yet: answers to its requests, one sample of the drives for each tick,
-// new lines of the log. Only one update is on its way to the screen at a time. After a stall the screen gets the kept
-// part of what it missed. Station thread only.
+// new lines of the log and of the protocol log. Only one update is on its way to the screen at a time. After a stall
+// the screen gets the kept part of what it missed. Station thread only.
 namespace boresight {
 
 class ScreenFeed
@@ -28,12 +29,13 @@ public:
     void want() { m_wanted = true; }
     [[nodiscard]] bool isWanted() const { return m_wanted; }
     // Everything that waits for the screen. Call while isWanted().
-    [[nodiscard]] StationUpdate take(StationStatus status, const EventLog& log);
+    [[nodiscard]] StationUpdate take(StationStatus status, const EventLog& log, const ProtocolLog& protocol);
 
 private:
     std::vector<Answer> m_answers;
     std::deque<TickSample> m_samples;  // since the last update
     std::uint64_t m_lastLogSent = 0;
+    std::uint64_t m_lastProtocolSent = 0;
     bool m_wanted = true;
 };
 

@@ -52,6 +52,8 @@ Station::Station(const profile::Profile& profile, const MountMaker& mount, const
                .rehearsal = [this] { return m_rehearsal.status(); },
                .status = [this] { return status(); },
                .transmit = [this] { return m_transmit.status(); },
+               .protocolLines = [this](std::uint64_t after,
+                                       std::size_t limit) { return m_server.protocolLog().oldest(after, limit); },
                .simulate = [this](const QByteArray& text) { return m_showFault(text.toStdString()); }},
               m_log, clock, this),
       m_inputs(m_control,
@@ -380,6 +382,12 @@ Result<> Station::carryOut(const Request& request, const Source& by)
     if (const auto* const wanted = std::get_if<request::Rehearse>(&request)) {
         return rehearse(*wanted);
     }
+    if (const auto* const wanted = std::get_if<request::LogProtocol>(&request)) {
+        m_server.protocolLog().setOn(wanted->on);
+        m_log.add(Severity::Advisory, by.name,
+                  wanted->on ? Text::tr("the protocol log begins") : Text::tr("the protocol log ends"));
+        return {};
+    }
     if (std::holds_alternative<request::UseNewTime>(request)) {
         return m_clockGuard.useNewTime(by);
     }
@@ -444,7 +452,7 @@ void Station::publish()
         m_inputs.broker().show(status());
     }
     if (m_screen.isWanted()) {
-        Q_EMIT updated(m_screen.take(status(), m_log));
+        Q_EMIT updated(m_screen.take(status(), m_log, m_server.protocolLog()));
     }
 }
 
@@ -469,6 +477,7 @@ StationStatus Station::status() const
     m_mount->describe(status);
     status.listening = m_server.address();
     status.clients = m_server.clients(m_commands.clients());
+    status.isProtocolLogged = m_server.protocolLog().isOn();
     status.timing = {.lateP50 = m_lateness.percentile(0.5),
                      .lateP99 = m_lateness.percentile(0.99),
                      .lateWorst = m_lateness.percentile(1.0),

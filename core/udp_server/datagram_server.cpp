@@ -91,7 +91,10 @@ void DatagramServer::take(const QByteArray& bytes, const QHostAddress& host, std
     if (!isTurnedAway(client, m_settings, m_admission, m_rotator)) {
         obey(welcome(client, name), datagram, host);
     } else if (m_admission.admits(name) && stops(m_parse(datagram))) {
-        static_cast<void>(m_rotator.stop(client));
+        const Result<> stopped = m_rotator.stop(client);
+        if (m_rotator.isLoggingExchanges()) {
+            m_rotator.logExchange(client, {.line = datagram, .result = stopped});
+        }
     }
 }
 
@@ -113,11 +116,18 @@ void DatagramServer::obey(Sender& sender, std::string_view datagram, const QHost
     const rotctld::LineOutcome outcome = sender.controller.obey(datagram);
     sender.habits.take(trimmed(datagram).substr(0, rotctld::kShownBytes), outcome, now);
     sender.habits.answered(outcome.result, outcome.became);
-    if (!outcome.result && outcome.result.error().code == ErrorCode::InvalidInput) {
+    if (isOdd(outcome)) {
         sender.habits.countOdd();
     }
     if (!outcome.reply.empty()) {
         m_inlet.send(QByteArray::fromStdString(outcome.reply), host, static_cast<std::uint16_t>(port() + 1));
+    }
+    if (m_rotator.isLoggingExchanges()) {
+        m_rotator.logExchange(sender.client, {.line = datagram,
+                                              .answer = outcome.reply,
+                                              .result = outcome.result,
+                                              .became = outcome.became,
+                                              .odd = isOdd(outcome)});
     }
 }
 

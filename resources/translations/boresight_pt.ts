@@ -10920,10 +10920,6 @@ até %1</translation>
         <translation>rearma o terceiro eixo, e nada se move</translation>
     </message>
     <message>
-        <source>This is not a command. The commands are take, release, stop, reset-stop, override-wind, use-new-time, satellites, status, transmit, track TARGET, antennas, antenna NAME, simulate FAULT, console LINE, console-lines and the commands of the schedule.</source>
-        <translation>Isto não é um comando. Os comandos são take, release, stop, reset-stop, override-wind, use-new-time, satellites, status, transmit, track TARGET, antennas, antenna NAME, simulate FAULT, console LINE, console-lines e os comandos da agenda.</translation>
-    </message>
-    <message>
         <source>The pin is no input: %1 of board %2 is %3. Set it to %4 with moteus tview and store it</source>
         <translation>O pino não é uma entrada: %1 da placa %2 é %3. Ponha-o a %4 com o moteus tview e guarde-o</translation>
     </message>
@@ -12098,6 +12094,94 @@ até %1</translation>
     <message>
         <source>Residual rms of the measured points (%1), at least the uncertainty of their centring.</source>
         <translation>Resíduo rms dos pontos medidos (%1), pelo menos a incerteza da sua centragem.</translation>
+    </message>
+    <message>
+        <source>Write protocol-lines with the number of the last line that you know. The first lines come after 0.</source>
+        <translation>Escreva protocol-lines com o número da última linha que conhece. As primeiras linhas vêm depois de 0.</translation>
+    </message>
+    <message>
+        <source>This is not a command. The commands are take, release, stop, reset-stop, override-wind, use-new-time, satellites, status, transmit, track TARGET, antennas, antenna NAME, simulate FAULT, console LINE, console-lines, protocol-log-on, protocol-log-off, protocol-lines NUMBER and the commands of the schedule.</source>
+        <translation>Isto não é um comando. Os comandos são take, release, stop, reset-stop, override-wind, use-new-time, satellites, status, transmit, track TARGET, antennas, antenna NAME, simulate FAULT, console LINE, console-lines, protocol-log-on, protocol-log-off, protocol-lines NUMBER e os comandos da agenda.</translation>
+    </message>
+    <message>
+        <source>go to %1 / %2</source>
+        <translation>ir para %1 / %2</translation>
+    </message>
+    <message>
+        <source>asks the position</source>
+        <translation>pergunta a posição</translation>
+    </message>
+    <message>
+        <source>asks the target</source>
+        <translation>pergunta o alvo</translation>
+    </message>
+    <message>
+        <source>asks whether the mount moves</source>
+        <translation>pergunta se a montagem se move</translation>
+    </message>
+    <message>
+        <source>move up</source>
+        <translation>mover para cima</translation>
+    </message>
+    <message>
+        <source>move down</source>
+        <translation>mover para baixo</translation>
+    </message>
+    <message>
+        <source>move left</source>
+        <translation>mover para a esquerda</translation>
+    </message>
+    <message>
+        <source>move right</source>
+        <translation>mover para a direita</translation>
+    </message>
+    <message>
+        <source>stop</source>
+        <translation>parar</translation>
+    </message>
+    <message>
+        <source>park</source>
+        <translation>estacionar</translation>
+    </message>
+    <message>
+        <source>reset</source>
+        <translation>repor</translation>
+    </message>
+    <message>
+        <source>set the jog speed to level %1</source>
+        <translation>pôr a velocidade manual no nível %1</translation>
+    </message>
+    <message>
+        <source>command %1</source>
+        <translation>comando %1</translation>
+    </message>
+    <message>
+        <source>not understood</source>
+        <translation>não compreendido</translation>
+    </message>
+    <message>
+        <source>not understood: %1</source>
+        <translation>não compreendido: %1</translation>
+    </message>
+    <message>
+        <source>refused. %1</source>
+        <translation>recusado. %1</translation>
+    </message>
+    <message>
+        <source>%1… (%2 bytes)</source>
+        <translation>%1… (%2 bytes)</translation>
+    </message>
+    <message>
+        <source>asks for information</source>
+        <translation>pede informação</translation>
+    </message>
+    <message>
+        <source>the protocol log begins</source>
+        <translation>o registo do protocolo começa</translation>
+    </message>
+    <message>
+        <source>the protocol log ends</source>
+        <translation>o registo do protocolo termina</translation>
     </message>
 </context>
 <context>
@@ -13602,6 +13686,18 @@ Depois a montagem aponta por este resultado. O registo anota que o aplicou mesmo
     <message>
         <source>Boresight tracks %1</source>
         <translation>O Boresight segue %1</translation>
+    </message>
+    <message>
+        <source>Protocol …</source>
+        <translation>Protocolo …</translation>
+    </message>
+    <message>
+        <source>Protocol log</source>
+        <translation>Registo do protocolo</translation>
+    </message>
+    <message>
+        <source>What the clients send, what Boresight understands and answers</source>
+        <translation>O que os clientes enviam, o que o Boresight compreende e responde</translation>
     </message>
 </context>
 <context>
@@ -18062,6 +18158,112 @@ O Boresight escreve-as, lê-as de volta e guarda-as nos acionamentos. Nada se mo
     <message>
         <source>End switches: %1</source>
         <translation>Fins de curso: %1</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::ProtocolLogModel</name>
+    <message>
+        <source>%1, odd command</source>
+        <translation>%1, comando estranho</translation>
+    </message>
+    <message>
+        <source>Line: %1</source>
+        <translation>Linha: %1</translation>
+    </message>
+    <message>
+        <source>Understood: %1</source>
+        <translation>Compreendido: %1</translation>
+    </message>
+    <message>
+        <source>Answer: %1</source>
+        <translation>Resposta: %1</translation>
+    </message>
+    <message>
+        <source>UTC</source>
+        <translation>UTC</translation>
+    </message>
+    <message>
+        <source>Client</source>
+        <translation>Cliente</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Linha</translation>
+    </message>
+    <message>
+        <source>Understood</source>
+        <translation>Compreendido</translation>
+    </message>
+    <message>
+        <source>Answer</source>
+        <translation>Resposta</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::ProtocolLogPage</name>
+    <message>
+        <source>Protocol log</source>
+        <translation>Registo do protocolo</translation>
+    </message>
+    <message>
+        <source>Begin log</source>
+        <translation>Iniciar registo</translation>
+    </message>
+    <message>
+        <source>State of the protocol log</source>
+        <translation>Estado do registo do protocolo</translation>
+    </message>
+    <message>
+        <source>Clients</source>
+        <translation>Clientes</translation>
+    </message>
+    <message>
+        <source>Back to the clients</source>
+        <translation>Voltar aos clientes</translation>
+    </message>
+    <message>
+        <source>Show the list of clients again</source>
+        <translation>Mostrar de novo a lista dos clientes</translation>
+    </message>
+    <message>
+        <source>Filter by client</source>
+        <translation>Filtrar por cliente</translation>
+    </message>
+    <message>
+        <source>Show only the lines of this client</source>
+        <translation>Mostrar só as linhas deste cliente</translation>
+    </message>
+    <message>
+        <source>All clients</source>
+        <translation>Todos os clientes</translation>
+    </message>
+    <message>
+        <source>End log</source>
+        <translation>Terminar registo</translation>
+    </message>
+    <message>
+        <source>Log no more lines. The lines in the list stay</source>
+        <translation>Não registar mais linhas. As linhas da lista ficam</translation>
+    </message>
+    <message>
+        <source>Log each line of all clients. The log is off after each start and reconnect</source>
+        <translation>Registar cada linha de todos os clientes. O registo está desligado após cada início e cada nova ligação</translation>
+    </message>
+    <message>
+        <source>lines: %1, older lines dropped: %2</source>
+        <translation>linhas: %1, linhas antigas perdidas: %2</translation>
+    </message>
+    <message>
+        <source>Log on, %1</source>
+        <translation>Registo ligado, %1</translation>
+    </message>
+    <message>
+        <source>Log off, %1</source>
+        <translation>Registo desligado, %1</translation>
+    </message>
+    <message>
+        <source>Log off</source>
+        <translation>Registo desligado</translation>
     </message>
 </context>
 <context>

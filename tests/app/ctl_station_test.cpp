@@ -145,6 +145,25 @@ TEST_F(CtlStation, GivesAndTakesControlAndLatchesStop)
     EXPECT_TRUE(daemon.waitForError(QStringLiteral("shell: STOP is latched"))) << daemon.errors().toStdString();
 }
 
+// REQ-CTL-1000: protocol-log begins and ends the protocol log of the station, and prints its lines: time, client, line,
+// meaning, answer.
+TEST_F(CtlStation, ShowsTheProtocolLog)
+{
+    EXPECT_TRUE(isSentOff());
+    EXPECT_EQ(ask("protocol-log show").output, "") << "it is off after a start";
+    const Outcome on = ask("protocol-log on");
+    EXPECT_EQ(on.status, 0) << on.errors;
+    EXPECT_TRUE(isSentOff());
+    const Outcome off = ask("protocol-log off");
+    EXPECT_EQ(off.status, 0) << off.errors;
+    const Outcome shown = ask("protocol-log show");
+    EXPECT_EQ(shown.status, 0) << shown.errors;
+    EXPECT_THAT(shown.output, HasSubstr("Z\trotctld 127.0.0.1:"));
+    EXPECT_THAT(shown.output, HasSubstr("go to 113.0° / 40.0°"));
+    EXPECT_EQ(ask("protocol-log all").status, 2);
+    EXPECT_THAT(ask("protocol-log all").errors, HasSubstr("\"all\" is none of on, off, show and follow"));
+}
+
 // REQ-CTL-960: track lets the station track a target given in words. Afterwards the operator has control: goto is
 // refused until release. A target that the station does not know, or may not track now, is refused with the reason
 // (exit status 1). Without a target the command line is invalid (2).

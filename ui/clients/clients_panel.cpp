@@ -16,6 +16,7 @@
 #include <QButtonGroup>
 #include <QClipboard>
 #include <QHeaderView>
+#include <QPushButton>
 #include <QTableView>
 #include <QVBoxLayout>
 
@@ -97,7 +98,7 @@ void ClientsPanel::build()
     column->addWidget(m_detail);
     column->addLayout(buttons);
     column->addWidget(m_notice);
-    column->addWidget(makeGpredict());
+    column->addWidget(makeLastRow());
     setTabOrder(m_locked, m_table);
     setTabOrder(m_table, m_give);
 }
@@ -154,7 +155,8 @@ void ClientsPanel::resizeEvent(QResizeEvent* event)
     m_table->setColumnHidden(ClientModel::LastCommand, room < 0);
 }
 
-QWidget* ClientsPanel::makeGpredict()
+// The settings for Gpredict, and the way to the protocol log.
+QWidget* ClientsPanel::makeLastRow()
 {
     auto* const box = new QWidget(this);
     auto* const row = new QHBoxLayout(box);
@@ -165,9 +167,20 @@ QWidget* ClientsPanel::makeGpredict()
                                              box);
     copy->setMinimumWidth(kTouchSize);
     connect(copy, &QPushButton::clicked, this, &ClientsPanel::copySettings);
+    m_protocolLog = makePushButton({.text = tr("Protocol …"),
+                                    .name = tr("Protocol log"),
+                                    .help = tr("What the clients send, what Boresight understands and answers")},
+                                   box);
+    connect(m_protocolLog, &QPushButton::clicked, this, &ClientsPanel::protocolLogWanted);
     row->addWidget(m_gpredict, 1);
     row->addWidget(copy);
+    row->addWidget(m_protocolLog);
     return box;
+}
+
+void ClientsPanel::focusProtocolLog()
+{
+    m_protocolLog->setFocus();
 }
 
 void ClientsPanel::connectButtons()

@@ -8,6 +8,7 @@
 
 #include <optional>
 
+class QPushButton;
 class QTableView;
 
 // The rotctld clients: which are connected, which one moves the mount and by which rule, and the operator's actions for
@@ -29,6 +30,10 @@ public:
     ClientsPanel(ProfileDraft& draft, RequestDesk& desk, QWidget* parent = nullptr);
 
     void showStatus(const StationStatus& status);
+    void focusProtocolLog();  // its button
+
+Q_SIGNALS:
+    void protocolLogWanted();
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -38,7 +43,7 @@ private:
     void connectButtons();
     QTableView* makeTable();
     QWidget* makeRules();
-    QWidget* makeGpredict();
+    QWidget* makeLastRow();
     void nameLockedTarget();
     void showRules();
     void showAccess();
@@ -67,6 +72,7 @@ private:
     CommandButton* m_readOnly;
     CommandButton* m_disconnect;
     CommandButton* m_lock;
+    QPushButton* m_protocolLog = nullptr;
     std::optional<std::uint64_t> m_selected;  // id, because the row may change
 };
 

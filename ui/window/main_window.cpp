@@ -3,6 +3,7 @@
 
 #include "ui/charts/charts_panel.h"
 #include "ui/charts/strip_charts.h"
+#include "ui/clients/clients_pages.h"
 #include "ui/clients/control_prompt.h"
 #include "ui/clients/hand_back_prompt.h"
 #include "ui/clients/lock_prompt.h"
@@ -268,6 +269,7 @@ void MainWindow::showUpdate(const StationUpdate& update)
 {
     m_last.take(update.status);
     m_panels->log().append(update.log);
+    m_panels->clients().append(update.protocol);
     m_panels->charts().charts().add(update.samples);
     if (!update.log.empty()) {
         const LogEntry& last = update.log.back();

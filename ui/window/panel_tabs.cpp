@@ -3,7 +3,7 @@
 
 #include "ui/charts/charts_panel.h"
 #include "ui/charts/strip_charts.h"
-#include "ui/clients/clients_panel.h"
+#include "ui/clients/clients_pages.h"
 #include "ui/drives/box_console_panel.h"
 #include "ui/drives/drives_panel.h"
 #include "ui/drives/protection_panel.h"
@@ -46,7 +46,7 @@ PanelTabs::PanelTabs(const Clock& clock, RequestDesk& desk, HostDesk& host, Prof
       m_targets(new TargetsPage(desk, host, this)),
       m_charts(new ChartsPanel(clock, this)),
       m_limits(new LimitsPanel(draft, desk, this)),
-      m_clients(new ClientsPanel(draft, desk, this)),
+      m_clients(new ClientsPages(draft, desk, this)),
       m_log(new LogPanel(desk, settings.alarmSound, this)),
       m_drives(new DrivesPanel(desk, this)),
       m_readings(new ReadingsTable(this)),

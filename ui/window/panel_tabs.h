@@ -20,7 +20,7 @@ namespace boresight::ui {
 class BoxConsolePanel;
 class CalibrationPanel;
 class ChartsPanel;
-class ClientsPanel;
+class ClientsPages;
 class DrivesPanel;
 class HostDesk;
 class JogPanel;
@@ -57,6 +57,7 @@ public:
     [[nodiscard]] ChartsPanel& charts() { return *m_charts; }
     [[nodiscard]] LimitsPanel& limits() { return *m_limits; }
     [[nodiscard]] LogPanel& log() { return *m_log; }
+    [[nodiscard]] ClientsPages& clients() { return *m_clients; }
     [[nodiscard]] PassesPanel& passes() { return *m_passes; }
     [[nodiscard]] ProfilePage& profile() { return *m_profile; }
 
@@ -91,7 +92,7 @@ private:
     TargetsPage* m_targets;
     ChartsPanel* m_charts;
     LimitsPanel* m_limits;
-    ClientsPanel* m_clients;
+    ClientsPages* m_clients;
     LogPanel* m_log;
     DrivesPanel* m_drives;
     ReadingsTable* m_readings;

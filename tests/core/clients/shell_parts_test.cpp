@@ -5,6 +5,9 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <string>
+
 namespace boresight {
 namespace {
 
@@ -108,6 +111,29 @@ TEST(StationShell, TypesToTheControlBox)
     EXPECT_THAT(rig.answerTo("console\n"), HasSubstr("error: This is not a command."));
     rig.console = QStringList{QStringLiteral("> H"), QStringLiteral("H \"help\"")};
     EXPECT_EQ(rig.answerTo("console-lines\n"), "ok\n[\"> H\",\"H \\\"help\\\"\"]\n");
+}
+
+// REQ-STATION-971: The shell begins and ends the protocol log, and reports its lines with their numbers, at most 100 in
+// one answer. The next question continues after the last number.
+TEST(StationShell, ReportsTheProtocolLog)
+{
+    ShellRig rig;
+    EXPECT_EQ(rig.answerTo("protocol-log-on\n"), "ok\n");
+    EXPECT_EQ(rig.answerTo("protocol-log-off\n"), "ok\n");
+    EXPECT_EQ(rig.answerTo("protocol-lines 0\n"), "ok\n");
+    for (int i = 0; i < 150; ++i) {
+        rig.protocol.note({.kind = ProtocolAct::Kind::Stop});
+        rig.protocol.add({.id = 3, .address = "10.0.0.7:51234"}, {.line = "S", .answer = "RPRT 0\n"});
+    }
+    const std::string first = rig.answerTo("protocol-lines 0\n");
+    EXPECT_EQ(std::ranges::count(first, '\n'), 101);
+    EXPECT_THAT(first, testing::StartsWith("ok\n1\t"));
+    const std::string last = rig.answerTo("protocol-lines 149\n");
+    EXPECT_THAT(last, testing::StartsWith("ok\n150\t"));
+    EXPECT_THAT(last, testing::EndsWith("Z\trotctld 10.0.0.7:51234\t-\tS\tstop\tRPRT 0\n"));
+    EXPECT_EQ(rig.answerTo("protocol-lines 150\n"), "ok\n");
+    EXPECT_THAT(rig.answerTo("protocol-lines all\n"), HasSubstr("error: Write protocol-lines with the number"));
+    EXPECT_THAT(rig.answerTo("protocol-lines\n"), HasSubstr("error: This is not a command."));
 }
 
 // REQ-THIRD-32: The shell reports the angle, the state, the mode, the fault and the temperature of the third axis.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/clients/protocol_log.h"
 #include "core/clients/station_shell.h"
 #include "core/elements/julian_date.h"
 #include "tests/core/control/station_rig.h"
@@ -47,6 +48,7 @@ struct ShellRig : StationRig
     StationTables::Then answer;
     StationFollow::Then found;
     TransmitStatus transmit;
+    ProtocolLog protocol{clock};
     ClockStatus watched;
     std::optional<TrackedTarget> tracked;
     std::optional<budget::ErrorBudget> errorBudget;
@@ -56,35 +58,37 @@ struct ShellRig : StationRig
     std::shared_ptr<const std::vector<orbit::ElementSet>> known =
         std::make_shared<const std::vector<orbit::ElementSet>>(std::vector<orbit::ElementSet>{
             {.name = "ISS (ZARYA)", .number = 25544, .epoch = orbit::julianDate(UtcTime(std::chrono::days(20000)))}});
-    StationShell shell{{.ask = [this](const Request& request, const Source& by) { return ask(request, by); },
-                        .mayShellCommand = [this] { return control.mayShellCommand(); },
-                        .readTable =
-                            [this](const QString& path, StationTables::Then then) {
-                                asked = path;
-                                answer = std::move(then);
-                            },
-                        .findRotator =
-                            [this](const QString& name, StationFollow::Then then) {
-                                asked = name;
-                                found = std::move(then);
-                            },
-                        .satellites = [this] { return known; },
-                        .antennas = [] { return antennas(); },
-                        .status =
-                            [this] {
-                                StationStatus status = control.status();
-                                status.clock = watched;
-                                status.tracked = tracked ? tracked : status.tracked;
-                                status.errorBudget = errorBudget;
-                                status.alarms = alarms;
-                                status.console = console;
-                                status.thirdAxis = third;
-                                return status;
-                            },
-                        .transmit = [this] { return transmit; }},
-                       log,
-                       clock,
-                       nullptr};
+    StationShell shell{
+        {.ask = [this](const Request& request, const Source& by) { return ask(request, by); },
+         .mayShellCommand = [this] { return control.mayShellCommand(); },
+         .readTable =
+             [this](const QString& path, StationTables::Then then) {
+                 asked = path;
+                 answer = std::move(then);
+             },
+         .findRotator =
+             [this](const QString& name, StationFollow::Then then) {
+                 asked = name;
+                 found = std::move(then);
+             },
+         .satellites = [this] { return known; },
+         .antennas = [] { return antennas(); },
+         .status =
+             [this] {
+                 StationStatus status = control.status();
+                 status.clock = watched;
+                 status.tracked = tracked ? tracked : status.tracked;
+                  status.errorBudget = errorBudget;
+                 status.alarms = alarms;
+                 status.console = console;
+                 status.thirdAxis = third;
+                 return status;
+             },
+         .transmit = [this] { return transmit; },
+         .protocolLines = [this](std::uint64_t after, std::size_t limit) { return protocol.oldest(after, limit); }},
+        log,
+        clock,
+        nullptr};
 };
 
 }  // namespace boresight

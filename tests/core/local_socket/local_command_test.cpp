@@ -11,15 +11,15 @@ namespace boresight::local {
 namespace {
 
 // REQ-LOCALSOCKET-01: The commands are take, release, stop, reset-stop, override-wind, use-new-time, satellites,
-// status, transmit, antennas, those of the schedule, track with a target, antenna with a name, and simulate with a
-// fault. No other word is a command. The answer is ok and the lines of the answer, or one line with error and the
-// reason.
+// status, transmit, antennas, those of the schedule, track with a target, antenna with a name, simulate with a fault,
+// console with a line, console-lines, protocol-log-on, protocol-log-off, and protocol-lines with a number. No other
+// word is a command. The answer is ok and the lines of the answer, or one line with error and the reason.
 TEST(LocalCommandTest, EachHasItsWord)
 {
     for (const char* const word :
          {"take", "release", "stop", "reset-stop", "override-wind", "use-new-time", "satellites", "antennas",
           "schedule-list", "schedule-arm", "schedule-disarm", "schedule-report", "schedule-rehearse",
-          "schedule-rehearsal", "status", "transmit"}) {
+          "schedule-rehearsal", "status", "transmit", "console-lines", "protocol-log-on", "protocol-log-off"}) {
         const auto request = parseRequest(word);
         ASSERT_TRUE(request) << word;
         EXPECT_EQ(wordOf(request->command), word);
@@ -36,8 +36,12 @@ TEST(LocalCommandTest, EachHasItsWord)
     const LocalRequest gust{.command = LocalCommand::Simulate, .target = "wind az:60Nm+3"};
     EXPECT_EQ(parseRequest("simulate wind az:60Nm+3"), gust);
     EXPECT_EQ(requestLine(gust), "simulate wind az:60Nm+3\n");
-    for (const char* const other : {"", "simulate", "Stop", "stop now", "reset_stop", "P 10 20", "take\nstop", "track",
-                                    "track ", "tracks moon", "satellites all", "antenna", "antennas 70 cm"}) {
+    const LocalRequest lines{.command = LocalCommand::ProtocolLines, .target = "149"};
+    EXPECT_EQ(parseRequest("protocol-lines 149"), lines);
+    EXPECT_EQ(requestLine(lines), "protocol-lines 149\n");
+    for (const char* const other :
+         {"", "simulate", "protocol-lines", "protocol-log-on now", "Stop", "stop now", "reset_stop", "P 10 20",
+          "take\nstop", "track", "track ", "tracks moon", "satellites all", "antenna", "antennas 70 cm"}) {
         EXPECT_FALSE(parseRequest(other)) << other;
     }
 }

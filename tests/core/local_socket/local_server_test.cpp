@@ -118,7 +118,8 @@ TEST_F(LocalServerTest, OneLineInOneLineOut)
     EXPECT_EQ(ask("P 10 20\n"),
               "error: This is not a command. The commands are take, release, stop, reset-stop, override-wind, "
               "use-new-time, satellites, status, transmit, track TARGET, antennas, antenna NAME, simulate FAULT, "
-              "console LINE, console-lines and the commands of the schedule.\n");
+              "console LINE, console-lines, protocol-log-on, protocol-log-off, protocol-lines NUMBER and the commands "
+              "of the schedule.\n");
     EXPECT_EQ(ask(QByteArray(100000, 'x')), "error: The line is longer than 4352 bytes.\n");
     EXPECT_EQ(ask("stop" + QByteArray(kLongestLine - 3, ' ') + "\n"), "error: The line is longer than 4352 bytes.\n");
     EXPECT_THAT(asked, IsEmpty());

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/station/station.h"
 
+#include "core/messages/protocol_line.h"
+#include "core/night/night_desk.h"
 #include "core/sim_bus/simulated_link.h"
 #include "tests/core/station/linked_station.h"
+#include "tests/fakes/tcp_peer.h"
 #include "tests/fakes/text_of.h"
 
+#include <QCoreApplication>
 #include <QDeadlineTimer>
 #include <QFile>
 #include <QSignalSpy>
@@ -15,6 +19,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <string>
 
 namespace boresight {
 namespace {
@@ -148,6 +153,39 @@ TEST(Station, LogLinesComeOnceAndInOrder)
     rig.station->publish();
     ASSERT_FALSE(rig.updates.back().log.empty());
     EXPECT_EQ(rig.updates.back().log.front().number, last + 1);
+}
+
+// REQ-STATION-970: The screen receives each line of the protocol log once. The log is off until the operator begins it.
+// The schedule stays armed when the log begins or ends.
+TEST(Station, LinesOfClientsComeOnceWhileTheirLogIsOn)
+{
+    Rig rig;
+    rig.station->openAll();
+    rig.run(5);
+    const std::string address = rig.station->status().listening.toStdString();
+    fakes::TcpPeer peer("127.0.0.1", static_cast<std::uint16_t>(std::stoi(address.substr(address.rfind(':') + 1))),
+                        [] { QCoreApplication::processEvents(QEventLoop::AllEvents); });
+    const auto publish = [&rig] {
+        rig.station->updateTaken();
+        rig.station->publish();
+        return rig.updates.back();
+    };
+    ASSERT_NE(peer.ask("_\n"), "");
+    EXPECT_EQ(publish().protocol, nullptr) << "it is off after a start";
+    EXPECT_FALSE(publish().status.isProtocolLogged);
+    rig.station->request({.id = 1, .request = request::LogProtocol{}});
+    ASSERT_NE(peer.ask("_\n"), "");
+    const StationUpdate update = publish();
+    EXPECT_TRUE(update.status.isProtocolLogged);
+    ASSERT_NE(update.protocol, nullptr);
+    ASSERT_EQ(update.protocol->size(), 1U);
+    EXPECT_EQ(bytesText(update.protocol->front().line).toStdString(), "_");
+    EXPECT_EQ(update.protocol->front().clientId, update.status.clients.front().id);
+    EXPECT_EQ(publish().protocol, nullptr);
+    rig.station->request({.id = 2, .request = request::LogProtocol{.on = false}});
+    ASSERT_NE(peer.ask("_\n"), "");
+    EXPECT_EQ(publish().protocol, nullptr);
+    EXPECT_TRUE(leavesTheMount(request::LogProtocol{}));
 }
 
 TEST(Station, AnswersFindTheControlThatAsked)

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/boresightctl/local_client.h"
+#include "app/boresightctl/station_help.h"
+#include "app/boresightctl/station_options.h"
+#include "app/boresightctl/subcommand.h"
+#include "core/base/numbers.h"
+
+#include <QByteArray>
+#include <QThread>
+
+#include <cstdint>
+
+namespace boresight::ctl {
+namespace {
+
+constexpr unsigned long kBetweenQuestions = 200;  // ms
+
+// Prints the lines after `last`, and sets `last` to the number of the newest. The numbers themselves are not printed.
+Result<> printLinesAfter(std::int64_t& last, const QByteArray& answer)
+{
+    QByteArray text;
+    for (qsizetype begin = 0; begin < answer.size();) {
+        const qsizetype tab = answer.indexOf('\t', begin);
+        const qsizetype end = answer.indexOf('\n', begin);
+        const auto number = parseInteger(answer.mid(begin, tab - begin).toStdString());
+        if (end < 0 || tab < 0 || tab > end || !number) {
+            return failure(ErrorCode::Protocol, QStringLiteral("the answer of the station is unreadable"));
+        }
+        if (*number > last + 1) {
+            complain(kProtocolLogCommand,
+                     QStringLiteral("lines that are not kept any more: %1").arg(*number - last - 1));
+        }
+        last = *number;
+        text += answer.mid(tab + 1, end - tab);
+        begin = end + 1;
+    }
+    print(text.toStdString());
+    return {};
+}
+
+// With `follows` until the station ends.
+Result<> printLog(const profile::ListenAddress& station, bool follows)
+{
+    for (std::int64_t last = 0;;) {
+        const auto answer = askLocally(station, {.command = local::LocalCommand::ProtocolLines,
+                                                 .target = QByteArray::number(static_cast<qlonglong>(last))});
+        const Result<> printed =
+            answer.and_then([&last](const QByteArray& lines) { return printLinesAfter(last, lines); });
+        if (!printed || (answer->isEmpty() && !follows)) {
+            return printed;
+        }
+        if (answer->isEmpty()) {
+            QThread::msleep(kBetweenQuestions);
+        }
+    }
+}
+
+Result<> switchLog(const profile::ListenAddress& station, bool on)
+{
+    const auto command = on ? local::LocalCommand::ProtocolLogOn : local::LocalCommand::ProtocolLogOff;
+    return askLocally(station, {.command = command}).map([on](const QByteArray&) {
+        printLine(on ? QStringLiteral("The protocol log has begun. It ends with the station.")
+                     : QStringLiteral("The protocol log has ended. Its lines stay until the station ends."));
+    });
+}
+
+ExitStatus runProtocolLog(Arguments arguments)
+{
+    const auto options = parseStationOptions(arguments, 1);
+    if (!options) {
+        return usageError(kProtocolLogCommand, options.error().text);
+    }
+    const std::string& what = options->places.front();
+    const profile::ListenAddress station = options->station.value_or(profile::ListenAddress{});
+    if (what != "on" && what != "off" && what != "show" && what != "follow") {
+        return usageError(
+            kProtocolLogCommand,
+            QStringLiteral("\"%1\" is none of on, off, show and follow").arg(QString::fromStdString(what)));
+    }
+    const bool isSwitch = what == "on" || what == "off";
+    const Result<> done = isSwitch ? switchLog(station, what == "on") : printLog(station, what == "follow");
+    return done ? kDone : failedBy(kProtocolLogCommand, done.error());
+}
+
+}  // namespace
+
+const Subcommand kProtocolLogCommand{.name = "protocol-log",
+                                     .arguments = "on|off|show|follow [--station HOST:PORT]",
+                                     .summary = "Log the lines of all clients of a running station",
+                                     .details = kWhichLocalStation + kLocalSocket +
+                                                R"(
+  on      begin the log. It is off after each start and each reconnect of the station
+  off     end the log. Its lines stay
+  show    print the newest 2000 lines, oldest first
+  follow  print them, and then each new line, until the station ends or Ctrl+C
+
+The columns have tabs between: UTC, client, "odd" or "-", the line as received, what Boresight understood, the answer as
+sent. A byte that does not print is \n, \r, \t or \x1b. Long lines are cut. Boresight writes the log to no file: send the
+output to one.
+)" + kExitStatus + R"(
+Example:
+  boresightctl protocol-log on
+  boresightctl protocol-log follow > protocol.txt
+)",
+                                     .run = runProtocolLog};
+
+}  // namespace boresight::ctl
