@@ -154,9 +154,10 @@ void addRecord(std::vector<Setting>& list)
     list.push_back(integer(
         "record.keep_megabytes", "MB", {10.0, 1'000'000.0}, kNow,
         {QT_TRANSLATE_NOOP("Text", "Keep at most"),
-         QT_TRANSLATE_NOOP("Text",
-                           "The oldest recordings of this mount are deleted as soon as all recordings together are "
-                           "larger.")},
+         QT_TRANSLATE_NOOP(
+             "Text",
+             "When a recording begins, the oldest recordings of this mount are deleted while all together are "
+             "larger.")},
         [](auto& p) -> auto& { return p.record.keepMegabytes; }));
 }
 
