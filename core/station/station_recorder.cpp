@@ -61,6 +61,7 @@ void StationRecorder::tick()
     if (const auto sample = m_control.sample(); status && sample && m_recorder.isRecording()) {
         const auto since = std::chrono::round<UtcTime::duration>(m_clock.now() - sample->time);
         m_recorder.add(recordedTick(*status, *sample, m_sensor.status(), status->utc - since));
+        recordPlan(*status);
         recordEvents(*status);
     }
     if (m_recorder.isRecording() && (!status || m_clock.now() - m_followed >= kAfter)) {
@@ -79,10 +80,20 @@ void StationRecorder::beginOrDescribe(const StationStatus& status)
         m_recorder.begin(header, {.age = std::chrono::days(keep.keepDays), .bytes = keep.keepMegabytes * kMegabyte});
         m_target = header.target;
         m_point.clear();
+        m_plan.reset();
         m_lastEntry = m_log.lastNumber() - std::min(m_log.lastNumber(), kEntriesBefore);
     } else if (m_target != header.target && m_target.isEmpty()) {
         m_target = header.target;
         m_recorder.describe(header);
+    }
+}
+
+void StationRecorder::recordPlan(const StationStatus& status)
+{
+    const plan::SharedVariant plan = status.tracked ? status.tracked->plan : nullptr;
+    if (plan && plan != m_plan) {
+        m_plan = plan;
+        m_recorder.notePlan(*plan);
     }
 }
 

@@ -32,14 +32,11 @@ public:
 
     // Once per tick of the station, before the tick of the control: records the last tick of the control.
     void tick();
-    // The plan by which the present pass is driven. Without a recording it is ignored.
-    void notePlan(const plan::PlanVariant& plan) { m_recorder.notePlan(plan); }
-
-    [[nodiscard]] bool isRecording() const { return m_recorder.isRecording(); }
 
 private:
     [[nodiscard]] std::optional<StationStatus> followed() const;
     void beginOrDescribe(const StationStatus& status);
+    void recordPlan(const StationStatus& status);
     void recordEvents(const StationStatus& status);
     void showTrouble(const QString& reason);
 
@@ -52,6 +49,7 @@ private:
     recorder::PassRecorder m_recorder;
     SteadyTime m_followed{};        // when the mount followed a target for the last time
     QString m_target;               // of the recording
+    plan::SharedVariant m_plan;     // the newest in the recording
     QString m_point;                // the newest point of the client
     std::uint64_t m_lastEntry = 0;  // of the log, in the recording
 };
