@@ -66,7 +66,7 @@ std::string tickCell(const Recording& pass, const Tick& tick, const TickChannel&
                                      : formatFixed(*value, static_cast<int>(std::lround(std::log10(channel.perUnit))));
 }
 
-std::string degreesCell(Angle angle)
+std::string recordedDegrees(Angle angle)
 {
     return formatFixed(angle.degrees(), 4);
 }
@@ -201,9 +201,9 @@ RecordTable plannedTable(const Recording& pass)
                                   {"error_deg", true},
                                   {"hidden"}}};
     for (const plan::PlannedMoment& moment : pass.plan.value_or(plan::PlanVariant{}).moments) {
-        table.rows.push_back({skyTimeCell(moment.utc), degreesCell(moment.axes.azimuth),
-                              degreesCell(moment.axes.elevation), degreesCell(moment.target.azimuth),
-                              degreesCell(moment.target.elevation), degreesCell(moment.error),
+        table.rows.push_back({skyTimeCell(moment.utc), recordedDegrees(moment.axes.azimuth),
+                              recordedDegrees(moment.axes.elevation), recordedDegrees(moment.target.azimuth),
+                              recordedDegrees(moment.target.elevation), recordedDegrees(moment.error),
                               moment.isHidden ? "yes" : "no"});
     }
     return table;
@@ -221,8 +221,8 @@ RecordTable aboutTable(const Recording& pass)
             .rows = {{"program", header.program.toStdString()},
                      {"mount", header.mount.toStdString()},
                      {"simulated", header.isSimulated ? "yes" : "no"},
-                     {"latitude_deg", header.site ? degreesCell(header.site->latitude) : std::string()},
-                     {"longitude_deg", header.site ? degreesCell(header.site->longitude) : std::string()},
+                     {"latitude_deg", header.site ? recordedDegrees(header.site->latitude) : std::string()},
+                     {"longitude_deg", header.site ? recordedDegrees(header.site->longitude) : std::string()},
                      {"height_m", header.site ? formatFixed(header.site->heightMetres, 1) : std::string()},
                      {"beam_width_deg", formatFixed(header.beamWidth.degrees(), 2)},
                      {"target", header.target.toStdString()},

@@ -22,7 +22,7 @@ namespace {
 using testing::IsEmpty;
 using testing::SizeIs;
 
-constexpr Seconds kTick{0.02};
+constexpr Seconds kRecordedTick{0.02};
 
 class StationRecorderTest : public testing::Test
 {
@@ -85,7 +85,7 @@ TEST_F(StationRecorderTest, APassIsRecordedFromItsBeginningToItsEnd)
     EXPECT_EQ(pass.header.client, QString());
     EXPECT_FALSE(pass.header.target.isEmpty());
     // 30 s of tracking and 10 s more.
-    EXPECT_NEAR(static_cast<double>(pass.ticks.size()) * kTick.count(), 40.0, 0.5);
+    EXPECT_NEAR(static_cast<double>(pass.ticks.size()) * kRecordedTick.count(), 40.0, 0.5);
     EXPECT_EQ(pass.header.stateWord(pass.ticks.back().state), QStringLiteral("HOLD"));
     EXPECT_TRUE(std::ranges::any_of(pass.ticks, [&](const recording::Tick& tick) {
         return pass.header.stateWord(tick.state) == QStringLiteral("TRACK") && tick.error && *tick.error < 0.1_deg &&
