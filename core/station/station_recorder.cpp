@@ -14,6 +14,15 @@ namespace {
 constexpr std::uint64_t kEntriesBefore = 5;
 constexpr qint64 kMegabyte = 1'000'000;
 
+// The mount is on a moving target, or on its way to one. The way to a fixed place is no pass. It may look like the way
+// to a target for a moment, so it begins no recording.
+bool followsTarget(const StationStatus& status, bool isRecording)
+{
+    const bool isMoving = status.tracked && status.tracked->skyRate;
+    const bool isOnTheWay = status.state == StationState::Slew && status.aimed && !status.slew;
+    return status.state == StationState::Track || ((isMoving || isRecording) && isOnTheWay);
+}
+
 }  // namespace
 
 QString recordingsPath(const QString& stateDir, const QString& mountName, bool simulated)
@@ -52,8 +61,7 @@ std::optional<StationStatus> StationRecorder::followed() const
 void StationRecorder::tick()
 {
     const auto status = followed();
-    const bool follows = status && (status->state == StationState::Track ||
-                                    (status->state == StationState::Slew && status->aimed && !status->slew));
+    const bool follows = status && followsTarget(*status, m_recorder.isRecording());
     if (follows) {
         m_followed = m_clock.now();
         beginOrDescribe(*status);
