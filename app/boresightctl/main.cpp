@@ -18,14 +18,15 @@ namespace {
 using namespace boresight;
 using namespace boresight::ctl;
 
-constexpr std::array kSubcommands{&kSimulateCommand,     &kScanCommand,       &kDecodeCommand,
-                                  &kCheckCommand,        &kProfileCommand,    &kConfirmDirectionsCommand,
-                                  &kEphemerisCommand,    &kPassesCommand,     &kPlanCommand,
-                                  &kGotoCommand,         &kStopCommand,       &kResetStopCommand,
-                                  &kOverrideWindCommand, &kUseNewTimeCommand, &kParkCommand,
-                                  &kTrackCommand,        &kTakeCommand,       &kReleaseCommand,
-                                  &kSatellitesCommand,   &kAntennaCommand,    &kScheduleCommand,
-                                  &kStatusCommand,       &kConsoleCommand,    &kProtocolLogCommand};
+constexpr std::array kSubcommands{&kSimulateCommand,   &kScanCommand,       &kDecodeCommand,
+                                  &kCheckCommand,      &kProfileCommand,    &kConfirmDirectionsCommand,
+                                  &kEphemerisCommand,  &kPassesCommand,     &kPlanCommand,
+                                  &kExportCommand,     &kReplayCommand,     &kGotoCommand,
+                                  &kStopCommand,       &kResetStopCommand,  &kOverrideWindCommand,
+                                  &kUseNewTimeCommand, &kParkCommand,       &kTrackCommand,
+                                  &kTakeCommand,       &kReleaseCommand,    &kSatellitesCommand,
+                                  &kAntennaCommand,    &kScheduleCommand,   &kStatusCommand,
+                                  &kConsoleCommand,    &kProtocolLogCommand};
 constexpr std::size_t kNameWidth = 20;
 
 const Subcommand* findSubcommand(const std::string& name)

@@ -38,6 +38,8 @@ extern const Subcommand kConfirmDirectionsCommand;
 extern const Subcommand kEphemerisCommand;
 extern const Subcommand kPassesCommand;
 extern const Subcommand kPlanCommand;
+extern const Subcommand kExportCommand;
+extern const Subcommand kReplayCommand;
 extern const Subcommand kGotoCommand;
 extern const Subcommand kStopCommand;
 extern const Subcommand kResetStopCommand;

@@ -76,6 +76,8 @@ Station::Station(const profile::Profile& profile, const MountMaker& mount, const
               m_passes.search(std::move(searches), std::move(found));
           },
           [this](const schedule::PassMoment& moment) { m_hooks.tell(moment); }),
+      m_recorder(recordingsPath(stateDir, toQString(profile.mount.name), m_mount->simulated()), m_profile,
+                 m_mount->simulated(), m_control, m_inputs.sensor(), m_kept, m_log, this),
       m_profileDesk(m_profile, m_mount->simulated(), m_log,
                     [this](const profile::Profile& before, const profile::Profile& wanted) {
                         profileChanged(before);
@@ -215,6 +217,7 @@ void Station::keepSample()
 void Station::tick()
 {
     keepSample();
+    m_recorder.tick();
     if (m_clockGuard.tick()) {
         m_calibration.clockWasSet();
     }

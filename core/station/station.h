@@ -27,6 +27,7 @@
 #include "core/station/station_brake.h"
 #include "core/station/station_hooks.h"
 #include "core/station/station_passes.h"
+#include "core/station/station_recorder.h"
 #include "core/station/station_rehearsal.h"
 #include "core/station/station_transmit.h"
 #include "core/station/tick_lateness.h"
@@ -151,6 +152,7 @@ private:
     StationBrake m_brake;
     ReportFile m_reportFile;
     NightDesk m_night;
+    StationRecorder m_recorder;
     StationRehearsal m_rehearsal{this};
     ProfileDesk m_profileDesk;
     EventFile m_eventFile;

@@ -1151,6 +1151,10 @@ até %1</translation>
         <source>Clients</source>
         <translation>Clientes</translation>
     </message>
+    <message>
+        <source>Recordings of passes</source>
+        <translation>Gravações de passagens</translation>
+    </message>
 </context>
 <context>
     <name>SkyBodies</name>
@@ -12182,6 +12186,162 @@ até %1</translation>
     <message>
         <source>the protocol log ends</source>
         <translation>o registo do protocolo termina</translation>
+    </message>
+    <message>
+        <source>The cable has no room for the whole pass of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%2 The beam is off the target for %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On the page Passes, the view Plan shows the other ways</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The recording of the pass is not stored: %1</source>
+        <translation>A gravação da passagem não é guardada: %1</translation>
+    </message>
+    <message>
+        <source>Boresight tracks as before. It keeps the newest values in memory and tries to store them again</source>
+        <translation>O Boresight segue como antes. Mantém os valores mais recentes na memória e tenta guardá-los de novo</translation>
+    </message>
+    <message>
+        <source>Check the disk and its free space, or reduce record.keep_megabytes on the page Profile. After 10 minutes the recording has a gap</source>
+        <translation>Verifique o disco e o seu espaço livre, ou reduza record.keep_megabytes na página Perfil. Após 10 minutos a gravação tem uma lacuna</translation>
+    </message>
+    <message>
+        <source>recording</source>
+        <translation>gravação</translation>
+    </message>
+    <message>
+        <source>It is off by more than half of the beam width for %1</source>
+        <translation>O desvio passa de metade da largura do feixe durante %1</translation>
+    </message>
+    <message>
+        <source>Direct</source>
+        <translation>Direto</translation>
+    </message>
+    <message>
+        <source>Over the top</source>
+        <translation>Pelo outro lado do zénite</translation>
+    </message>
+    <message>
+        <source>Through the zenith</source>
+        <translation>Através do zénite</translation>
+    </message>
+    <message>
+        <source>Other way round</source>
+        <translation>Pelo sentido contrário</translation>
+    </message>
+    <message>
+        <source>Waits at the cable end</source>
+        <translation>Espera no fim do cabo</translation>
+    </message>
+    <message>
+        <source>Unwraps in the pass</source>
+        <translation>Desenrola na passagem</translation>
+    </message>
+    <message>
+        <source>%1 (−%2 dB)</source>
+        <translation>%1 (−%2 dB)</translation>
+    </message>
+    <message>
+        <source>%1 (beyond the beam)</source>
+        <translation>%1 (fora do feixe)</translation>
+    </message>
+    <message>
+        <source>The mount unwraps from %1 to %2.</source>
+        <translation>A montagem desenrola de %1 a %2.</translation>
+    </message>
+    <message>
+        <source>The mount waits at the end of the cable while the target is beyond it.</source>
+        <translation>A montagem espera no fim do cabo enquanto o alvo está além dele.</translation>
+    </message>
+    <message>
+        <source>plans the pass of %1 near the zenith, where the azimuth is too slow: off by up to %2. %3</source>
+        <translation>planeia a passagem de %1 perto do zénite, onde o azimute é demasiado lento: desvio até %2. %3</translation>
+    </message>
+    <message>
+        <source>plans the pass of %1 over the top: off by up to %2</source>
+        <translation>planeia a passagem de %1 pelo outro lado do zénite: desvio até %2</translation>
+    </message>
+    <message>
+        <source>plans the pass of %1 through the zenith, and changes over the top there: off by up to %2</source>
+        <translation>planeia a passagem de %1 através do zénite, onde muda para o outro lado: desvio até %2</translation>
+    </message>
+    <message>
+        <source>plans the pass of %1 with the azimuth going the other way round near the zenith: off by up to %2</source>
+        <translation>planeia a passagem de %1 com o azimute a rodar no sentido contrário perto do zénite: desvio até %2</translation>
+    </message>
+    <message>
+        <source>plans the pass of %1, for which the cable has no room. %2 %3</source>
+        <translation>planeia a passagem de %1, para a qual o cabo não chega. %2 %3</translation>
+    </message>
+    <message>
+        <source>Record passes</source>
+        <translation>Gravar passagens</translation>
+    </message>
+    <message>
+        <source>With &quot;on&quot; Boresight records each pass in a file: all values of both axes in each control tick, the events and the plan. An hour takes at most 8 MB.</source>
+        <translation>Com &quot;on&quot; o Boresight grava cada passagem num ficheiro: todos os valores dos dois eixos em cada ciclo de controlo, os eventos e o plano. Uma hora ocupa no máximo 8 MB.</translation>
+    </message>
+    <message>
+        <source>Keep for</source>
+        <translation>Conservar durante</translation>
+    </message>
+    <message>
+        <source>Older recordings are deleted when the next recording begins.</source>
+        <translation>As gravações mais antigas são apagadas quando começa a gravação seguinte.</translation>
+    </message>
+    <message>
+        <source>Keep at most</source>
+        <translation>Conservar no máximo</translation>
+    </message>
+    <message>
+        <source>When a recording begins, the oldest recordings of this mount are deleted while all together are larger.</source>
+        <translation>Quando começa uma gravação, as gravações mais antigas desta montagem são apagadas enquanto todas juntas ocuparem mais.</translation>
+    </message>
+    <message>
+        <source>the disk does not answer</source>
+        <translation>o disco não responde</translation>
+    </message>
+    <message>
+        <source>cannot make the folder %1</source>
+        <translation>não é possível criar a pasta %1</translation>
+    </message>
+    <message>
+        <source>this is not a recording of a pass. The mark at its first 8 bytes is missing</source>
+        <translation>isto não é uma gravação de uma passagem. Falta a marca nos primeiros 8 bytes</translation>
+    </message>
+    <message>
+        <source>byte 8: the recording has version %1, but this program reads version %2. Read it with the program that wrote it</source>
+        <translation>byte 8: a gravação tem a versão %1, mas este programa lê a versão %2. Leia-a com o programa que a escreveu</translation>
+    </message>
+    <message>
+        <source>byte %1: the header of the recording is damaged or cut. Its ticks cannot be read without the header</source>
+        <translation>byte %1: o cabeçalho da gravação está danificado ou cortado. Sem o cabeçalho não se podem ler os instantes</translation>
+    </message>
+    <message>
+        <source>byte %1: the recording has no end. Its last seconds may be missing</source>
+        <translation>byte %1: a gravação não tem fim. Podem faltar os últimos segundos</translation>
+    </message>
+    <message>
+        <source>bytes %1 to %2 are damaged or cut. They are left out</source>
+        <translation>os bytes %1 a %2 estão danificados ou cortados. Foram omitidos</translation>
+    </message>
+    <message>
+        <source>byte %1: the content of block &quot;%2&quot; is not readable. It is left out</source>
+        <translation>byte %1: o conteúdo do bloco &quot;%2&quot; não é legível. Foi omitido</translation>
+    </message>
+    <message>
+        <source>cannot read: %1</source>
+        <translation>não se pode ler: %1</translation>
+    </message>
+    <message>
+        <source>cannot take the way that was chosen any more: %1. It takes the best</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

@@ -19,7 +19,7 @@ TEST(Boresightctl, ExplainsItselfAndEverySubcommandWithAnExample)
     const Outcome all = ctl({QStringLiteral("help")});
     EXPECT_EQ(all.status, 0);
     for (const char* name : {"simulate", "scan", "decode", "check", "profile", "confirm-directions", "ephemeris",
-                             "passes", "goto", "stop", "park", "status", "schedule"}) {
+                             "passes", "export", "replay", "goto", "stop", "park", "status", "schedule"}) {
         EXPECT_THAT(all.output, HasSubstr(name));
         const Outcome help = ctl({QStringLiteral("help"), QString::fromUtf8(name)});
         EXPECT_EQ(help.status, 0);
@@ -35,9 +35,9 @@ TEST(Boresightctl, RefusesWhatMakesNoSense)
     const Outcome unknown = ctl(words("dance"));
     EXPECT_EQ(unknown.status, 2);
     EXPECT_THAT(unknown.errors, HasSubstr("there is no subcommand \"dance\""));
-    for (const char* line :
-         {"scan", "scan canbus:7", "check", "profile", "profile --other", "decode", "simulate", "confirm-directions",
-          "simulate --pty /tmp/x --wind az:x", "ephemeris", "passes", "schedule", "schedule dance"}) {
+    for (const char* line : {"scan", "scan canbus:7", "check", "profile", "profile --other", "decode", "simulate",
+                             "confirm-directions", "simulate --pty /tmp/x --wind az:x", "ephemeris", "passes", "export",
+                             "replay", "schedule", "schedule dance"}) {
         const Outcome refused = ctl(words(line));
         EXPECT_EQ(refused.status, 2) << line;
         EXPECT_THAT(refused.errors, HasSubstr("usage: boresightctl ")) << line;

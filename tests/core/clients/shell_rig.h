@@ -78,7 +78,7 @@ struct ShellRig : StationRig
                  StationStatus status = control.status();
                  status.clock = watched;
                  status.tracked = tracked ? tracked : status.tracked;
-                  status.errorBudget = errorBudget;
+                 status.errorBudget = errorBudget;
                  status.alarms = alarms;
                  status.console = console;
                  status.thirdAxis = third;
