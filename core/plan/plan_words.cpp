@@ -45,6 +45,19 @@ QString errorText(const Forecast& forecast)
                : Text::tr("%1 (beyond the beam)").arg(error);
 }
 
+bool isPlain(const PlanVariant& variant)
+{
+    constexpr double kNoticed = 0.1;  // dB
+    return variant.way == PlanWay::Direct && variant.forecast.peakLoss && *variant.forecast.peakLoss < kNoticed;
+}
+
+QString summaryText(const PlanVariant& variant)
+{
+    return variant.isWhole()
+               ? Text::tr("%1, off by up to %2").arg(titleOf(variant.way), errorText(variant.forecast))
+               : Text::tr("%1, off target for %2").arg(titleOf(variant.way), durationText(variant.forecast.beyond));
+}
+
 QString splitText(const PlanVariant& variant)
 {
     if (variant.way == PlanWay::Unwraps && variant.unwrap) {
@@ -61,8 +74,9 @@ QString planText(const PlanVariant& variant, const QString& target)
     const QString error = errorText(variant.forecast);
     switch (variant.way) {
         case PlanWay::Direct:
-            return variant.ramp ? Text::tr("plans the pass of %1 near the zenith, where the azimuth is too slow: off by "
-                                           "up to %2. %3")
+            return variant.ramp ? Text::tr(
+                                      "plans the pass of %1 near the zenith, where the azimuth is too slow: off by "
+                                      "up to %2. %3")
                                       .arg(target, error, lostText(variant.forecast))
                                 : QString();
         case PlanWay::OverTheTop:
@@ -71,8 +85,9 @@ QString planText(const PlanVariant& variant, const QString& target)
             return Text::tr("plans the pass of %1 through the zenith, and changes over the top there: off by up to %2")
                 .arg(target, error);
         case PlanWay::OtherWayRound:
-            return Text::tr("plans the pass of %1 with the azimuth going the other way round near the zenith: off by up "
-                            "to %2")
+            return Text::tr(
+                       "plans the pass of %1 with the azimuth going the other way round near the zenith: off by up "
+                       "to %2")
                 .arg(target, error);
         case PlanWay::WaitsAtTheEnd:
         case PlanWay::Unwraps:
