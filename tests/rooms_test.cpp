@@ -90,10 +90,10 @@ Rooms joined(Rooms one, const Rooms& other)
 
 const Rooms kSeenByTheWindow{"core/base",     "core/units",    "core/pointing",  "core/profile", "core/alarms",
                              "core/messages", "core/elements", "core/orbit",     "core/passes",  "core/gpredict",
-                             "core/schedule", "core/targets",  "core/recording", "core/budget"};
+                             "core/schedule", "core/targets",  "core/recording", "core/budget",  "core/plan"};
 const Rooms kAboveTheDriver{"core/control", "core/guards", "core/sources", "core/motion",     "core/mount",
                             "core/north",   "core/tuning", "core/night",   "core/cross_check"};
-const Rooms kBelowPanels{"ui/kit", "ui/look", "ui/link", "ui/hold", "ui/sky"};
+const Rooms kBelowPanels{"ui/kit", "ui/look", "ui/link", "ui/hold", "ui/sky", "ui/plan"};
 
 TEST(Rooms, NoTwoKnowEachOther)
 {
@@ -135,6 +135,7 @@ TEST(Rooms, NoPanelKnowsAnother)
     EXPECT_THAT(wrong({"ui/kit"}, kSeenByTheWindow), IsEmpty());
     EXPECT_THAT(wrong({"ui/look", "ui/link"}, joined(kSeenByTheWindow, {"ui/kit"})), IsEmpty());
     EXPECT_THAT(wrong({"ui/hold", "ui/sky"}, joined(kSeenByTheWindow, {"ui/kit", "ui/look", "ui/link"})), IsEmpty());
+    EXPECT_THAT(wrong({"ui/plan"}, joined(kSeenByTheWindow, {"ui/kit", "ui/look", "ui/sky"})), IsEmpty());
     Rooms panels = roomsOf("ui");
     for (const std::string& room : joined(kBelowPanels, {"ui/guide", "ui/window"})) {
         panels.erase(room);
@@ -171,9 +172,9 @@ TEST(Rooms, OnlyTheirDriverKnowsTheCheckAndTheJournal)
 TEST(Rooms, MessagesAreMadeOfValues)
 {
     EXPECT_THAT(wrong({"core/messages"},
-                      {"core/base", "core/brake", "core/budget", "core/end_switches", "core/units", "core/pointing",
-                       "core/profile", "core/elements", "core/calibration", "core/ephemeris", "core/orientation",
-                       "core/response", "core/schedule", "core/targets"}),
+                      {"core/base", "core/brake", "core/budget", "core/plan", "core/end_switches", "core/units",
+                       "core/pointing", "core/profile", "core/elements", "core/calibration", "core/ephemeris",
+                       "core/orientation", "core/response", "core/schedule", "core/targets"}),
                 IsEmpty());
 }
 

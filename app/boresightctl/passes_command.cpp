@@ -217,8 +217,8 @@ LOS the satellite passes the lowest elevation, without refraction. At TCA it is 
 through east.
 Flags: A already up at the beginning, L still up at the end, M several maxima, - none of these.
 With a profile also: H horizon, keep-outs or limits hide a part of the pass. U the azimuth cable ends during the pass, so
-Boresight unwraps it and loses a part of the pass. F a way over the top would lose no part of the pass. Only a client that sends
-elevations above 90° uses this way.
+Boresight unwraps it and loses a part of the pass. F Boresight goes over the top instead, with elevations above 90°, and loses
+no part of the pass.
 Each bad element set is reported as FILE:LINE: reason, and the others are used. A satellite that decays within the time is
 reported, too, and elements more than 30 days from the time.
 Exit status: 0 done, also without any pass, 1 no usable element set, or a site that cannot be read.

@@ -50,6 +50,19 @@ QString errorText(const Forecast& forecast)
                : Text::tr("%1 (beyond the beam)").arg(error);
 }
 
+bool isPlain(const PlanVariant& variant)
+{
+    constexpr double kNoticed = 0.1;  // dB
+    return variant.way == PlanWay::Direct && variant.forecast.peakLoss && *variant.forecast.peakLoss < kNoticed;
+}
+
+QString summaryText(const PlanVariant& variant)
+{
+    return variant.isWhole()
+               ? Text::tr("%1, off by up to %2").arg(titleOf(variant.way), errorText(variant.forecast))
+               : Text::tr("%1, off target for %2").arg(titleOf(variant.way), durationText(variant.forecast.beyond));
+}
+
 QString splitText(const PlanVariant& variant)
 {
     if (variant.way == PlanWay::Unwraps && variant.unwrap) {

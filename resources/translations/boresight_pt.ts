@@ -815,14 +815,6 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
         <translation>%1 d</translation>
     </message>
     <message>
-        <source>%1 or flip</source>
-        <translation>%1 ou inverter</translation>
-    </message>
-    <message>
-        <source>unwraps the cable, which loses %1. Over the top nothing is lost</source>
-        <translation>desenrola o cabo, o que perde %1. Pelo outro lado do zénite nada se perde</translation>
-    </message>
-    <message>
         <source>unwraps the cable, which loses %1</source>
         <translation>desenrola o cabo, o que perde %1</translation>
     </message>
@@ -841,10 +833,6 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
     <message>
         <source>Boresight unwraps it by 360° there and loses %1 of the pass.</source>
         <translation>O Boresight desenrola-o aí 360° e perde %1 da passagem.</translation>
-    </message>
-    <message>
-        <source>A way over the top loses nothing. Boresight takes it only for a client that sends elevations above 90°.</source>
-        <translation>Um caminho pelo outro lado do zénite não perde nada. O Boresight só o toma para um cliente que envie elevações acima de 90°.</translation>
     </message>
     <message>
         <source>seen %1 UTC</source>
@@ -869,6 +857,18 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
     <message>
         <source>The azimuth turns less than 360°, so the mount does not track all of the pass.</source>
         <translation>O azimute roda menos de 360°, por isso a montagem não segue a passagem toda.</translation>
+    </message>
+    <message>
+        <source>over the top</source>
+        <translation>pelo outro lado</translation>
+    </message>
+    <message>
+        <source>goes over the top, because the cable ends. Nothing is lost</source>
+        <translation>passa pelo outro lado do zénite, porque o cabo acaba. Nada se perde</translation>
+    </message>
+    <message>
+        <source>Boresight tracks the pass over the top, with elevations above 90°, and loses nothing.</source>
+        <translation>O Boresight segue a passagem pelo outro lado do zénite, com elevações acima de 90°, e não perde nada.</translation>
     </message>
 </context>
 <context>
@@ -1214,6 +1214,10 @@ até %1</translation>
     <message>
         <source>sensor</source>
         <translation>sensor</translation>
+    </message>
+    <message>
+        <source>planned beam</source>
+        <translation>feixe planeado</translation>
     </message>
 </context>
 <context>
@@ -11821,67 +11825,59 @@ até %1</translation>
     </message>
     <message>
         <source>It is off by more than half of the beam width for %1</source>
-        <translation type="unfinished"></translation>
+        <translation>O desvio passa de metade da largura do feixe durante %1</translation>
     </message>
     <message>
         <source>Direct</source>
-        <translation type="unfinished"></translation>
+        <translation>Direto</translation>
     </message>
     <message>
         <source>Over the top</source>
-        <translation type="unfinished"></translation>
+        <translation>Pelo outro lado do zénite</translation>
     </message>
     <message>
         <source>Through the zenith</source>
-        <translation type="unfinished"></translation>
+        <translation>Através do zénite</translation>
     </message>
     <message>
         <source>Other way round</source>
-        <translation type="unfinished"></translation>
+        <translation>Pelo sentido contrário</translation>
     </message>
     <message>
         <source>Waits at the cable end</source>
-        <translation type="unfinished"></translation>
+        <translation>Espera no fim do cabo</translation>
     </message>
     <message>
         <source>Unwraps in the pass</source>
-        <translation type="unfinished"></translation>
+        <translation>Desenrola na passagem</translation>
     </message>
     <message>
         <source>%1 (−%2 dB)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (−%2 dB)</translation>
     </message>
     <message>
         <source>%1 (beyond the beam)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (fora do feixe)</translation>
     </message>
     <message>
         <source>The mount unwraps from %1 to %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>A montagem desenrola de %1 a %2.</translation>
     </message>
     <message>
         <source>The mount waits at the end of the cable while the target is beyond it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>plans the pass of %1 near the zenith, where the azimuth is too slow: off by up to %2. %3</source>
-        <translation type="unfinished"></translation>
+        <translation>A montagem espera no fim do cabo enquanto o alvo está além dele.</translation>
     </message>
     <message>
         <source>plans the pass of %1 over the top: off by up to %2</source>
-        <translation type="unfinished"></translation>
+        <translation>planeia a passagem de %1 pelo outro lado do zénite: desvio até %2</translation>
     </message>
     <message>
         <source>plans the pass of %1 through the zenith, and changes over the top there: off by up to %2</source>
-        <translation type="unfinished"></translation>
+        <translation>planeia a passagem de %1 através do zénite, onde muda para o outro lado: desvio até %2</translation>
     </message>
     <message>
         <source>plans the pass of %1 with the azimuth going the other way round near the zenith: off by up to %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>plans the pass of %1, for which the cable has no room. %2 %3</source>
-        <translation type="unfinished"></translation>
+        <translation>planeia a passagem de %1 com o azimute a rodar no sentido contrário perto do zénite: desvio até %2</translation>
     </message>
     <message>
         <source>What Boresight does when it recognises the target that a client tracks, such as a satellite of Gpredict. &quot;always&quot;: it tracks the target from its own orbit as soon as the points of the client move along the target. &quot;ask&quot;: the window offers this. &quot;never&quot;: only the points of the client move the mount. While rotctld.outside_limits is &quot;refuse&quot;, &quot;always&quot; and &quot;ask&quot; do the same as &quot;never&quot;.</source>
@@ -12188,18 +12184,6 @@ até %1</translation>
         <translation>o registo do protocolo termina</translation>
     </message>
     <message>
-        <source>The cable has no room for the whole pass of %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%2 The beam is off the target for %3</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>On the page Passes, the view Plan shows the other ways</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The recording of the pass is not stored: %1</source>
         <translation>A gravação da passagem não é guardada: %1</translation>
     </message>
@@ -12214,70 +12198,6 @@ até %1</translation>
     <message>
         <source>recording</source>
         <translation>gravação</translation>
-    </message>
-    <message>
-        <source>It is off by more than half of the beam width for %1</source>
-        <translation>O desvio passa de metade da largura do feixe durante %1</translation>
-    </message>
-    <message>
-        <source>Direct</source>
-        <translation>Direto</translation>
-    </message>
-    <message>
-        <source>Over the top</source>
-        <translation>Pelo outro lado do zénite</translation>
-    </message>
-    <message>
-        <source>Through the zenith</source>
-        <translation>Através do zénite</translation>
-    </message>
-    <message>
-        <source>Other way round</source>
-        <translation>Pelo sentido contrário</translation>
-    </message>
-    <message>
-        <source>Waits at the cable end</source>
-        <translation>Espera no fim do cabo</translation>
-    </message>
-    <message>
-        <source>Unwraps in the pass</source>
-        <translation>Desenrola na passagem</translation>
-    </message>
-    <message>
-        <source>%1 (−%2 dB)</source>
-        <translation>%1 (−%2 dB)</translation>
-    </message>
-    <message>
-        <source>%1 (beyond the beam)</source>
-        <translation>%1 (fora do feixe)</translation>
-    </message>
-    <message>
-        <source>The mount unwraps from %1 to %2.</source>
-        <translation>A montagem desenrola de %1 a %2.</translation>
-    </message>
-    <message>
-        <source>The mount waits at the end of the cable while the target is beyond it.</source>
-        <translation>A montagem espera no fim do cabo enquanto o alvo está além dele.</translation>
-    </message>
-    <message>
-        <source>plans the pass of %1 near the zenith, where the azimuth is too slow: off by up to %2. %3</source>
-        <translation>planeia a passagem de %1 perto do zénite, onde o azimute é demasiado lento: desvio até %2. %3</translation>
-    </message>
-    <message>
-        <source>plans the pass of %1 over the top: off by up to %2</source>
-        <translation>planeia a passagem de %1 pelo outro lado do zénite: desvio até %2</translation>
-    </message>
-    <message>
-        <source>plans the pass of %1 through the zenith, and changes over the top there: off by up to %2</source>
-        <translation>planeia a passagem de %1 através do zénite, onde muda para o outro lado: desvio até %2</translation>
-    </message>
-    <message>
-        <source>plans the pass of %1 with the azimuth going the other way round near the zenith: off by up to %2</source>
-        <translation>planeia a passagem de %1 com o azimute a rodar no sentido contrário perto do zénite: desvio até %2</translation>
-    </message>
-    <message>
-        <source>plans the pass of %1, for which the cable has no room. %2 %3</source>
-        <translation>planeia a passagem de %1, para a qual o cabo não chega. %2 %3</translation>
     </message>
     <message>
         <source>Record passes</source>
@@ -12340,7 +12260,23 @@ até %1</translation>
         <translation>não se pode ler: %1</translation>
     </message>
     <message>
-        <source>cannot take the way that was chosen any more: %1. It takes the best</source>
+        <source>%1, off by up to %2</source>
+        <translation>%1, desvio até %2</translation>
+    </message>
+    <message>
+        <source>%1, off target for %2</source>
+        <translation>%1, fora do alvo durante %2</translation>
+    </message>
+    <message>
+        <source>plans the pass of %1 near the zenith, where the azimuth is too slow: off by up to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>plans the pass of %1, for which the cable has no room. %2 The beam is off it for %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unwrap the cable for %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -12492,6 +12428,37 @@ até %1</translation>
     <message>
         <source>Remaining</source>
         <translation>Erro final</translation>
+    </message>
+</context>
+<context>
+    <name>VariantWords</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1, %2 off by more than %3.</source>
+        <translation>%1, %2 com mais de %3 de desvio.</translation>
+    </message>
+    <message>
+        <source>The limits hide the satellite for %1.</source>
+        <translation>Os limites escondem o satélite durante %1.</translation>
+    </message>
+    <message>
+        <source>The mount follows the whole pass directly, off by up to %1.</source>
+        <translation>A montagem segue toda a passagem diretamente, com desvio até %1.</translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <translation>%1.</translation>
+    </message>
+    <message>
+        <source>The azimuth goes from %1 to %2. The cable ends at %3 and %4.</source>
+        <translation>O azimute vai de %1 a %2. O cabo acaba em %3 e %4.</translation>
+    </message>
+    <message>
+        <source>The azimuth leaves the satellite from %1 to %2.</source>
+        <translation>O azimute deixa o satélite de %1 a %2.</translation>
     </message>
 </context>
 <context>
@@ -17203,6 +17170,13 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
     </message>
 </context>
 <context>
+    <name>boresight::ui::PassPlanner</name>
+    <message>
+        <source>The mount reaches no part of this pass.</source>
+        <translation>A montagem não alcança nenhuma parte desta passagem.</translation>
+    </message>
+</context>
+<context>
     <name>boresight::ui::PassTable</name>
     <message>
         <source>Satellite</source>
@@ -17370,6 +17344,14 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
         <source>The path of the selected satellite over the Earth</source>
         <translation>O caminho do satélite selecionado sobre a Terra</translation>
     </message>
+    <message>
+        <source>Plan</source>
+        <translation>Plano</translation>
+    </message>
+    <message>
+        <source>How the mount will track the selected pass</source>
+        <translation>Como a montagem seguirá a passagem selecionada</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::PassesPanel</name>
@@ -17522,6 +17504,48 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
     <message>
         <source>Go to X 0° and Y 0°: the beam points to the zenith</source>
         <translation>Ir para X 0° e Y 0°: o feixe aponta para o zénite</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::PlanChart</name>
+    <message>
+        <source>The planned motion over time</source>
+        <translation>O movimento planeado ao longo do tempo</translation>
+    </message>
+    <message>
+        <source>azimuth</source>
+        <translation>azimute</translation>
+    </message>
+    <message>
+        <source>error up to %1</source>
+        <translation>desvio até %1</translation>
+    </message>
+    <message>
+        <source>ramp</source>
+        <translation>rampa</translation>
+    </message>
+    <message>
+        <source>unwrap</source>
+        <translation>desenrolar</translation>
+    </message>
+    <message>
+        <source>hidden</source>
+        <translation>escondido</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::PlanView</name>
+    <message>
+        <source>Ways to track the pass</source>
+        <translation>Maneiras de seguir a passagem</translation>
+    </message>
+    <message>
+        <source>Planning…</source>
+        <translation>A planear…</translation>
+    </message>
+    <message>
+        <source>Select a pass first.</source>
+        <translation>Selecione primeiro uma passagem.</translation>
     </message>
 </context>
 <context>
@@ -19154,6 +19178,26 @@ A menos de 3 dB: %4 s
         <source>Go to the place where the satellite rises. Track the satellite until it sets. Then the mount holds</source>
         <translation>Ir para onde o satélite nasce. Seguir o satélite até se pôr. Depois a montagem mantém a posição</translation>
     </message>
+    <message>
+        <source>Plan in use: %1</source>
+        <translation>Plano em uso: %1</translation>
+    </message>
+    <message>
+        <source>Track this way</source>
+        <translation>Seguir assim</translation>
+    </message>
+    <message>
+        <source>Track the satellite by the plan that is selected above, and not by the best one</source>
+        <translation>Seguir o satélite pelo plano selecionado acima, e não pelo melhor</translation>
+    </message>
+    <message>
+        <source>There is no plan to choose.</source>
+        <translation>Não há plano para escolher.</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1. %2</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::SensorDetails</name>
@@ -20754,6 +20798,85 @@ Para onde outro rotor aponta, segundo o seu rotctld: rotctld:10.0.0.7:4533</tran
 (hold)</source>
         <translation>Desenrolar ↻
 (segurar)</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::VariantTable</name>
+    <message>
+        <source>Plan</source>
+        <translation>Plano</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Erro</translation>
+    </message>
+    <message>
+        <source>Loss</source>
+        <translation>Perda</translation>
+    </message>
+    <message>
+        <source>Beyond</source>
+        <translation>Fora</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Início</translation>
+    </message>
+    <message>
+        <source>Cable</source>
+        <translation>Cabo</translation>
+    </message>
+    <message>
+        <source>Hidden</source>
+        <translation>Escondido</translation>
+    </message>
+    <message>
+        <source>Apart</source>
+        <translation>À parte</translation>
+    </message>
+    <message>
+        <source>%1 (in use)</source>
+        <translation>%1 (em uso)</translation>
+    </message>
+    <message>
+        <source>%1 (best)</source>
+        <translation>%1 (melhor)</translation>
+    </message>
+    <message>
+        <source>How the mount tracks the whole pass</source>
+        <translation>Como a montagem segue toda a passagem</translation>
+    </message>
+    <message>
+        <source>The largest pointing error to expect</source>
+        <translation>O maior desvio de apontamento a esperar</translation>
+    </message>
+    <message>
+        <source>The loss of the signal at the largest error, for the width of the beam</source>
+        <translation>A perda do sinal no maior desvio, para a largura do feixe</translation>
+    </message>
+    <message>
+        <source>The time with an error of more than %1, half of the beam width</source>
+        <translation>O tempo com um desvio de mais de %1, metade da largura do feixe</translation>
+    </message>
+    <message>
+        <source>The time with an error of more than half of the beam width</source>
+        <translation>O tempo com um desvio de mais de metade da largura do feixe</translation>
+    </message>
+    <message>
+        <source>The azimuth of the axis at the start. It counts turns of the cable</source>
+        <translation>O azimute do eixo no início. Conta as voltas do cabo</translation>
+    </message>
+    <message>
+        <source>The time in which limits, horizon or keep-outs hide the satellite. It is not in the error</source>
+        <translation>O tempo em que limites, horizonte ou zonas proibidas escondem o satélite. Não está no desvio</translation>
+    </message>
+    <message>
+        <source>The room of the cable that is left at its nearer end</source>
+        <translation>O que resta do cabo na extremidade mais próxima</translation>
+    </message>
+    <message>
+        <source>The time of a ramp or an unwrap, in which the azimuth leaves the satellite</source>
+        <translation>O tempo de uma rampa ou de um desenrolar, em que o azimute deixa o satélite</translation>
     </message>
 </context>
 <context>

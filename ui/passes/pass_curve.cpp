@@ -3,12 +3,12 @@
 
 #include "ui/kit/format.h"
 #include "ui/kit/theme.h"
+#include "ui/look/pass_time_axis.h"
 #include "ui/sky/sky_text.h"
 
 #include <QPainter>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 namespace boresight::ui {
@@ -25,15 +25,6 @@ constexpr Scale kScales[] = {{10, 5}, {20, 10}, {30, 10}, {60, 30}, {90, 30}};
 constexpr double kRoomOfNumber = 0.9;  // of the scale is for the curve
 constexpr double kLineWidth = 2.0;     // px
 constexpr double kDot = 4.0;
-constexpr std::chrono::minutes kTimeSteps[] = {std::chrono::minutes(1), std::chrono::minutes(2),
-                                               std::chrono::minutes(5), std::chrono::minutes(15),
-                                               std::chrono::hours(1),   std::chrono::hours(3)};
-constexpr std::chrono::minutes kWidestStep = std::chrono::hours(6);
-
-QString timeOfDay(UtcTime utc)
-{
-    return clockText(utc).chopped(3);
-}
 
 const Scale& scaleFor(Angle highest)
 {
@@ -102,8 +93,12 @@ Angle PassCurve::top() const
 QPointF PassCurve::pixelOf(UtcTime utc, Angle elevation) const
 {
     const QRectF box = canvas();
-    const double along = Seconds(utc - m_way->front().utc) / Seconds(m_way->back().utc - m_way->front().utc);
-    return {box.left() + along * box.width(), box.bottom() - box.height() * (elevation / top())};
+    return {timeAxis().pixelOf(utc), box.bottom() - box.height() * (elevation / top())};
+}
+
+PassTimeAxis PassCurve::timeAxis() const
+{
+    return {.first = m_way->front().utc, .last = m_way->back().utc, .canvas = canvas(), .room = double(width())};
 }
 
 // A segment is hidden if its end is hidden.
@@ -152,7 +147,7 @@ void PassCurve::paintEvent(QPaintEvent*)
         return;
     }
     paintGrid(painter);
-    paintTimes(painter);
+    timeAxis().paint(painter);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(colours.secondary, kLineWidth, Qt::DotLine));
@@ -175,36 +170,6 @@ void PassCurve::paintGrid(QPainter& painter) const
         const double half = fontMetrics().height() / 2.0;
         painter.drawText(QRectF(0.0, y - half, box.left() - 4.0, 2.0 * half), Qt::AlignRight | Qt::AlignVCenter,
                          QStringLiteral("%1°").arg(degrees));
-    }
-}
-
-// As many times as there is room for. The times of rise and set, to the second, are painted elsewhere.
-void PassCurve::paintTimes(QPainter& painter) const
-{
-    const Theme& colours = currentTheme();
-    const QRectF box = canvas();
-    const double room = fontMetrics().horizontalAdvance(QStringLiteral("00:00")) + 10.0;
-    const double endRoom = fontMetrics().horizontalAdvance(QStringLiteral("00:00:00")) + 10.0;
-    const Seconds length = m_way->back().utc - m_way->front().utc;
-    const auto* const step = std::ranges::find_if(
-        kTimeSteps, [&](std::chrono::minutes one) { return Seconds(one) / length * box.width() > room; });
-    const UtcTime::duration apart = step == std::end(kTimeSteps) ? kWidestStep : *step;
-    const auto label = [&](double x, double across, const QString& text) {
-        const double left = std::clamp(x - across / 2.0, 0.0, width() - across);
-        painter.setPen(colours.secondary);
-        painter.drawText(QRectF(left, box.bottom() + 8.0, across, fontMetrics().height()), Qt::AlignCenter, text);
-    };
-    const UtcTime first = m_way->front().utc;
-    const UtcTime last = m_way->back().utc;
-    label(box.left(), endRoom, clockText(first));
-    label(box.right(), endRoom, clockText(last));
-    for (UtcTime at{(first.time_since_epoch() / apart + 1) * apart}; at < last; at += apart) {
-        const double x = std::round(pixelOf(at, 0_deg).x()) + 0.5;
-        painter.setPen(colours.grid);
-        painter.drawLine(QPointF(x, box.top()), QPointF(x, box.bottom()));
-        if (x - room / 2.0 > endRoom && x + room / 2.0 < width() - endRoom) {
-            label(x, room, timeOfDay(at));
-        }
     }
 }
 

@@ -12,6 +12,8 @@
 // the satellite. The lowest elevation that counts and the present place are marked. Passive. Gui thread, UTC.
 namespace boresight::ui {
 
+struct PassTimeAxis;
+
 class PassCurve : public QWidget
 {
     Q_OBJECT
@@ -35,9 +37,9 @@ protected:
 
 private:
     [[nodiscard]] QRectF canvas() const;
+    [[nodiscard]] PassTimeAxis timeAxis() const;
     [[nodiscard]] const targets::SkyMoment& highest() const;
     void paintGrid(QPainter& painter) const;
-    void paintTimes(QPainter& painter) const;
     void paintMarks(QPainter& painter) const;
     void describe();
 

@@ -2,10 +2,12 @@
 #include "ui/passes/pass_views.h"
 
 #include "ui/kit/choice_button.h"
+#include "ui/passes/driven_plan.h"
 #include "ui/passes/ground_map.h"
 #include "ui/passes/pass_curve.h"
 #include "ui/passes/pass_table.h"
 #include "ui/passes/pass_timeline.h"
+#include "ui/plan/plan_view.h"
 
 #include <QButtonGroup>
 #include <QHBoxLayout>
@@ -23,18 +25,21 @@ PassViews::PassViews(PassTable& passes, QTableView& table, QWidget* parent)
       m_table(table),
       m_timeline(new PassTimeline(this)),
       m_curve(new PassCurve(this)),
-      m_map(new GroundMap(this))
+      m_map(new GroundMap(this)),
+      m_plan(new PlanView(this))
 {
     addWidget(&table);
     addWidget(m_timeline);
     addWidget(m_curve);
     addWidget(m_map);
+    addWidget(m_plan);
     setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Expanding);
     const auto becomesOld = [this] { m_isTimelineOld = true; };
     connect(&m_passes, &QAbstractItemModel::modelReset, this, becomesOld);
     connect(&m_passes, &QAbstractItemModel::rowsRemoved, this, becomesOld);
     connect(m_timeline, &PassTimeline::passChosen, this, &PassViews::choose);
     connect(m_timeline, &PassTimeline::stepWanted, this, &PassViews::step);
+    connect(m_plan, &PlanView::changed, this, &PassViews::planChanged);
 }
 
 QWidget* PassViews::makeChoices(QWidget* parent)
@@ -42,7 +47,8 @@ QWidget* PassViews::makeChoices(QWidget* parent)
     const std::pair<QString, QString> views[] = {{tr("List"), tr("The passes as a list")},
                                                  {tr("Timeline"), tr("The passes of the next 24 hours side by side")},
                                                  {tr("Elevation"), tr("The elevation of the selected pass over time")},
-                                                 {tr("Map"), tr("The path of the selected satellite over the Earth")}};
+                                                 {tr("Map"), tr("The path of the selected satellite over the Earth")},
+                                                 {tr("Plan"), tr("How the mount will track the selected pass")}};
     auto* const box = new QWidget(parent);
     auto* const row = new QHBoxLayout(box);
     row->setContentsMargins(0, 0, 0, 0);
@@ -77,6 +83,13 @@ void PassViews::showStatus(const StationStatus& status)
     m_profile = status.profile;
     m_schedule = status.schedule;
     m_now = status.utc;
+    m_mount.antenna = status.chosenAntenna;
+    m_mount.tracked = status.tracked;
+    const bool isResting = status.state == StationState::Standby || status.state == StationState::Hold ||
+                           status.state == StationState::Parked;
+    if (isResting && status.azimuth.actual && status.elevation.actual) {
+        m_mount.rest = AxisPosition{.azimuth = *status.azimuth.actual, .elevation = *status.elevation.actual};
+    }
     m_map->setSite(m_profile->site.known ? std::optional(m_profile->site.place()) : std::nullopt);
     m_curve->setLowest(lowest());
     if (isVisible()) {
@@ -110,6 +123,9 @@ void PassViews::showMoment()
         case Map:
             showMap();
             break;
+        case Plan:
+            showPlan();
+            break;
     }
 }
 
@@ -129,6 +145,33 @@ void PassViews::showMap()
         m_isTrackOld = false;
     }
     m_map->setPlace(m_pass ? placeBelow(m_book->elementsOf(*m_pass), m_now) : std::nullopt);
+}
+
+void PassViews::showPlan()
+{
+    m_plan->setDriven(m_pass ? drivenPlan(m_mount.tracked, *m_book, *m_pass) : nullptr);
+    m_plan->ask(planQuestion());
+    m_plan->setNow(m_now);
+}
+
+// Of a pass that has begun, the rest is planned.
+std::optional<PlanQuestion> PassViews::planQuestion() const
+{
+    if (!m_pass || !m_profile) {
+        return std::nullopt;
+    }
+    const orbit::ElementSet& elements = m_book->elementsOf(*m_pass);
+    const auto mark = std::ranges::find(m_profile->satellites, elements.number, &orbit::SatelliteMark::number);
+    const bool hasOwn = mark != m_profile->satellites.end() && !mark->antenna.empty();
+    const bool isUp = m_pass->pass.aos.utc < m_now;
+    return PlanQuestion{.target = targets::satelliteTarget(elements),
+                        .task = {.from = isUp ? m_now : m_pass->pass.aos.utc,
+                                 .to = m_pass->pass.los.utc,
+                                 .now = m_mount.rest.value_or(m_profile->park),
+                                 .bound = {},
+                                 .begins = isUp ? plan::Begins::Now : plan::Begins::Later},
+                        .profile = m_profile,
+                        .antenna = m_profile->antenna(hasOwn ? mark->antenna : m_mount.antenna)};
 }
 
 // The elevation from which the pass counts: that of the watch list, else the lowest elevation of the mount.

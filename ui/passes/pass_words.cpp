@@ -199,14 +199,13 @@ QString briefCableText(const targets::CableTurns& cable)
     if (cable.turns == 0) {
         return PassWords::tr("no");
     }
-    return (cable.fitsOverTheTop ? PassWords::tr("%1 or flip") : QStringLiteral("%1")).arg(lengthText(cable.lost));
+    return cable.fitsOverTheTop ? PassWords::tr("over the top") : lengthText(cable.lost);
 }
 
 QString cableFact(const targets::CableTurns& cable)
 {
-    return (cable.fitsOverTheTop ? PassWords::tr("unwraps the cable, which loses %1. Over the top nothing is lost")
-                                 : PassWords::tr("unwraps the cable, which loses %1"))
-        .arg(lengthText(cable.lost));
+    return cable.fitsOverTheTop ? PassWords::tr("goes over the top, because the cable ends. Nothing is lost")
+                                : PassWords::tr("unwraps the cable, which loses %1").arg(lengthText(cable.lost));
 }
 
 QString cableText(const targets::CableTurns& cable)
@@ -219,14 +218,11 @@ QString cableText(const targets::CableTurns& cable)
     }
     const QString turns = cable.turns == 1 ? PassWords::tr("The cable ends during the pass.")
                                            : PassWords::tr("The cable ends %1 times during the pass.").arg(cable.turns);
-    QStringList sentences{
-        turns,
-        PassWords::tr("Boresight unwraps it by 360° there and loses %1 of the pass.").arg(lengthText(cable.lost))};
-    if (cable.fitsOverTheTop) {
-        sentences << PassWords::tr(
-            "A way over the top loses nothing. Boresight takes it only for a client that sends elevations above 90°.");
-    }
-    return sentences.join(QLatin1Char(' '));
+    const QString way =
+        cable.fitsOverTheTop
+            ? PassWords::tr("Boresight tracks the pass over the top, with elevations above 90°, and loses nothing.")
+            : PassWords::tr("Boresight unwraps it by 360° there and loses %1 of the pass.").arg(lengthText(cable.lost));
+    return turns + QLatin1Char(' ') + way;
 }
 
 }  // namespace boresight::ui

@@ -50,7 +50,7 @@ struct ElementAge
 [[nodiscard]] QString lightText(const passes::PassLight& light);
 [[nodiscard]] QString cableFact(const targets::CableTurns& cable);  // one line: where the cable ends
 // `cableText`: sentences about whether the cable has room for the whole pass, and what happens if not.
-[[nodiscard]] QString briefCableText(const targets::CableTurns& cable);  // "no", "0:37", "0:37 or flip"
+[[nodiscard]] QString briefCableText(const targets::CableTurns& cable);  // "no", "0:37", "over the top"
 [[nodiscard]] QString cableText(const targets::CableTurns& cable);
 
 }  // namespace boresight::ui

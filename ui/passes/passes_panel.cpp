@@ -12,6 +12,7 @@
 #include "ui/passes/pass_table.h"
 #include "ui/passes/pass_views.h"
 #include "ui/passes/selected_pass.h"
+#include "ui/plan/plan_view.h"
 
 #include <QAction>
 #include <QHBoxLayout>
@@ -98,7 +99,11 @@ PassesPanel::PassesPanel(ProfileDraft& draft, RequestDesk& desk, QWidget* parent
             toggleFavourite(cell.row());
         }
     });
-    connect(m_views, &PassViews::viewChanged, this, &PassesPanel::fitHeight);
+    connect(m_views, &PassViews::viewChanged, this, [this] {
+        fitHeight();
+        tellPlan();
+    });
+    connect(m_views, &PassViews::planChanged, this, &PassesPanel::tellPlan);
     connect(m_elements, &ElementsButton::settingsWanted, this, [this] { Q_EMIT settingsWanted(tr("elements")); });
     connect(m_elements, &ElementsButton::siteWanted, this, &PassesPanel::siteWanted);
 }
@@ -141,7 +146,8 @@ void PassesPanel::fitHeight()
     const PassViews::View view = m_views->view();
     m_selection->setBrief(isLow, view != PassViews::List);
     m_selection->setNoteShown(!isLow);
-    m_filter->setHidden(isLow && (view == PassViews::Elevation || view == PassViews::Map));
+    const bool isOfOnePass = view == PassViews::Elevation || view == PassViews::Map || view == PassViews::Plan;
+    m_filter->setHidden(isLow && isOfOnePass);
 }
 
 PassesLayout PassesPanel::arrangement() const
@@ -299,6 +305,7 @@ void PassesPanel::showEvent(QShowEvent* event)
 {
     QWidget::showEvent(event);
     tellWay();
+    tellPlan();
 }
 
 void PassesPanel::tellWay()
@@ -306,10 +313,20 @@ void PassesPanel::tellWay()
     Q_EMIT wayChosen(m_selected ? m_selected->way : nullptr);
 }
 
+void PassesPanel::tellPlan()
+{
+    const PlanView& plan = m_views->plan();
+    const bool isShown = m_views->view() == PassViews::Plan;
+    m_selection->showPlan(isShown ? std::optional(ShownPlan{.variant = plan.variant(), .sentence = plan.sentence()})
+                                  : std::nullopt);
+    Q_EMIT beamChosen(isShown && isVisible() ? plan.beam() : nullptr);
+}
+
 void PassesPanel::hideEvent(QHideEvent* event)
 {
     QWidget::hideEvent(event);
     Q_EMIT wayChosen({});
+    Q_EMIT beamChosen({});
 }
 
 // Also while this panel is hidden, because the plot is always visible.

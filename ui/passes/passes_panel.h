@@ -5,6 +5,7 @@
 #include "ui/passes/favourite_places.h"
 #include "ui/passes/pass_searcher.h"
 #include "ui/passes/passes_layout.h"
+#include "ui/sky/planned_beam.h"
 
 #include <QWidget>
 
@@ -45,6 +46,7 @@ Q_SIGNALS:
     void siteWanted();                          // the page where the site is entered
     // The path of the selected pass while this panel is shown. Null: none.
     void wayChosen(const boresight::targets::SkyWay& way);
+    void beamChosen(const boresight::ui::PlannedBeam& beam);  // of its plan, while the plan is shown. Null: none
     void favouritesMoved(
         const std::vector<boresight::ui::SatellitePlace>& places);  // favourites above the horizon, once a second
 
@@ -89,6 +91,7 @@ private:
     void select(int row);
     void toggleFavourite(int row);
     void tellWay();
+    void tellPlan();
     void showFavourites(const StationStatus& status);
     void showNote(const StationStatus& status);
     void showProblems(const QStringList& problems);

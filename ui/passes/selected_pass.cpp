@@ -2,11 +2,13 @@
 #include "ui/passes/selected_pass.h"
 
 #include "core/passes/pass_light.h"
+#include "core/plan/plan_words.h"
 #include "core/targets/target.h"
 #include "core/targets/track_rules.h"
 #include "ui/kit/command_button.h"
 #include "ui/kit/value_label.h"
 #include "ui/look/paint.h"
+#include "ui/passes/driven_plan.h"
 #include "ui/passes/favourite_button.h"
 #include "ui/passes/note_line.h"
 #include "ui/passes/pass_details.h"
@@ -27,11 +29,19 @@ namespace {
 
 constexpr int kFactLines = 10;
 constexpr int kBriefLines = 4;
+constexpr int kPlanLines = 3;  // the plan needs the room
 
 // Empty if the whole pass needs no turn back.
 QString cableLine(const targets::CableTurns& cable)
 {
     return cable.turns == 0 ? QString() : QLatin1Char('\n') + cableFact(cable);
+}
+
+// A plan that only follows the satellite is not worth a line.
+QString drivenText(const plan::SharedVariant& plan)
+{
+    return plan && !plan::isPlain(*plan) ? SelectedPass::tr("Plan in use: %1").arg(plan::summaryText(*plan))
+                                         : QString();
 }
 
 }  // namespace
@@ -45,13 +55,22 @@ SelectedPass::SelectedPass(ProfileDraft& draft, RequestDesk& desk, QWidget* pare
           tr("Track"),
           tr("Go to the place where the satellite rises. Track the satellite until it sets. Then the mount holds"),
           desk, *m_refused, this)),
+      m_trackThisWay(new CommandButton(tr("Track this way"),
+                                       tr("Track the satellite by the plan that is selected above, and not by the best "
+                                          "one"),
+                                       desk, *m_refused, this)),
       m_watch(new WatchButton(draft, desk, *m_refused, this)),
       m_favourite(new FavouriteButton(draft, desk, *m_refused, this)),
       m_note(new NoteLine(draft, *m_refused, this)),
       m_antenna(new SatelliteAntenna(draft, *m_refused, this))
 {
     build();
-    connect(m_track, &QPushButton::clicked, this, &SelectedPass::track);
+    connect(m_track, &QPushButton::clicked, this, [this] { track({}); });
+    connect(m_trackThisWay, &QPushButton::clicked, this, [this] {
+        if (m_plan && m_plan->variant) {
+            track(plan::choiceFor(*m_plan->variant));
+        }
+    });
     connect(m_note, &NoteLine::left, this, [this] { setNoteShown(m_isNoteShown); });
 }
 
@@ -67,6 +86,7 @@ void SelectedPass::build()
     m_buttons->addStretch(1);
     m_buttons->addWidget(m_favourite);
     m_buttons->addWidget(m_watch);
+    m_buttons->addWidget(m_trackThisWay);
     m_buttons->addWidget(m_track);
     auto* const words = new QVBoxLayout;
     words->setSpacing(4);
@@ -92,9 +112,24 @@ void SelectedPass::setBrief(bool on, bool isNamed)
 {
     m_isBrief = on;
     m_isNamed = isNamed;
-    m_facts->setLines(on ? kBriefLines : kFactLines);
     m_buttons->setDirection(on ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
-    m_favourite->setHidden(on);  // the star in the table does the same
+    showButtons();
+    showFacts();
+}
+
+// In little room the star in the table does the same as the button, and another view has the schedule.
+void SelectedPass::showButtons()
+{
+    m_facts->setLines(!m_isBrief ? kFactLines : m_plan ? kPlanLines : kBriefLines);
+    m_favourite->setHidden(m_isBrief);
+    m_watch->setHidden(m_isBrief && m_plan);
+    m_trackThisWay->setVisible(m_plan.has_value());
+}
+
+void SelectedPass::showPlan(const std::optional<ShownPlan>& plan)
+{
+    m_plan = plan;
+    showButtons();
     showFacts();
 }
 
@@ -128,16 +163,21 @@ void SelectedPass::showStatus(const StationStatus& status)
 {
     const orbit::SatelliteMarks& marks = status.profile->satellites;
     m_satellites = status.satellites;
-    m_track->setBlocked(whyNotTracked(status));
+    const QString why = whyNotTracked(status);
+    m_track->setBlocked(why);
+    const bool hasPlan = m_plan && m_plan->variant;
+    m_trackThisWay->setBlocked(why.isEmpty() && !hasPlan ? tr("There is no plan to choose.") : why);
     m_watch->show(satellite(), status.profile->schedule.watch);
     m_favourite->show(satellite(), marks);
     m_note->show(satellite(), marks);
     m_antenna->show(satellite(), *status.profile);
     const QString note = m_pass ? QString::fromStdString(orbit::noteOf(marks, *satellite())) : QString();
     const UtcTime second = std::chrono::floor<std::chrono::seconds>(status.utc);
-    if (second != m_now || note != m_noteText) {
+    const QString driven = m_pass ? drivenText(drivenPlan(status.tracked, *m_book, *m_pass)) : QString();
+    if (second != m_now || note != m_noteText || driven != m_driven) {
         m_now = second;
         m_noteText = note;
+        m_driven = driven;
         showFacts();
     }
 }
@@ -168,10 +208,10 @@ QString SelectedPass::whyNotTracked(const StationStatus& status) const
     return may ? QString() : may.error().text;
 }
 
-void SelectedPass::track()
+void SelectedPass::track(const std::optional<plan::ChosenWay>& way)
 {
     if (const orbit::ElementSet* const set = elements()) {
-        m_track->ask(request::Track{targets::satelliteTarget(*set)});
+        (way ? m_trackThisWay : m_track)->ask(request::Track{.target = targets::satelliteTarget(*set), .way = way});
     }
 }
 
@@ -199,8 +239,16 @@ void SelectedPass::showFacts()
     const QString now = range.isEmpty() ? QString() : QLatin1Char('\n') + tr("now %1").arg(range);
     const QString light = QLatin1Char('\n') + m_light;
     const QString note = m_noteText.isEmpty() ? QString() : m_noteText + QLatin1Char('\n');
-    QString all = factsOf(*m_pass, *m_book, m_now) + light + m_cable;
-    all.insert(all.indexOf(QLatin1Char('\n')), now);  // near the top, because the last lines are cut off first
+    const QString driven = m_driven.isEmpty() ? QString() : QLatin1Char('\n') + m_driven;
+    const QString sentence = m_plan ? QLatin1Char('\n') + m_plan->sentence : QString();
+    QString all = factsOf(*m_pass, *m_book, m_now) + driven + light + m_cable;
+    all.insert(all.indexOf(QLatin1Char('\n')),
+               sentence + now);  // near the top, because the last lines are cut off first
+    if (m_isBrief && m_plan) {
+        m_facts->setValue(tr("%1. %2").arg(targets::satelliteName(m_book->elementsOf(*m_pass)), m_plan->sentence));
+        m_facts->setToolTip(note + all);
+        return;
+    }
     QString brief = briefFactsOf(*m_pass, *m_book, m_now, m_isNamed);
     brief.insert(brief.lastIndexOf(QLatin1Char('\n')), now);  // before the line with the age of the elements
     const auto hasRoom = [&brief] { return brief.count(QLatin1Char('\n')) + 2 <= kBriefLines; };
@@ -208,7 +256,7 @@ void SelectedPass::showFacts()
         brief.prepend(note);
     }
     if (hasRoom()) {
-        brief += light;
+        brief += m_driven.isEmpty() ? light : driven;
     }
     m_facts->setValue(m_isBrief ? brief : all);
     m_facts->setToolTip(m_isBrief ? note + all : QString());

@@ -24,6 +24,13 @@ class SatelliteAntenna;
 class ValueLabel;
 class WatchButton;
 
+// What the view of the plan shows of this pass.
+struct ShownPlan
+{
+    plan::SharedVariant variant;  // the selected one; null: no plan, or not yet
+    QString sentence;
+};
+
 class SelectedPass : public QWidget
 {
     Q_OBJECT
@@ -38,12 +45,15 @@ public:
         bool on, bool isNamed);  // for little room: only facts that the table does not show, with the name if `isNamed`
     void setNoteShown(
         bool on);  // true: always shown; false: shown only while it is edited, otherwise as a line of the facts
+    // Empty: another view is shown. The operator may track the pass by the selected variant.
+    void showPlan(const std::optional<ShownPlan>& plan);
     void toggleFavourite(int satellite);
     void editNote();
 
 private:
     void build();
-    void track();
+    void track(const std::optional<plan::ChosenWay>& way);
+    void showButtons();
     void showFacts();
     [[nodiscard]] std::optional<int> satellite() const;
     [[nodiscard]] const orbit::ElementSet* elements() const;  // the station's present elements; null: it has none
@@ -53,6 +63,7 @@ private:
     ValueLabel* m_refused;
     QBoxLayout* m_buttons;
     CommandButton* m_track;
+    CommandButton* m_trackThisWay;
     WatchButton* m_watch;
     FavouriteButton* m_favourite;
     NoteLine* m_note;
@@ -63,6 +74,8 @@ private:
     QString m_light;
     QString m_cable;
     QString m_noteText;
+    std::optional<ShownPlan> m_plan;
+    QString m_driven;  // the plan that the mount drives, in words
     UtcTime m_now{};
     bool m_isBrief = false;
     bool m_isNamed = true;

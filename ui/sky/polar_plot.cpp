@@ -9,7 +9,6 @@
 #include "ui/kit/theme.h"
 #include "ui/sky/plot_tools.h"
 #include "ui/sky/sky_items.h"
-#include "ui/sky/sky_legend.h"
 
 #include <QContextMenuEvent>
 #include <QEvent>
@@ -267,7 +266,7 @@ void PolarPlot::paintGround(QPainter& painter) const
     painter.setBrush(Qt::NoBrush);
     painter.drawEllipse(shown.zenith, shown.radius, shown.radius);
     if (m_zoom.isOn()) {
-        const double corner = std::max<double>(m_tools->readoutHeight(), legendHeight(m_frame, m_hasSensor));
+        const double corner = std::max<double>(m_tools->readoutHeight(), legendHeight(m_frame, m_legend));
         drawZoomMark(painter, rect(), corner, shown, m_zoom.magnification());
     } else {
         m_frame.paint(painter);
@@ -276,7 +275,7 @@ void PolarPlot::paintGround(QPainter& painter) const
         cable->paintTrack(painter, m_wrapKnown);
     }
     if (!m_tools->hasReadout()) {
-        paintLegend(painter, rect(), m_frame, m_hasSensor);
+        paintLegend(painter, rect(), m_frame, m_legend);
     }
 }
 
@@ -419,10 +418,6 @@ void PolarPlot::showMarkers(const StationStatus& status)
     markers.commanded = age == Freshness::NoData || !known ? std::nullopt : status.commanded;
     markers.target = status.target;
     markers.sensor = status.sensor.direction;
-    if (m_hasSensor != markers.sensor.has_value()) {
-        m_hasSensor = !m_hasSensor;
-        drawGround();
-    }
     markers.way = markers.commanded ? status.route : std::vector<SkyPointing>();
     markers.expected = expectedPlace(status);
     markers.missing = missingAxis(status);
@@ -433,22 +428,25 @@ void PolarPlot::showMarkers(const StationStatus& status)
     markers.offTarget = markers.live && distanceTo(status, markers.expected).value_or(0_deg) > 0.5 * m_beamWidth;
     m_markers->setMarkers(markers, status.utc);
     m_markers->setBodies(status.bodies);
-    m_markers->setTracked(status.tracked ? status.tracked->way : nullptr, status.utc);
-    m_markers->setChosen(m_chosenWay, status.utc);
+    m_markers->showPaths(status);
+    showLegend({.hasSensor = markers.sensor.has_value(), .hasBeam = m_markers->paths().hasBeam()});
     m_tools->showOffTarget(markers.live ? distanceTo(status, status.target) : std::nullopt, m_beamWidth,
                            markers.offTarget);
     m_tools->showBudget(markers.live ? status.errorBudget : std::nullopt, status.utc);
     m_caption = QString::fromStdString(status.profile->mount.name) + QStringLiteral("  ") + minuteText(status.utc);
 }
 
+void PolarPlot::showLegend(const LegendParts& parts)
+{
+    if (parts != m_legend) {
+        m_legend = parts;
+        drawGround();
+    }
+}
+
 void PolarPlot::setPicked(const std::optional<SkyPointing>& direction)
 {
     m_markers->setPicked(direction);
-}
-
-void PolarPlot::setChosenWay(const targets::SkyWay& way)
-{
-    m_chosenWay = way;  // drawn with the next status, which has the time
 }
 
 void PolarPlot::setSatellites(const std::vector<SatellitePlace>& places)

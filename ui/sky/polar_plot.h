@@ -4,6 +4,7 @@
 #include "core/messages/station_status.h"
 #include "ui/sky/plot_editor.h"
 #include "ui/sky/plot_menu.h"
+#include "ui/sky/sky_legend.h"
 #include "ui/sky/sky_markers.h"
 #include "ui/sky/sky_zoom.h"
 
@@ -37,7 +38,9 @@ public:
 
     void showStatus(const StationStatus& status);
     void setPicked(const std::optional<SkyPointing>& direction);
-    void setChosenWay(const targets::SkyWay& way);  // of the pass that is selected in a list; null: no pass
+    // Of the pass that is selected in a list, and of its plan. Null: none. Drawn with the next status.
+    void setChosenWay(const targets::SkyWay& way) { m_markers->paths().setChosenWay(way); }
+    void setChosenBeam(const PlannedBeam& beam) { m_markers->paths().setChosenBeam(beam); }
     void setSatellites(const std::vector<SatellitePlace>& places);  // satellites that are up, without the tracked one
     void describe(const StationStatus& status);  // in words, for screen readers; once a second is enough
     void setEditing(bool on);
@@ -78,6 +81,7 @@ private:
     void showRegion(const StationStatus& status);
     void showCable(const StationStatus& status);
     void showMarkers(const StationStatus& status);
+    void showLegend(const LegendParts& parts);
     void changeView();
     void drawGround();
     void paintSky(QPainter& painter) const;
@@ -103,12 +107,11 @@ private:
     TravelRange m_cableTravel;  // as drawn in the ring
     Angle m_cableZero;
     bool m_wrapKnown = true;
-    bool m_hasSensor = false;  // the legend explains it
+    LegendParts m_legend;
     Angle m_beamWidth;
     SkyPointing m_focus{0_deg, 90_deg};  // the centre of the magnified part: the target, else the actual direction
     QString m_caption;                   // of a picture
-    targets::SkyWay m_chosenWay;
-    int m_wheel = 0;  // wheel steps that are not yet a whole notch
+    int m_wheel = 0;                     // wheel steps that are not yet a whole notch
 };
 
 }  // namespace boresight::ui

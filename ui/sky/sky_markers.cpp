@@ -48,8 +48,7 @@ void SkyMarkers::setGround(const QPixmap& ground, const SkyProjection& projectio
     m_ring = ring;
     m_names = names;
     m_trail.setSky(projection);
-    m_tracked.setSky(projection);
-    m_chosen.setSky(projection);
+    m_paths.setSky(projection);
     m_satellites.setSky(projection);
     rebuildWay();
     update();
@@ -99,14 +98,9 @@ void SkyMarkers::setBodies(const std::vector<BodyPlace>& bodies)
     }
 }
 
-void SkyMarkers::setTracked(const targets::SkyWay& way, UtcTime utc)
+void SkyMarkers::showPaths(const StationStatus& status)
 {
-    update(m_tracked.show(way, utc));
-}
-
-void SkyMarkers::setChosen(const targets::SkyWay& way, UtcTime utc)
-{
-    update(m_chosen.show(way, utc));
+    update(m_paths.show(status));
 }
 
 void SkyMarkers::setSatellites(const std::vector<SatellitePlace>& places)
@@ -264,8 +258,7 @@ void SkyMarkers::paint(QPainter& painter) const
         paintBody(painter, body, m_projection);
     }
     m_satellites.paint(painter);
-    m_chosen.paint(painter, colours.secondary);
-    m_tracked.paint(painter, colours.accent);
+    m_paths.paint(painter);
     m_trail.paint(painter);
     drawWay(painter);
     if (m_markers.picked) {

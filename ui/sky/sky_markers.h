@@ -4,7 +4,7 @@
 #include "core/base/clock.h"
 #include "ui/sky/cable_ring.h"
 #include "ui/sky/sky_frame.h"
-#include "ui/sky/sky_path.h"
+#include "ui/sky/sky_paths.h"
 #include "ui/sky/sky_satellites.h"
 #include "ui/sky/sky_trail.h"
 
@@ -53,8 +53,7 @@ public:
     void setMarkers(const MarkerData& markers, UtcTime utc);
     void setCable(const CableState& cable);
     void setBodies(const std::vector<BodyPlace>& bodies);
-    void setTracked(const targets::SkyWay& way, UtcTime utc);
-    void setChosen(const targets::SkyWay& way, UtcTime utc);        // of the pass that is selected in a list
+    void showPaths(const StationStatus& status);
     void setSatellites(const std::vector<SatellitePlace>& places);  // satellites that are up, without the tracked one
     void setPicked(const std::optional<SkyPointing>& direction);
     void setFocused(bool on);             // the plot has the keyboard: its rim shows this
@@ -67,8 +66,10 @@ public:
     [[nodiscard]] const CableState& cable() const { return m_cable; }
     [[nodiscard]] const std::vector<BodyPlace>& bodies() const { return m_bodies; }
     [[nodiscard]] const QPainterPath& wayPixels() const { return m_wayPixels; }
-    [[nodiscard]] const SkyPath& tracked() const { return m_tracked; }
-    [[nodiscard]] const SkyPath& chosen() const { return m_chosen; }
+    [[nodiscard]] SkyPaths& paths() { return m_paths; }
+    [[nodiscard]] const SkyPaths& paths() const { return m_paths; }
+    [[nodiscard]] const SkyPath& tracked() const { return m_paths.tracked(); }
+    [[nodiscard]] const SkyPath& chosen() const { return m_paths.chosen(); }
     [[nodiscard]] const SkySatellites& satellites() const { return m_satellites; }
     [[nodiscard]] const QPixmap& ground() const { return m_ground; }
 
@@ -102,8 +103,7 @@ private:
     std::vector<BodyPlace> m_bodies;
     SkySatellites m_satellites;
     QPainterPath m_wayPixels;
-    SkyPath m_tracked;
-    SkyPath m_chosen;
+    SkyPaths m_paths;
 };
 
 }  // namespace boresight::ui

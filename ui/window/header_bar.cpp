@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/header_bar.h"
 
+#include "core/plan/plan_words.h"
 #include "ui/kit/axes.h"
 #include "ui/kit/format.h"
 #include "ui/kit/value_label.h"
@@ -66,6 +67,19 @@ QString trackingText(const TrackedTarget& tracked, UtcTime now)
     const QString time = minutesText(*tracked.next - now);
     return tracked.isUp ? HeaderBar::tr("Tracking %1, sets in %2").arg(tracked.name, time)
                         : HeaderBar::tr("Waiting for %1, rises in %2").arg(tracked.name, time);
+}
+
+// How the mount drives the pass, in words. Empty: it follows the target, which is nothing special.
+QString plannedText(const StationStatus& status)
+{
+    const plan::SharedVariant plan = status.tracked ? status.tracked->plan : nullptr;
+    return plan && !plan::isPlain(*plan) ? plan::summaryText(*plan) : QString();
+}
+
+// Whether the special part of a plan is still to come. If that is the whole pass: whether the pass is.
+bool isAhead(const plan::PlanVariant& plan, UtcTime now)
+{
+    return now < (plan.unwrap ? plan.unwrap->to : plan.ramp ? plan.ramp->to : plan.moments.front().utc);
 }
 
 // The action of the mount in one sentence: the action, the remaining time, the source. The least important part is
@@ -294,6 +308,9 @@ void HeaderBar::showTarget(const StationStatus& status)
     m_limited->setValue(status.limited ? tr("AT LIMIT") : QString(), Tone::Warning, Symbol::Warning);
     m_limited->setToolTip(tr("The target is outside the limits. The mount goes to the nearest permitted point.\n%1")
                               .arg(status.limitedReason));
+    const QString planned = plannedText(status);
+    m_target->setToolTip(planned.isEmpty() ? QString()
+                                           : trackingText(*status.tracked, status.utc) + QLatin1Char('\n') + planned);
     const bool rests = status.state == StationState::Standby || status.state == StationState::Hold ||
                        status.state == StationState::Parked;
     if (status.schedule->armed && !status.tracked && rests) {
@@ -304,7 +321,10 @@ void HeaderBar::showTarget(const StationStatus& status)
         m_target->setValue(tr("no target"), Tone::Secondary);
         return;
     }
-    m_target->setValue(withRange(inTwoLines(doing(status)), trackedRangeText(status)));
+    const bool isPlanAhead = !planned.isEmpty() && isAhead(*status.tracked->plan, status.utc);
+    const QString text = inTwoLines(doing(status));
+    const QString withPlan = isPlanAhead ? withSecondLine(text, planned) : text;
+    m_target->setValue(withPlan != text ? withPlan : withSecondLine(text, trackedRangeText(status)));
 }
 
 // As many parts as fit into two lines. The client in control is shown beside them.
@@ -324,10 +344,10 @@ bool HeaderBar::isWhole(const QString& text) const
 }
 
 // The second line, if both lines fit completely.
-QString HeaderBar::withRange(const QString& doing, const QString& range) const
+QString HeaderBar::withSecondLine(const QString& doing, const QString& second) const
 {
-    const QString both = doing + QLatin1Char('\n') + range;
-    return !range.isEmpty() && isWhole(both) ? both : doing;
+    const QString both = doing + QLatin1Char('\n') + second;
+    return !second.isEmpty() && isWhole(both) ? both : doing;
 }
 
 void HeaderBar::showControl(const StationStatus& status)

@@ -41,7 +41,7 @@ private:
     void showTarget(const StationStatus& status);
     [[nodiscard]] QString inTwoLines(QStringList parts) const;
     [[nodiscard]] bool isWhole(const QString& text) const;
-    [[nodiscard]] QString withRange(const QString& doing, const QString& range) const;
+    [[nodiscard]] QString withSecondLine(const QString& doing, const QString& second) const;
     void showControl(const StationStatus& status);
     void showClock(const StationStatus& status);
 

@@ -123,6 +123,7 @@ MainWindow::MainWindow(const Clock& clock, const WindowSettings& settings, QWidg
     connect(m_plot, &PolarPlot::goHereWanted, m_pickBar, &PickPrompt::goTo);
     connect(m_pickBar, &PickPrompt::picked, m_plot, &PolarPlot::setPicked);
     connect(&m_panels->passes(), &PassesPanel::wayChosen, m_plot, &PolarPlot::setChosenWay);
+    connect(&m_panels->passes(), &PassesPanel::beamChosen, m_plot, &PolarPlot::setChosenBeam);
     connect(&m_panels->passes(), &PassesPanel::favouritesMoved, m_plot, &PolarPlot::setSatellites);
     connect(&m_panels->log(), &LogPanel::beepWanted, this, &QApplication::beep);
     connect(&m_panels->log(), &LogPanel::soundChanged, this, &MainWindow::alarmSoundChanged);

@@ -105,7 +105,7 @@ TEST(ErrorWatch, KnowsWhoComputesTheTarget)
     EXPECT_EQ(budgetFacts(status, {})->origin, TargetOrigin::Fixed) << "the mount waits where the target rises";
 }
 
-// REQ-STATION-970: The calibration counts with its used points. Without points it counts with the sigmas of the terms
+// REQ-STATION-980: The calibration counts with its used points. Without points it counts with the sigmas of the terms
 // in force, if that of north is known: an error of north is smaller near the zenith.
 TEST(ErrorWatch, TheCalibrationIsThatInForce)
 {
@@ -125,7 +125,7 @@ TEST(ErrorWatch, TheCalibrationIsThatInForce)
     EXPECT_EQ(facts->calibration.points.front().sigma, 0.05_deg);
 }
 
-// REQ-STATION-971: In each tick the station measures the angle on the sky between the set-points and the axes. A tick
+// REQ-STATION-981: In each tick the station measures the angle on the sky between the set-points and the axes. A tick
 // without an answer of both axes does not count.
 TEST(ErrorWatch, MeasuresTheServoOnTheSky)
 {

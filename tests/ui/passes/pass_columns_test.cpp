@@ -135,7 +135,7 @@ TEST_F(PassColumnsTest, EachFactHasItsColumn)
 }
 
 // REQ-PASSES-994: The tooltip and the facts of the selected pass explain what unwrapping during a pass means. If the
-// mount could go over the top instead, this is shown.
+// mount goes over the top instead, this is shown.
 TEST_F(PassColumnsTest, UnwrappingIsExplained)
 {
     const targets::CableTurns none;
@@ -145,11 +145,11 @@ TEST_F(PassColumnsTest, UnwrappingIsExplained)
     spared.fitsOverTheTop = true;
     EXPECT_EQ(briefCableText(none), QStringLiteral("no"));
     EXPECT_EQ(briefCableText(once), QStringLiteral("0:37"));
-    EXPECT_EQ(briefCableText(spared), QStringLiteral("0:37 or flip"));
+    EXPECT_EQ(briefCableText(spared), QStringLiteral("over the top"));
     EXPECT_THAT(cableText(none).toStdString(), HasSubstr("room for all"));
     EXPECT_THAT(cableText(gap).toStdString(), HasSubstr("less than 360°"));
     EXPECT_THAT(cableText(once).toStdString(), AllOf(HasSubstr("loses 0:37"), Not(HasSubstr("top"))));
-    EXPECT_THAT(cableText(spared).toStdString(), HasSubstr("A way over the top loses nothing."));
+    EXPECT_THAT(cableText(spared).toStdString(), HasSubstr("tracks the pass over the top"));
 
     giveFound(withShortCable());
     for (int row = 0; row < rows(); ++row) {
@@ -180,7 +180,7 @@ TEST_F(PassColumnsTest, ByItselfTheListHasWhatThereIsRoomFor)
     EXPECT_EQ(window.arrangement().passes.columns, QStringList());
 }
 
-// Story: the name of the ISS was elided, because the column Unwraps had room for "59:59 or flip" in each list.
+// Story: the name of the ISS was elided, because the column Unwraps had room for its longest text in each list.
 // REQ-PASSES-910: A column is as wide as what is seen of it. The name has the rest of the room. Columns after Unwraps
 // appear only where the name is whole.
 TEST_F(PassColumnsTest, TheNameHasTheRoomThatTheNumbersDoNotNeed)
@@ -204,7 +204,7 @@ TEST_F(PassColumnsTest, TheNameHasTheRoomThatTheNumbersDoNotNeed)
     giveFound(status);
     const auto flips = [this] {
         for (int row = 0; row < rows(); ++row) {
-            if (cell(row, PassTable::Unwraps).endsWith(QStringLiteral("or flip"))) {
+            if (cell(row, PassTable::Unwraps).endsWith(QStringLiteral("over the top"))) {
                 return row;
             }
         }

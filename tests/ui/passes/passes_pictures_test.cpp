@@ -3,6 +3,7 @@
 #include "tests/fakes/wait_until.h"
 #include "tests/ui/picture_book.h"
 #include "ui/kit/choice_button.h"
+#include "ui/plan/plan_view.h"
 
 #include <QTabWidget>
 #include <QTableView>
@@ -115,8 +116,11 @@ TEST_P(PassesPictures, AreTakenOfEachView)
     for (const auto& [scene, view] : {std::pair("passes", "The passes as a list"),
                                       std::pair("passes-timeline", "The passes of the next 24 hours side by side"),
                                       std::pair("passes-elevation", "The elevation of the selected pass over time"),
-                                      std::pair("passes-map", "The path of the selected satellite over the Earth")}) {
+                                      std::pair("passes-map", "The path of the selected satellite over the Earth"),
+                                      std::pair("passes-plan", "How the mount will track the selected pass")}) {
         QTest::mouseClick(named<ChoiceButton>(translated("PassViews", view)), Qt::LeftButton);
+        const auto* const plan = window.findChild<PlanView*>();
+        ASSERT_TRUE(fakes::waitUntil([plan] { return !plan->isVisible() || plan->variant(); }));
         refresh();
         take(QLatin1String(scene));
     }
