@@ -88,9 +88,9 @@ Rooms joined(Rooms one, const Rooms& other)
     return one;
 }
 
-const Rooms kSeenByTheWindow{"core/base",   "core/units",    "core/pointing", "core/profile",
-                             "core/alarms", "core/messages", "core/elements", "core/orbit",
-                             "core/passes", "core/gpredict", "core/schedule", "core/targets"};
+const Rooms kSeenByTheWindow{"core/base",     "core/units",    "core/pointing", "core/profile", "core/alarms",
+                             "core/messages", "core/elements", "core/orbit",    "core/passes",  "core/gpredict",
+                             "core/schedule", "core/targets",  "core/recording"};
 const Rooms kAboveTheDriver{"core/control", "core/guards", "core/sources", "core/motion",     "core/mount",
                             "core/north",   "core/tuning", "core/night",   "core/cross_check"};
 const Rooms kBelowPanels{"ui/kit", "ui/look", "ui/link", "ui/hold", "ui/sky"};
