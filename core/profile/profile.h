@@ -14,6 +14,7 @@
 #include "core/profile/end_switch_settings.h"
 #include "core/profile/position_settings.h"
 #include "core/profile/power_settings.h"
+#include "core/profile/record_settings.h"
 #include "core/profile/rotator_settings.h"
 #include "core/profile/sensor_settings.h"
 #include "core/profile/transmit_settings.h"
@@ -451,6 +452,7 @@ struct Profile
     ClientLock clientLock = ClientLock::Ask;
     PositionSettings position;
     ScheduleSettings schedule;
+    RecordSettings record;
     SunSettings sun;
     JogSettings jog;
     RotctldSettings rotctld;

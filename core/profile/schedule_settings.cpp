@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The passes that the mount tracks by itself.
+// The passes that the mount tracks by itself, and the recordings of passes.
 #include "core/base/control_characters.h"
 #include "core/base/text.h"
 #include "core/profile/setting_groups.h"
@@ -135,6 +135,29 @@ void addSchedule(std::vector<Setting>& list)
                            "arms itself once after each start, and the mount moves with nobody present.")},
         [](auto& p) -> auto& { return p.schedule.unattended; }));
     addPassHooks(list);
+}
+
+void addRecord(std::vector<Setting>& list)
+{
+    list.push_back(choice(
+        "record.passes", offOn(), kNow,
+        {QT_TRANSLATE_NOOP("Text", "Record passes"),
+         QT_TRANSLATE_NOOP("Text",
+                           "With \"on\" Boresight records each pass in a file: all values of both axes in each control "
+                           "tick, the events and the plan. An hour takes at most 8 MB.")},
+        [](auto& p) -> auto& { return p.record.passes; }));
+    list.push_back(integer(
+        "record.keep_days", "days", {1.0, 3650.0}, kNow,
+        {QT_TRANSLATE_NOOP("Text", "Keep for"),
+         QT_TRANSLATE_NOOP("Text", "Older recordings are deleted when the next recording begins.")},
+        [](auto& p) -> auto& { return p.record.keepDays; }));
+    list.push_back(integer(
+        "record.keep_megabytes", "MB", {10.0, 1'000'000.0}, kNow,
+        {QT_TRANSLATE_NOOP("Text", "Keep at most"),
+         QT_TRANSLATE_NOOP("Text",
+                           "The oldest recordings of this mount are deleted as soon as all recordings together are "
+                           "larger.")},
+        [](auto& p) -> auto& { return p.record.keepMegabytes; }));
 }
 
 std::span<const SettingOf<schedule::WatchEntry>> watchSettings()

@@ -443,6 +443,7 @@ std::vector<Setting> makeSettings()
     addAzel(list);
     addPosition(list);
     addSchedule(list);
+    addRecord(list);
     addSun(list);
     addJog(list);
     addClients(list);

@@ -20,6 +20,7 @@ void addOrbit(std::vector<Setting>& list);
 void addAzel(std::vector<Setting>& list);
 void addPosition(std::vector<Setting>& list);
 void addSchedule(std::vector<Setting>& list);
+void addRecord(std::vector<Setting>& list);
 void addSun(std::vector<Setting>& list);
 void addClientLock(std::vector<Setting>& list);
 void addSupervision(std::vector<Setting>& list);

@@ -43,6 +43,7 @@ constexpr Title kTitles[] = {{"mount", QT_TRANSLATE_NOOP("SettingWords", "Mount"
                              {"azel", QT_TRANSLATE_NOOP("SettingWords", "Moon by WSJT-X")},
                              {"position", QT_TRANSLATE_NOOP("SettingWords", "Balloon or rocket")},
                              {"schedule", QT_TRANSLATE_NOOP("SettingWords", "Schedule of passes")},
+                             {"record", QT_TRANSLATE_NOOP("SettingWords", "Recordings of passes")},
                              {"sun", QT_TRANSLATE_NOOP("SettingWords", "Sun")},
                              {"jog", QT_TRANSLATE_NOOP("SettingWords", "Jog")},
                              {"rotctld", QT_TRANSLATE_NOOP("SettingWords", "rotctld server")},
