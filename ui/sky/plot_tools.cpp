@@ -75,7 +75,11 @@ bool PlotTools::hasReadout() const
 
 QList<QWidget*> PlotTools::corners() const
 {
-    return {m_edit, m_zoom, m_save, m_offCaption, m_off, m_loss, m_cable, m_travel};
+    QList<QWidget*> all{m_zoom, m_save, m_offCaption, m_off, m_loss, m_cable, m_travel};
+    if (m_hasEditing) {
+        all.prepend(m_edit);
+    }
+    return all;
 }
 
 void PlotTools::setFrame(const SkyFrame& frame)
@@ -95,6 +99,11 @@ void PlotTools::placeButtons()
     const int step = PlotButton::kSize + kPlotToolsGap + 2;
     const bool column = m_frame.isFree(QRectF(0, 0, kPlotToolsGap + PlotButton::kSize, 3 * step + kPlotToolsGap));
     m_edit->move(kPlotToolsGap, kPlotToolsGap);
+    if (!m_hasEditing) {
+        m_zoom->move(kPlotToolsGap, kPlotToolsGap);
+        m_save->move(kPlotToolsGap, kPlotToolsGap + step);
+        return;
+    }
     m_zoom->move(kPlotToolsGap, kPlotToolsGap + step);
     m_save->move(column ? QPoint(kPlotToolsGap, kPlotToolsGap + 2 * step)
                         : QPoint(kPlotToolsGap + step, kPlotToolsGap));
@@ -140,6 +149,13 @@ void PlotTools::showMask()
 void PlotTools::showEditing(bool on)
 {
     m_edit->setChecked(on);
+}
+
+void PlotTools::hideEditing()
+{
+    m_hasEditing = false;
+    m_edit->hide();
+    place();
 }
 
 void PlotTools::showZoom(bool on)

@@ -56,6 +56,7 @@ public:
     void setTracked(const targets::SkyWay& way, UtcTime utc);
     void setChosen(const targets::SkyWay& way, UtcTime utc);        // of the pass that is selected in a list
     void setSatellites(const std::vector<SatellitePlace>& places);  // satellites that are up, without the tracked one
+    void setTrail(const std::vector<SeenPlace>& places, UtcTime utc);  // in place of the present one
     void setPicked(const std::optional<SkyPointing>& direction);
     void setFocused(bool on);             // the plot has the keyboard: its rim shows this
     void paint(QPainter& painter) const;  // everything but the ground, also for a picture of the plot
