@@ -17,7 +17,6 @@ class QTableView;
 
 // The replay of one recording: sky, charts, events and numbers of the moment that the time slider shows. A window of
 // its own, without any control of the station. Its requests go nowhere. Gui thread.
-// More than 15 members: the widgets that it composes.
 namespace boresight::ui {
 
 class MomentNumbers;
