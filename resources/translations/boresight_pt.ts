@@ -962,6 +962,25 @@ até %1</translation>
     </message>
 </context>
 <context>
+    <name>ReplayTape</name>
+    <message>
+        <source>%1 ticks were not recorded. The disk was too slow or full.</source>
+        <translation>%1 instantes não foram gravados. O disco estava demasiado lento ou cheio.</translation>
+    </message>
+    <message>
+        <source>The recording has no end mark. The replay ends with the last whole block. Boresight still writes the file, or was interrupted.</source>
+        <translation>A gravação não tem marca de fim. A reprodução termina no último bloco completo. O Boresight ainda está a escrever o ficheiro, ou foi interrompido.</translation>
+    </message>
+    <message>
+        <source>The file is damaged. The replay has everything that could be read:</source>
+        <translation>O ficheiro está danificado. A reprodução tem tudo o que pôde ser lido:</translation>
+    </message>
+    <message>
+        <source>The recording has no ticks, so sky and charts are empty.</source>
+        <translation>A gravação não tem instantes, por isso o céu e os gráficos estão vazios.</translation>
+    </message>
+</context>
+<context>
     <name>SettingWords</name>
     <message>
         <source>Mount</source>
@@ -16632,6 +16651,10 @@ EL %2</translation>
         <source>Changes at the next start</source>
         <translation>Muda no próximo arranque</translation>
     </message>
+    <message>
+        <source>Open recording …</source>
+        <translation>Abrir gravação …</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::MainWindow</name>
@@ -16902,6 +16925,57 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
     <message>
         <source>The points and their residuals</source>
         <translation>Os pontos e os seus resíduos</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::MomentNumbers</name>
+    <message>
+        <source>UTC</source>
+        <translation>UTC</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Estado</translation>
+    </message>
+    <message>
+        <source>actual</source>
+        <translation>real</translation>
+    </message>
+    <message>
+        <source>commanded</source>
+        <translation>comandado</translation>
+    </message>
+    <message>
+        <source>target</source>
+        <translation>alvo</translation>
+    </message>
+    <message>
+        <source>torque</source>
+        <translation>binário</translation>
+    </message>
+    <message>
+        <source>Actual %1</source>
+        <translation>%1 real</translation>
+    </message>
+    <message>
+        <source>Commanded %1</source>
+        <translation>%1 comandado</translation>
+    </message>
+    <message>
+        <source>Target %1</source>
+        <translation>%1 do alvo</translation>
+    </message>
+    <message>
+        <source>Torque of %1</source>
+        <translation>Binário de %1</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation>erro</translation>
+    </message>
+    <message>
+        <source>Error on the sky</source>
+        <translation>Erro no céu</translation>
     </message>
 </context>
 <context>
@@ -17546,6 +17620,29 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
     <message>
         <source>Select a pass first.</source>
         <translation>Selecione primeiro uma passagem.</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::PlayBar</name>
+    <message>
+        <source>Pause</source>
+        <translation>Pausa</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Reproduzir</translation>
+    </message>
+    <message>
+        <source>Play or pause the recording (Space)</source>
+        <translation>Reproduzir ou pausar a gravação (Espaço)</translation>
+    </message>
+    <message>
+        <source>Time since the start of the recording</source>
+        <translation>Tempo desde o início da gravação</translation>
+    </message>
+    <message>
+        <source>Play at %1 times the speed (+ and -)</source>
+        <translation>Reproduzir a %1 vezes a velocidade (+ e -)</translation>
     </message>
 </context>
 <context>
@@ -18642,6 +18739,111 @@ O Boresight escreve-as, lê-as de volta e guarda-as nos acionamentos. Nada se mo
     <message>
         <source>Electrical power of all drives. Energy and peak power are those of the present or the last motion. Negative power flows back to the supply.</source>
         <translation>Potência elétrica de todos os acionamentos. A energia e a potência máxima são as do movimento atual ou do último. A potência negativa volta para a fonte.</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::RecordedEventModel</name>
+    <message>
+        <source>motion</source>
+        <translation>movimento</translation>
+    </message>
+    <message>
+        <source>alarm</source>
+        <translation>alarme</translation>
+    </message>
+    <message>
+        <source>client</source>
+        <translation>cliente</translation>
+    </message>
+    <message>
+        <source>event</source>
+        <translation>evento</translation>
+    </message>
+    <message>
+        <source>UTC</source>
+        <translation>UTC</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Tipo</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Origem</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>O quê</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::ReplayOpener</name>
+    <message>
+        <source>Open recording</source>
+        <translation>Abrir gravação</translation>
+    </message>
+    <message>
+        <source>Recordings of passes (*.recording)</source>
+        <translation>Gravações de passagens (*.recording)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Todos os ficheiros (*)</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::ReplayWindow</name>
+    <message>
+        <source>Events of the recording</source>
+        <translation>Eventos da gravação</translation>
+    </message>
+    <message>
+        <source>Why the mount moved</source>
+        <translation>Porque a montagem se moveu</translation>
+    </message>
+    <message>
+        <source>the mount</source>
+        <translation>a montagem</translation>
+    </message>
+    <message>
+        <source>Recording of %1, %2</source>
+        <translation>Gravação de %1, %2</translation>
+    </message>
+    <message>
+        <source>%1, simulated</source>
+        <translation>%1, simulada</translation>
+    </message>
+    <message>
+        <source>part %1</source>
+        <translation>parte %1</translation>
+    </message>
+    <message>
+        <source>What is missing in the recording</source>
+        <translation>O que falta na gravação</translation>
+    </message>
+    <message>
+        <source>North is up, east is right, the zenith is in the centre.</source>
+        <translation>O norte está em cima, o este à direita, o zénite no centro.</translation>
+    </message>
+    <message>
+        <source>A click, or Enter, jumps to the event</source>
+        <translation>Um clique, ou Enter, salta para o evento</translation>
+    </message>
+    <message>
+        <source>Why did it move?</source>
+        <translation>Porque se moveu?</translation>
+    </message>
+    <message>
+        <source>Jump to the last start of a motion before this moment. Press again for the one before (W)</source>
+        <translation>Saltar para o último início de um movimento antes deste momento. Prima outra vez para o anterior (W)</translation>
+    </message>
+    <message>
+        <source>This is the first motion of the recording. %1</source>
+        <translation>Este é o primeiro movimento da gravação. %1</translation>
+    </message>
+    <message>
+        <source>No motion began before this moment of the recording.</source>
+        <translation>Nenhum movimento começou antes deste momento da gravação.</translation>
     </message>
 </context>
 <context>
@@ -20180,6 +20382,14 @@ Em comparação com a montagem em uso:
         <source>Quantity in the lowest strip</source>
         <translation>O que a faixa de baixo mostra do acionamento</translation>
     </message>
+    <message>
+        <source>Point at a curve to read it, or press Tab and then the arrow keys</source>
+        <translation>Aponte para uma curva para a ler, ou prima Tab e depois as teclas de setas</translation>
+    </message>
+    <message>
+        <source>%1, %2 before %3Z.</source>
+        <translation>%1, %2 antes das %3Z.</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::SwingPage</name>
@@ -20603,6 +20813,17 @@ Para onde outro rotor aponta, segundo o seu rotctld: rotctld:10.0.0.7:4533</tran
     <message>
         <source>%1 min</source>
         <translation>%1 min</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::TimeSlider</name>
+    <message>
+        <source>Moment of the recording</source>
+        <translation>Momento da gravação</translation>
+    </message>
+    <message>
+        <source>Press or drag to jump. ▲ marks the start of a motion. Keys: left and right 1 s, Home, End</source>
+        <translation>Prima ou arraste para saltar. ▲ assinala o início de um movimento. Teclas: esquerda e direita 1 s, Home, End</translation>
     </message>
 </context>
 <context>

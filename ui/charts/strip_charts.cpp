@@ -192,6 +192,18 @@ void StripCharts::add(const std::vector<TickSample>& samples)
     m_store->add(samples);
 }
 
+void StripCharts::clear()
+{
+    m_store = std::make_unique<TelemetryStore>();
+}
+
+void StripCharts::setRecorded()
+{
+    m_isRecorded = true;
+    m_pause->hide();
+    setToolTip(tr("Point at a curve to read it, or press Tab and then the arrow keys"));
+}
+
 void StripCharts::showStatus(const StationStatus& status)
 {
     m_limits = {.profile = status.profile, .beamWidth = antennaOf(status).beamWidth};
@@ -239,7 +251,7 @@ void StripCharts::showTime(const ChartSpan& span)
     const StripChart& top = *m_strips.front();
     const int left = top.mapTo(this, top.canvas().topLeft()).x() - m_time->mapTo(this, QPoint(0, 0)).x();
     m_time->setCanvas(left, top.canvas().width());
-    m_time->setNewest(m_pausedAt ? clockText(utcOf(*m_pausedAt)) + QLatin1Char('Z') : tr("now"));
+    m_time->setNewest(m_pausedAt || m_isRecorded ? clockText(utcOf(newest())) + QLatin1Char('Z') : tr("now"));
     if (const auto time = span.cursorTime()) {
         const int x = left + static_cast<int>(*span.cursor / devicePixelRatioF());
         m_time->setCursor(
@@ -262,13 +274,17 @@ void StripCharts::showNotice()
 
 void StripCharts::describeOnceASecond()
 {
-    if (m_clock.now() - m_described < kDescribePeriod) {
+    const auto since = m_clock.now() - m_described;
+    if (since < kDescribePeriod && since >= SteadyTime::duration::zero()) {  // a replay may jump back
         return;
     }
     m_described = m_clock.now();
-    QString words = m_pausedAt ? tr("%1, %2 before %3Z, paused.")
-                                     .arg(name(m_choice.axis), timeText(m_choice.window), clockText(utcOf(*m_pausedAt)))
-                               : tr("%1, last %2.").arg(name(m_choice.axis), timeText(m_choice.window));
+    QString words =
+        m_pausedAt ? tr("%1, %2 before %3Z, paused.")
+                         .arg(name(m_choice.axis), timeText(m_choice.window), clockText(utcOf(*m_pausedAt)))
+        : m_isRecorded
+            ? tr("%1, %2 before %3Z.").arg(name(m_choice.axis), timeText(m_choice.window), clockText(utcOf(newest())))
+            : tr("%1, last %2.").arg(name(m_choice.axis), timeText(m_choice.window));
     for (StripChart* const chart : m_strips) {
         if (chart->isHidden()) {
             continue;
@@ -303,8 +319,11 @@ void StripCharts::keyPressEvent(QKeyEvent* event)
             moveCursor(last);
             break;
         case Qt::Key_Space:
-            m_pause->click();
-            break;
+            if (!m_isRecorded) {
+                m_pause->click();
+                break;
+            }
+            [[fallthrough]];
         default:
             QWidget::keyPressEvent(event);
     }

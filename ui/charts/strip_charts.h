@@ -38,6 +38,8 @@ public:
 
     void add(const std::vector<TickSample>& samples);
     void showStatus(const StationStatus& status);
+    void clear();        // the next samples may be older
+    void setRecorded();  // for a replay: the right end is a moment of a recording, and its owner pauses
 
     [[nodiscard]] StripChart& strip(Strip strip) { return *m_strips[static_cast<std::size_t>(strip)]; }
     [[nodiscard]] const ChartChoice& choice() const { return m_choice; }
@@ -81,6 +83,7 @@ private:
     std::array<bool, 2> m_turnKnown{true, true};  // by Axis
     std::optional<SteadyTime> m_pausedAt;
     std::optional<int> m_cursor;
+    bool m_isRecorded = false;
     SteadyTime m_described{};
     std::array<StripChart*, 3> m_strips{};  // by Strip
     TimeAxis* m_time;

@@ -66,7 +66,11 @@ bool PlotTools::hasReadout() const
 
 QList<QWidget*> PlotTools::corners() const
 {
-    return QList<QWidget*>{m_edit, m_zoom, m_save} + m_error->parts() + QList<QWidget*>{m_cable, m_travel};
+    QList<QWidget*> all = QList<QWidget*>{m_zoom, m_save} + m_error->parts() + QList<QWidget*>{m_cable, m_travel};
+    if (m_hasEditing) {
+        all.prepend(m_edit);
+    }
+    return all;
 }
 
 void PlotTools::setFrame(const SkyFrame& frame)
@@ -86,6 +90,11 @@ void PlotTools::placeButtons()
     const int step = PlotButton::kSize + kPlotToolsGap + 2;
     const bool column = m_frame.isFree(QRectF(0, 0, kPlotToolsGap + PlotButton::kSize, 3 * step + kPlotToolsGap));
     m_edit->move(kPlotToolsGap, kPlotToolsGap);
+    if (!m_hasEditing) {
+        m_zoom->move(kPlotToolsGap, kPlotToolsGap);
+        m_save->move(kPlotToolsGap, kPlotToolsGap + step);
+        return;
+    }
     m_zoom->move(kPlotToolsGap, kPlotToolsGap + step);
     m_save->move(column ? QPoint(kPlotToolsGap, kPlotToolsGap + 2 * step)
                         : QPoint(kPlotToolsGap + step, kPlotToolsGap));
@@ -130,6 +139,13 @@ void PlotTools::showMask()
 void PlotTools::showEditing(bool on)
 {
     m_edit->setChecked(on);
+}
+
+void PlotTools::hideEditing()
+{
+    m_hasEditing = false;
+    m_edit->hide();
+    place();
 }
 
 void PlotTools::showZoom(bool on)

@@ -32,6 +32,7 @@ public:
     void setPainter(const std::function<void(QPainter&)>& paint) { m_paint = paint; }
     void setFrame(const SkyFrame& frame);  // of the whole sky
     void showEditing(bool on);
+    void hideEditing();  // for a sky that is only looked at
     void showZoom(bool on);
     void showOffTarget(const std::optional<Angle>& error, Angle beamWidth, bool unplanned);
     void showBudget(const std::optional<budget::ErrorBudget>& budget, UtcTime utc);
@@ -67,6 +68,7 @@ private:
     ValueLabel* m_cable;
     ValueLabel* m_travel;
     ValueLabel* m_readout;
+    bool m_hasEditing = true;
 };
 
 }  // namespace boresight::ui

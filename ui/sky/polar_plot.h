@@ -53,6 +53,7 @@ public:
     [[nodiscard]] PlotMenu& menu() { return *m_menu; }
     [[nodiscard]] const SkyFrame& frame() const { return m_frame; }
     [[nodiscard]] const SkyMarkers& markers() const { return *m_markers; }
+    [[nodiscard]] SkyMarkers& markers() { return *m_markers; }
     [[nodiscard]] const SkyZoom& zoom() const { return m_zoom; }
     // The pixel where Qwt puts a direction. A test compares it with SkyProjection.
     [[nodiscard]] QPointF qwtPixel(const SkyPointing& direction) const;

@@ -108,6 +108,11 @@ void SkyMarkers::setSatellites(const std::vector<SatellitePlace>& places)
     update(m_satellites.show(places));
 }
 
+void SkyMarkers::setTrail(const std::vector<SeenPlace>& places, UtcTime utc)
+{
+    update(m_trail.replace(places, utc));
+}
+
 void SkyMarkers::setPicked(const std::optional<SkyPointing>& direction)
 {
     const QRegion before = occupied();

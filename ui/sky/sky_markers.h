@@ -55,6 +55,7 @@ public:
     void setBodies(const std::vector<BodyPlace>& bodies);
     void showPaths(const StationStatus& status);
     void setSatellites(const std::vector<SatellitePlace>& places);  // satellites that are up, without the tracked one
+    void setTrail(const std::vector<SeenPlace>& places, UtcTime utc);  // in place of the present one
     void setPicked(const std::optional<SkyPointing>& direction);
     void setFocused(bool on);             // the plot has the keyboard: its rim shows this
     void paint(QPainter& painter) const;  // everything but the ground, also for a picture of the plot

@@ -97,6 +97,20 @@ QRect SkyTrail::age(UtcTime utc)
     return changed;
 }
 
+QRect SkyTrail::replace(const std::vector<SeenPlace>& places, UtcTime utc)
+{
+    QRect changed = paintedBox(m_pixels.boundingRect());
+    m_places.clear();
+    m_pixels.clear();
+    m_now = utc;
+    m_painted = utc;
+    for (const SeenPlace& place : places) {
+        add(place.direction, place.utc);
+    }
+    changed |= paintedBox(m_pixels.boundingRect());
+    return changed;
+}
+
 double SkyTrail::strength(UtcTime utc) const
 {
     const double part = Seconds(m_now - utc) / Seconds(kFadeTime);

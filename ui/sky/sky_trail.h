@@ -9,6 +9,7 @@
 
 #include <deque>
 #include <optional>
+#include <vector>
 
 class QPainter;
 
@@ -17,12 +18,21 @@ class QPainter;
 // widget.
 namespace boresight::ui {
 
+// A place where the beam was seen.
+struct SeenPlace
+{
+    SkyPointing direction;
+    UtcTime utc;
+};
+
 class SkyTrail
 {
 public:
     // The rectangle to be painted again. Empty if nothing has changed.
     QRect add(const SkyPointing& place, UtcTime utc);
     QRect age(UtcTime utc);
+    // Another trail, up to this time. The oldest place is first.
+    QRect replace(const std::vector<SeenPlace>& places, UtcTime utc);
     void setSky(const SkyProjection& sky);
 
     void paint(QPainter& painter) const;

@@ -35,6 +35,7 @@ MainMenu::MainMenu(const QString& language, QWidget& window)
     addSeparator();
     addLine(Glyph::Guide, tr("Commissioning guide"), QStringLiteral("F3"), &MainMenu::guideWanted);
     addLine(Glyph::Profile, tr("Open profile"), QStringLiteral("Ctrl+8"), &MainMenu::profileWanted);
+    addLine(Glyph::Charts, tr("Open recording …"), {}, &MainMenu::recordingWanted);
     addLine(Glyph::Guide, tr("Read the manual"), QStringLiteral("F1"), &MainMenu::manualWanted);
     addLine(Glyph::Keys, tr("Show keys"), QStringLiteral("Shift+F1"), &MainMenu::keysWanted);
     addLine(Glyph::Diagnostics, tr("Save diagnostics …"), QStringLiteral("Ctrl+B"), &MainMenu::diagnosticsWanted);

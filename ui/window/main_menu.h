@@ -34,6 +34,7 @@ Q_SIGNALS:
     void keysWanted();
     void guideWanted();
     void profileWanted();
+    void recordingWanted();
     void diagnosticsWanted();
     void aboutWanted();
 

@@ -23,6 +23,7 @@
 #include "ui/north/calibration_panel.h"
 #include "ui/passes/passes_panel.h"
 #include "ui/profile/profile_page.h"
+#include "ui/replay/replay_opener.h"
 #include "ui/sky/polar_plot.h"
 #include "ui/window/about_page.h"
 #include "ui/window/alarm_card.h"
@@ -104,6 +105,7 @@ MainWindow::MainWindow(const Clock& clock, const WindowSettings& settings, QWidg
       m_menu(new MainMenu(settings.language, *this)),
       m_stopKeys(new StopKeys(*this)),
       m_diagnostics(new DiagnosticsSaver(this)),
+      m_replays(new ReplayOpener(clock, settings.stateDir, this)),
       m_stateDir(settings.stateDir)
 {
     if (settings.onlySimulated) {
@@ -263,6 +265,8 @@ void MainWindow::connectMenu()
     });
     connect(m_menu, &MainMenu::profileWanted, this, [this] { m_panels->bringUp(m_panels->profile()); });
     connect(m_menu, &MainMenu::diagnosticsWanted, this, &MainWindow::saveDiagnostics);
+    connect(m_menu, &MainMenu::recordingWanted, this, [this] { m_replays->ask(*this); });
+    connect(m_replays, &ReplayOpener::failed, this, &MainWindow::warn);
     connect(m_menu, &MainMenu::aboutWanted, this, [this] { showBelowHead(*m_about); });
 }
 
@@ -395,11 +399,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
 void MainWindow::closeNow()
 {
     m_mayClose = true;
-    m_help->close();
-    if (m_manual != nullptr) {
-        m_manual->close();
-    }
-    m_about->close();
+    QApplication::closeAllWindows();  // also help, manual and replays
     close();
 }
 

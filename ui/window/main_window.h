@@ -40,6 +40,7 @@ class PickPrompt;
 class PlacesBar;
 class PolarPlot;
 class ProgressLine;
+class ReplayOpener;
 class StopKeys;
 class ValueLabel;
 
@@ -134,6 +135,7 @@ private:
     MainMenu* m_menu;
     StopKeys* m_stopKeys;
     DiagnosticsSaver* m_diagnostics;
+    ReplayOpener* m_replays;
     QString m_stateDir;
     QTimer m_beat{this};
     int m_beats = 0;

@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/main_menu.h"
 
+#include "core/recording/record_writer.h"
+#include "tests/core/recording/recorded_pass.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/guide/guide_page.h"
+#include "ui/replay/replay_window.h"
 #include "ui/window/about_page.h"
 #include "ui/window/help_page.h"
 #include "ui/window/stop_button.h"
 
 #include <QApplication>
+#include <QFile>
 #include <QLabel>
 #include <QTabWidget>
+#include <QTemporaryDir>
 #include <QToolButton>
 
 namespace boresight::ui {
@@ -126,6 +131,36 @@ TEST_F(MainMenuTest, ThemeAndBrightnessAreChosenAndKept)
     QTest::keyClick(&window, Qt::Key_D, Qt::ControlModifier);
     EXPECT_EQ(currentTheme().kind, ThemeKind::Day);
     EXPECT_EQ(currentBrightness(), Brightness::Low) << "for the next night";
+}
+
+// REQ-REPLAY-09: The menu opens a recording. F12 stops the mount from the replay, too. Nothing else in it reaches the
+// station. The replay closes with the window of the station.
+TEST_F(MainMenuTest, ARecordingOpensInAWindowOfItsOwn)
+{
+    const QTemporaryDir folder;
+    QFile file(folder.filePath(QStringLiteral("pass.recording")));
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write(recording::fileStart(recording::recordedHeader()) +
+               recording::tickBlock(recording::RecordedPass().ticks(100)) + recording::fileEnd());
+    file.close();
+    choose("Open recording …");
+    chooseFile(file.fileName());
+    QPointer<ReplayWindow> replay;
+    ASSERT_TRUE(comesTrue([&replay] {
+        for (QWidget* const one : QApplication::topLevelWidgets()) {
+            replay = replay ? replay.data() : qobject_cast<ReplayWindow*>(one);
+        }
+        return replay && replay->isVisible();
+    }));
+    for (const Qt::Key key : {Qt::Key_Space, Qt::Key_Left, Qt::Key_Right, Qt::Key_Home, Qt::Key_End}) {
+        QTest::keyClick(replay, key);
+    }
+    EXPECT_TRUE(requests.empty());
+    QTest::keyClick(replay, Qt::Key_F12);
+    EXPECT_EQ(asked<request::Stop>().size(), 1u);
+    window.closeNow();
+    settle();
+    EXPECT_EQ(replay, nullptr);
 }
 
 TEST_F(MainMenuTest, ThePagesOpenWithoutCoveringAnything)
