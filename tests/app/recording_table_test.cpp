@@ -47,7 +47,7 @@ TEST(RecordingTable, ATickHasAllChannels)
                                 "commanded_elevation_deg,target_azimuth_deg,target_elevation_deg,error_deg,"
                                 "sensor_azimuth_deg,sensor_elevation_deg,wind_m_s,azimuth_actual_deg,"));
     EXPECT_THAT(csv, HasSubstr(",elevation_motor_temperature_degC,elevation_state\n"));
-    EXPECT_THAT(csv, HasSubstr(",MOVING\n2026-11-18T11:06:40Z,TRACK,,,,"));
+    EXPECT_THAT(csv, HasSubstr(",MOVING\n2026-11-18T11:06:40.000Z,TRACK,,,,"));
     EXPECT_THAT(tickTable(recordedPass(10), 8, 5).rows, SizeIs(2));
 }
 
@@ -57,10 +57,10 @@ TEST(RecordingTable, EventsPlanAndFactsHaveTheirTables)
     const recording::Recording pass = recordedPass(100);
     EXPECT_EQ(
         csvOf(eventTable(pass)),
-        "t_utc,kind,level,source,text\n2026-11-18T11:06:41.5Z,motion,advisory,operator,\"tracks NOAA 19, again\"\n");
+        "t_utc,kind,level,source,text\n2026-11-18T11:06:41.500Z,motion,advisory,operator,\"tracks NOAA 19, again\"\n");
     EXPECT_EQ(csvOf(plannedTable(pass)),
               "t_utc,az_deg,el_deg,target_az_deg,target_el_deg,error_deg,hidden\n"
-              "2026-11-18T11:06:40Z,0.0000,0.0000,0.0000,0.0000,0.5000,no\n");
+              "2026-11-18T11:06:40.000Z,0.0000,0.0000,0.0000,0.0000,0.5000,no\n");
     EXPECT_THAT(plannedTable({}).rows, IsEmpty());
     const std::string about = csvOf(aboutTable(pass));
     EXPECT_THAT(about, HasSubstr("\ntarget,NOAA 19\nnorad,33591\nclient,rotctld 127.0.0.1:51234\npart,1\n"));
