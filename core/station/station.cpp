@@ -52,8 +52,7 @@ Station::Station(const profile::Profile& profile, const MountMaker& mount, const
                .rehearsal = [this] { return m_rehearsal.status(); },
                .status = [this] { return status(); },
                .transmit = [this] { return m_transmit.status(); },
-               .protocolLines = [this](std::uint64_t after,
-                                       std::size_t limit) { return m_server.protocolLog().oldest(after, limit); },
+               .protocolLines = [this](auto after, auto most) { return m_server.protocolLog().oldest(after, most); },
                .simulate = [this](const QByteArray& text) { return m_showFault(text.toStdString()); }},
               m_log, clock, this),
       m_inputs(m_control,
@@ -387,8 +386,8 @@ Result<> Station::carryOut(const Request& request, const Source& by)
     }
     if (const auto* const wanted = std::get_if<request::LogProtocol>(&request)) {
         m_server.protocolLog().setOn(wanted->on);
-        m_log.add(Severity::Advisory, by.name,
-                  wanted->on ? Text::tr("the protocol log begins") : Text::tr("the protocol log ends"));
+        const QString what = wanted->on ? Text::tr("the protocol log begins") : Text::tr("the protocol log ends");
+        m_log.add(Severity::Advisory, by.name, what);
         return {};
     }
     if (std::holds_alternative<request::UseNewTime>(request)) {

@@ -3,11 +3,11 @@
 
 #include "core/budget/budget_text.h"
 #include "core/pointing/beam.h"
+#include "ui/budget/budget_card.h"
+#include "ui/budget/off_button.h"
 #include "ui/kit/command_button.h"
 #include "ui/kit/format.h"
 #include "ui/kit/value_label.h"
-#include "ui/sky/budget_card.h"
-#include "ui/sky/off_button.h"
 #include "ui/sky/sky_frame.h"
 
 #include <algorithm>

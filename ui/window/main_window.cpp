@@ -400,7 +400,6 @@ void MainWindow::closeNow()
 {
     m_mayClose = true;
     QApplication::closeAllWindows();  // also help, manual and replays
-    close();
 }
 
 void MainWindow::nextTheme()

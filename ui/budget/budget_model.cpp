@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/sky/budget_model.h"
+#include "ui/budget/budget_model.h"
 
 #include "core/budget/budget_text.h"
 #include "ui/kit/theme.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/sky/off_button.h"
+#include "ui/budget/off_button.h"
 
 #include "ui/kit/theme.h"
 

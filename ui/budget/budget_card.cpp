@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/sky/budget_card.h"
+#include "ui/budget/budget_card.h"
 
 #include "core/budget/budget_text.h"
+#include "ui/budget/budget_model.h"
 #include "ui/kit/caption.h"
 #include "ui/kit/read_table.h"
 #include "ui/kit/theme.h"
-#include "ui/sky/budget_model.h"
 
 #include <QDialogButtonBox>
 #include <QHeaderView>
