@@ -38,6 +38,7 @@ extern const Subcommand kConfirmDirectionsCommand;
 extern const Subcommand kEphemerisCommand;
 extern const Subcommand kPassesCommand;
 extern const Subcommand kPlanCommand;
+extern const Subcommand kReportCommand;
 extern const Subcommand kGotoCommand;
 extern const Subcommand kStopCommand;
 extern const Subcommand kResetStopCommand;

@@ -1151,6 +1151,10 @@ até %1</translation>
         <source>Clients</source>
         <translation>Clientes</translation>
     </message>
+    <message>
+        <source>Recordings of passes</source>
+        <translation>Gravações de passagens</translation>
+    </message>
 </context>
 <context>
     <name>SkyBodies</name>
@@ -11830,6 +11834,354 @@ até %1</translation>
     <message>
         <source>the setting clients.lock was changed</source>
         <translation>a definição clients.lock foi alterada</translation>
+    </message>
+    <message>
+        <source>The recording has no ticks. It ended before the mount was measured.</source>
+        <translation>A gravação não tem medições. Terminou antes de a montagem ser medida.</translation>
+    </message>
+    <message>
+        <source>The recording has no readable ticks. %1</source>
+        <translation>A gravação não tem medições legíveis. %1</translation>
+    </message>
+    <message>
+        <source>beyond the main lobe</source>
+        <translation>fora do lóbulo principal</translation>
+    </message>
+    <message>
+        <source>%1 at %2, %3</source>
+        <translation>%1 a %2, %3</translation>
+    </message>
+    <message>
+        <source>direct</source>
+        <translation>direto</translation>
+    </message>
+    <message>
+        <source>over the top</source>
+        <translation>pelo outro lado</translation>
+    </message>
+    <message>
+        <source>through the zenith</source>
+        <translation>pelo zénite</translation>
+    </message>
+    <message>
+        <source>the other way round</source>
+        <translation>pela volta contrária</translation>
+    </message>
+    <message>
+        <source>waits at the cable end</source>
+        <translation>espera no fim do cabo</translation>
+    </message>
+    <message>
+        <source>unwraps the cable</source>
+        <translation>desenrola o cabo</translation>
+    </message>
+    <message>
+        <source>%1, %2 without ticks</source>
+        <translation>%1, %2 sem medições</translation>
+    </message>
+    <message>
+        <source>Pass</source>
+        <translation>Passagem</translation>
+    </message>
+    <message>
+        <source>Tracked by</source>
+        <translation>Seguido por</translation>
+    </message>
+    <message>
+        <source>Recorded</source>
+        <translation>Gravado</translation>
+    </message>
+    <message>
+        <source>Highest point</source>
+        <translation>Ponto mais alto</translation>
+    </message>
+    <message>
+        <source>On target after</source>
+        <translation>No alvo após</translation>
+    </message>
+    <message>
+        <source>never</source>
+        <translation>nunca</translation>
+    </message>
+    <message>
+        <source>Strongest wind</source>
+        <translation>Vento mais forte</translation>
+    </message>
+    <message>
+        <source>Pointing error</source>
+        <translation>Erro de apontamento</translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation>RMS</translation>
+    </message>
+    <message>
+        <source>Median</source>
+        <translation>Mediana</translation>
+    </message>
+    <message>
+        <source>Peak</source>
+        <translation>Pico</translation>
+    </message>
+    <message>
+        <source>Peak at</source>
+        <translation>Pico a</translation>
+    </message>
+    <message>
+        <source>Beyond half of the beam</source>
+        <translation>Além de metade do feixe</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Plano</translation>
+    </message>
+    <message>
+        <source>Way</source>
+        <translation>Percurso</translation>
+    </message>
+    <message>
+        <source>Expected RMS</source>
+        <translation>RMS esperado</translation>
+    </message>
+    <message>
+        <source>Expected peak</source>
+        <translation>Pico esperado</translation>
+    </message>
+    <message>
+        <source>Expected beyond</source>
+        <translation>Além, esperado</translation>
+    </message>
+    <message>
+        <source>Hidden by the limits</source>
+        <translation>Oculto pelos limites</translation>
+    </message>
+    <message>
+        <source>Mean torque</source>
+        <translation>Torque médio</translation>
+    </message>
+    <message>
+        <source>Highest speed</source>
+        <translation>Velocidade máxima</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Gravação</translation>
+    </message>
+    <message>
+        <source>Ticks</source>
+        <translation>Medições</translation>
+    </message>
+    <message>
+        <source>Lost ticks</source>
+        <translation>Medições perdidas</translation>
+    </message>
+    <message>
+        <source>unknown target</source>
+        <translation>alvo desconhecido</translation>
+    </message>
+    <message>
+        <source>unnamed mount</source>
+        <translation>montagem sem nome</translation>
+    </message>
+    <message>
+        <source>%1, simulated</source>
+        <translation>%1, simulada</translation>
+    </message>
+    <message>
+        <source>%1 to %2 UTC</source>
+        <translation>%1 a %2 UTC</translation>
+    </message>
+    <message>
+        <source>Parts of the file could not be read: %1.</source>
+        <translation>Partes do ficheiro que não foi possível ler: %1.</translation>
+    </message>
+    <message>
+        <source>The recording ended without an orderly end.</source>
+        <translation>A gravação não terminou de forma ordenada.</translation>
+    </message>
+    <message>
+        <source>Record passes</source>
+        <translation>Gravar passagens</translation>
+    </message>
+    <message>
+        <source>With &quot;on&quot; Boresight records each pass in a file: all values of both axes in each control tick, the events and the plan. An hour takes at most 8 MB.</source>
+        <translation>Com &quot;on&quot; o Boresight grava cada passagem num ficheiro: todos os valores dos dois eixos em cada ciclo de controlo, os eventos e o plano. Uma hora ocupa no máximo 8 MB.</translation>
+    </message>
+    <message>
+        <source>Keep for</source>
+        <translation>Conservar durante</translation>
+    </message>
+    <message>
+        <source>Older recordings are deleted when the next recording begins.</source>
+        <translation>As gravações mais antigas são apagadas quando começa a gravação seguinte.</translation>
+    </message>
+    <message>
+        <source>Keep at most</source>
+        <translation>Conservar no máximo</translation>
+    </message>
+    <message>
+        <source>The oldest recordings of this mount are deleted as soon as all recordings together are larger.</source>
+        <translation>As gravações mais antigas desta montagem são apagadas logo que todas juntas ocupem mais.</translation>
+    </message>
+    <message>
+        <source>this is not a recording of a pass. The mark at its first 8 bytes is missing</source>
+        <translation>isto não é uma gravação de uma passagem. Falta a marca nos primeiros 8 bytes</translation>
+    </message>
+    <message>
+        <source>byte 8: the recording has version %1, but this program reads version %2. Read it with the program that wrote it</source>
+        <translation>byte 8: a gravação tem a versão %1, mas este programa lê a versão %2. Leia-a com o programa que a escreveu</translation>
+    </message>
+    <message>
+        <source>byte %1: the header of the recording is damaged or cut. Its ticks cannot be read without the header</source>
+        <translation>byte %1: o cabeçalho da gravação está danificado ou cortado. Sem o cabeçalho não se podem ler os instantes</translation>
+    </message>
+    <message>
+        <source>byte %1: the recording has no end. Its last seconds may be missing</source>
+        <translation>byte %1: a gravação não tem fim. Podem faltar os últimos segundos</translation>
+    </message>
+    <message>
+        <source>bytes %1 to %2 are damaged or cut. They are left out</source>
+        <translation>os bytes %1 a %2 estão danificados ou cortados. Foram omitidos</translation>
+    </message>
+    <message>
+        <source>byte %1: the content of block &quot;%2&quot; is not readable. It is left out</source>
+        <translation>byte %1: o conteúdo do bloco &quot;%2&quot; não é legível. Foi omitido</translation>
+    </message>
+    <message>
+        <source>cannot read: %1</source>
+        <translation>não se pode ler: %1</translation>
+    </message>
+    <message>
+        <source>%1: the name of a report ends with .pdf or .png</source>
+        <translation>%1: o nome de um relatório termina em .pdf ou .png</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2</source>
+        <translation>Não é possível escrever %1: %2</translation>
+    </message>
+    <message>
+        <source>Two passes compared</source>
+        <translation>Comparação de duas passagens</translation>
+    </message>
+    <message>
+        <source>Report of a pass</source>
+        <translation>Relatório de uma passagem</translation>
+    </message>
+    <message>
+        <source>%1, station %2</source>
+        <translation>%1, estação %2</translation>
+    </message>
+    <message>
+        <source>%1: not recorded</source>
+        <translation>%1: não gravado</translation>
+    </message>
+    <message>
+        <source>Pointing error (°)</source>
+        <translation>Erro de apontamento (°)</translation>
+    </message>
+    <message>
+        <source>Azimuth torque (Nm)</source>
+        <translation>Torque do azimute (Nm)</translation>
+    </message>
+    <message>
+        <source>Elevation torque (Nm)</source>
+        <translation>Torque da elevação (Nm)</translation>
+    </message>
+    <message>
+        <source>ALARM</source>
+        <translation>ALARME</translation>
+    </message>
+    <message>
+        <source>WARNING</source>
+        <translation>AVISO</translation>
+    </message>
+    <message>
+        <source>motion</source>
+        <translation>movimento</translation>
+    </message>
+    <message>
+        <source>Events: none</source>
+        <translation>Eventos: nenhum</translation>
+    </message>
+    <message>
+        <source>Events. The recording has further ones: %1</source>
+        <translation>Eventos. A gravação tem mais: %1</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>Eventos</translation>
+    </message>
+    <message>
+        <source>A report is of one recording or of two.</source>
+        <translation>Um relatório é de uma gravação ou de duas.</translation>
+    </message>
+    <message>
+        <source>Half of the beam: %1</source>
+        <translation>Metade do feixe: %1</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>E</source>
+        <translation>E</translation>
+    </message>
+    <message>
+        <source>S</source>
+        <translation>S</translation>
+    </message>
+    <message>
+        <source>W</source>
+        <translation>O</translation>
+    </message>
+    <message>
+        <source>target</source>
+        <translation>alvo</translation>
+    </message>
+    <message>
+        <source>beam</source>
+        <translation>feixe</translation>
+    </message>
+    <message>
+        <source>beam A</source>
+        <translation>feixe A</translation>
+    </message>
+    <message>
+        <source>beam B</source>
+        <translation>feixe B</translation>
+    </message>
+    <message>
+        <source>plan</source>
+        <translation>plano</translation>
+    </message>
+    <message>
+        <source>95 % of the time</source>
+        <translation>95 % do tempo</translation>
+    </message>
+    <message>
+        <source>Azimuth off the plan</source>
+        <translation>Azimute fora do plano</translation>
+    </message>
+    <message>
+        <source>Elevation off the plan</source>
+        <translation>Elevação fora do plano</translation>
+    </message>
+    <message>
+        <source>Alarms / warnings</source>
+        <translation>Alarmes / avisos</translation>
+    </message>
+    <message>
+        <source>Motions begun</source>
+        <translation>Movimentos iniciados</translation>
+    </message>
+    <message>
+        <source>The error is the angle between the beam and the target. It counts after the first second on target. On target is within half of the beam width. The parts that the limits hide by the plan do not count. The circle marks the beginning. A torque has its mean as a dark line, and its least and largest values as a light band.</source>
+        <translation>O erro é o ângulo entre o feixe e o alvo. Conta depois do primeiro segundo no alvo. No alvo é dentro de metade da largura do feixe. As partes que os limites ocultam segundo o plano não contam. O círculo marca o início. O torque tem a média como linha escura, e os valores mínimo e máximo como faixa clara.</translation>
     </message>
 </context>
 <context>
