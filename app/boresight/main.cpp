@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // boresight: the desktop program. The window runs on this thread, the station on its own thread.
+#include "app/boresight/report_mode.h"
 #include "app/host_search.h"
 #include "app/log_output.h"
 #include "app/options.h"
@@ -262,6 +263,9 @@ int main(int argc, char** argv)
     QElapsedTimer sinceStart;
     sinceStart.start();
     app::logToStandardError();
+    if (app::asksForReport(argc, argv)) {
+        return app::runReport(argc, argv);
+    }
     auto options = readOptionsAlone(argc, argv, {});
     while (!options) {
         const bool typed = argc > 1 && !options.error().byItsProfile;

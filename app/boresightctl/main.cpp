@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // boresightctl: simulates, finds and explains moteus controllers, checks profiles, predicts satellites, Sun and Moon,
-// and asks a running station. It never commands a drive directly.
+// reports recorded passes, and asks a running station. It never commands a drive directly.
 #include "app/boresightctl/subcommand.h"
 #include "app/log_output.h"
 #include "core/base/text.h"
@@ -18,15 +18,15 @@ namespace {
 using namespace boresight;
 using namespace boresight::ctl;
 
-constexpr std::array kSubcommands{&kSimulateCommand,   &kScanCommand,       &kDecodeCommand,
-                                  &kCheckCommand,      &kProfileCommand,    &kConfirmDirectionsCommand,
-                                  &kEphemerisCommand,  &kPassesCommand,     &kPlanCommand,
-                                  &kExportCommand,     &kReplayCommand,     &kGotoCommand,
-                                  &kStopCommand,       &kResetStopCommand,  &kOverrideWindCommand,
-                                  &kUseNewTimeCommand, &kParkCommand,       &kTrackCommand,
-                                  &kTakeCommand,       &kReleaseCommand,    &kSatellitesCommand,
-                                  &kAntennaCommand,    &kScheduleCommand,   &kStatusCommand,
-                                  &kConsoleCommand,    &kProtocolLogCommand};
+constexpr std::array kSubcommands{&kSimulateCommand,     &kScanCommand,       &kDecodeCommand,
+                                  &kCheckCommand,        &kProfileCommand,    &kConfirmDirectionsCommand,
+                                  &kEphemerisCommand,    &kPassesCommand,     &kPlanCommand,
+                                  &kExportCommand,       &kReplayCommand,     &kReportCommand,
+                                  &kGotoCommand,         &kStopCommand,       &kResetStopCommand,
+                                  &kOverrideWindCommand, &kUseNewTimeCommand, &kParkCommand,
+                                  &kTrackCommand,        &kTakeCommand,       &kReleaseCommand,
+                                  &kSatellitesCommand,   &kAntennaCommand,    &kScheduleCommand,
+                                  &kStatusCommand,       &kConsoleCommand,    &kProtocolLogCommand};
 constexpr std::size_t kNameWidth = 20;
 
 const Subcommand* findSubcommand(const std::string& name)

@@ -40,6 +40,7 @@ extern const Subcommand kPassesCommand;
 extern const Subcommand kPlanCommand;
 extern const Subcommand kExportCommand;
 extern const Subcommand kReplayCommand;
+extern const Subcommand kReportCommand;
 extern const Subcommand kGotoCommand;
 extern const Subcommand kStopCommand;
 extern const Subcommand kResetStopCommand;

@@ -11832,15 +11832,15 @@ até %1</translation>
     </message>
     <message>
         <source>The cable has no room for the whole pass of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>O cabo não tem folga para toda a passagem de %1</translation>
     </message>
     <message>
         <source>%2 The beam is off the target for %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%2 O feixe fica fora do alvo durante %3</translation>
     </message>
     <message>
         <source>On the page Passes, the view Plan shows the other ways</source>
-        <translation type="unfinished"></translation>
+        <translation>Na página Passagens, a vista Plano mostra os outros caminhos</translation>
     </message>
     <message>
         <source>It is off by more than half of the beam width for %1</source>
@@ -11972,7 +11972,7 @@ até %1</translation>
     </message>
     <message>
         <source>cannot take the way that was chosen any more: %1. It takes the best</source>
-        <translation type="unfinished"></translation>
+        <translation>já não pode seguir o caminho escolhido: %1. Segue o melhor</translation>
     </message>
     <message>
         <source>Servo</source>
@@ -12288,15 +12288,307 @@ até %1</translation>
     </message>
     <message>
         <source>plans the pass of %1 near the zenith, where the azimuth is too slow: off by up to %2</source>
-        <translation type="unfinished"></translation>
+        <translation>planeia a passagem de %1 perto do zénite, onde o azimute é demasiado lento: desvio até %2</translation>
     </message>
     <message>
         <source>plans the pass of %1, for which the cable has no room. %2 The beam is off it for %3</source>
-        <translation type="unfinished"></translation>
+        <translation>planeia a passagem de %1, para a qual o cabo não tem folga. %2 O feixe fica fora dela durante %3</translation>
     </message>
     <message>
         <source>unwrap the cable for %1</source>
-        <translation type="unfinished"></translation>
+        <translation>desenrolar o cabo para %1</translation>
+    </message>
+    <message>
+        <source>The recording has no ticks. It ended before the mount was measured.</source>
+        <translation>A gravação não tem medições. Terminou antes de a montagem ser medida.</translation>
+    </message>
+    <message>
+        <source>The recording has no readable ticks. %1</source>
+        <translation>A gravação não tem medições legíveis. %1</translation>
+    </message>
+    <message>
+        <source>%1 at %2, %3</source>
+        <translation>%1 a %2, %3</translation>
+    </message>
+    <message>
+        <source>direct</source>
+        <translation>direto</translation>
+    </message>
+    <message>
+        <source>over the top</source>
+        <translation>pelo outro lado</translation>
+    </message>
+    <message>
+        <source>through the zenith</source>
+        <translation>pelo zénite</translation>
+    </message>
+    <message>
+        <source>the other way round</source>
+        <translation>pela volta contrária</translation>
+    </message>
+    <message>
+        <source>waits at the cable end</source>
+        <translation>espera no fim do cabo</translation>
+    </message>
+    <message>
+        <source>unwraps the cable</source>
+        <translation>desenrola o cabo</translation>
+    </message>
+    <message>
+        <source>%1, %2 without ticks</source>
+        <translation>%1, %2 sem medições</translation>
+    </message>
+    <message>
+        <source>Pass</source>
+        <translation>Passagem</translation>
+    </message>
+    <message>
+        <source>Tracked by</source>
+        <translation>Seguido por</translation>
+    </message>
+    <message>
+        <source>Recorded</source>
+        <translation>Gravado</translation>
+    </message>
+    <message>
+        <source>Highest point</source>
+        <translation>Ponto mais alto</translation>
+    </message>
+    <message>
+        <source>On target after</source>
+        <translation>No alvo após</translation>
+    </message>
+    <message>
+        <source>never</source>
+        <translation>nunca</translation>
+    </message>
+    <message>
+        <source>Strongest wind</source>
+        <translation>Vento mais forte</translation>
+    </message>
+    <message>
+        <source>Pointing error</source>
+        <translation>Erro de apontamento</translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation>RMS</translation>
+    </message>
+    <message>
+        <source>Median</source>
+        <translation>Mediana</translation>
+    </message>
+    <message>
+        <source>Peak</source>
+        <translation>Pico</translation>
+    </message>
+    <message>
+        <source>Peak at</source>
+        <translation>Pico a</translation>
+    </message>
+    <message>
+        <source>Beyond half of the beam</source>
+        <translation>Além de metade do feixe</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Plano</translation>
+    </message>
+    <message>
+        <source>Way</source>
+        <translation>Percurso</translation>
+    </message>
+    <message>
+        <source>Expected RMS</source>
+        <translation>RMS esperado</translation>
+    </message>
+    <message>
+        <source>Expected peak</source>
+        <translation>Pico esperado</translation>
+    </message>
+    <message>
+        <source>Expected beyond</source>
+        <translation>Além, esperado</translation>
+    </message>
+    <message>
+        <source>Hidden by the limits</source>
+        <translation>Oculto pelos limites</translation>
+    </message>
+    <message>
+        <source>Mean torque</source>
+        <translation>Torque médio</translation>
+    </message>
+    <message>
+        <source>Highest speed</source>
+        <translation>Velocidade máxima</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Gravação</translation>
+    </message>
+    <message>
+        <source>Ticks</source>
+        <translation>Medições</translation>
+    </message>
+    <message>
+        <source>Lost ticks</source>
+        <translation>Medições perdidas</translation>
+    </message>
+    <message>
+        <source>unknown target</source>
+        <translation>alvo desconhecido</translation>
+    </message>
+    <message>
+        <source>unnamed mount</source>
+        <translation>montagem sem nome</translation>
+    </message>
+    <message>
+        <source>%1, simulated</source>
+        <translation>%1, simulada</translation>
+    </message>
+    <message>
+        <source>%1 to %2 UTC</source>
+        <translation>%1 a %2 UTC</translation>
+    </message>
+    <message>
+        <source>Parts of the file could not be read: %1.</source>
+        <translation>Partes do ficheiro que não foi possível ler: %1.</translation>
+    </message>
+    <message>
+        <source>The recording ended without an orderly end.</source>
+        <translation>A gravação não terminou de forma ordenada.</translation>
+    </message>
+    <message>
+        <source>%1: the name of a report ends with .pdf or .png</source>
+        <translation>%1: o nome de um relatório termina em .pdf ou .png</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2</source>
+        <translation>Não é possível escrever %1: %2</translation>
+    </message>
+    <message>
+        <source>Two passes compared</source>
+        <translation>Comparação de duas passagens</translation>
+    </message>
+    <message>
+        <source>Report of a pass</source>
+        <translation>Relatório de uma passagem</translation>
+    </message>
+    <message>
+        <source>%1, station %2</source>
+        <translation>%1, estação %2</translation>
+    </message>
+    <message>
+        <source>%1: not recorded</source>
+        <translation>%1: não gravado</translation>
+    </message>
+    <message>
+        <source>Pointing error (°)</source>
+        <translation>Erro de apontamento (°)</translation>
+    </message>
+    <message>
+        <source>Azimuth torque (Nm)</source>
+        <translation>Torque do azimute (Nm)</translation>
+    </message>
+    <message>
+        <source>Elevation torque (Nm)</source>
+        <translation>Torque da elevação (Nm)</translation>
+    </message>
+    <message>
+        <source>ALARM</source>
+        <translation>ALARME</translation>
+    </message>
+    <message>
+        <source>WARNING</source>
+        <translation>AVISO</translation>
+    </message>
+    <message>
+        <source>motion</source>
+        <translation>movimento</translation>
+    </message>
+    <message>
+        <source>Events: none</source>
+        <translation>Eventos: nenhum</translation>
+    </message>
+    <message>
+        <source>Events. The recording has further ones: %1</source>
+        <translation>Eventos. A gravação tem mais: %1</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>Eventos</translation>
+    </message>
+    <message>
+        <source>A report is of one recording or of two.</source>
+        <translation>Um relatório é de uma gravação ou de duas.</translation>
+    </message>
+    <message>
+        <source>Half of the beam: %1</source>
+        <translation>Metade do feixe: %1</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>E</source>
+        <translation>E</translation>
+    </message>
+    <message>
+        <source>S</source>
+        <translation>S</translation>
+    </message>
+    <message>
+        <source>W</source>
+        <translation>O</translation>
+    </message>
+    <message>
+        <source>target</source>
+        <translation>alvo</translation>
+    </message>
+    <message>
+        <source>beam</source>
+        <translation>feixe</translation>
+    </message>
+    <message>
+        <source>beam A</source>
+        <translation>feixe A</translation>
+    </message>
+    <message>
+        <source>beam B</source>
+        <translation>feixe B</translation>
+    </message>
+    <message>
+        <source>plan</source>
+        <translation>plano</translation>
+    </message>
+    <message>
+        <source>95 % of the time</source>
+        <translation>95 % do tempo</translation>
+    </message>
+    <message>
+        <source>Azimuth off the plan</source>
+        <translation>Azimute fora do plano</translation>
+    </message>
+    <message>
+        <source>Elevation off the plan</source>
+        <translation>Elevação fora do plano</translation>
+    </message>
+    <message>
+        <source>Alarms / warnings</source>
+        <translation>Alarmes / avisos</translation>
+    </message>
+    <message>
+        <source>Motions begun</source>
+        <translation>Movimentos iniciados</translation>
+    </message>
+    <message>
+        <source>The error is the angle between the beam and the target. It counts after the first second on target. On target is within half of the beam width. The parts that the limits hide by the plan do not count. The circle marks the beginning. A torque has its mean as a dark line, and its least and largest values as a light band.</source>
+        <translation>O erro é o ângulo entre o feixe e o alvo. Conta depois do primeiro segundo no alvo. No alvo é dentro de metade da largura do feixe. As partes que os limites ocultam segundo o plano não contam. O círculo marca o início. O torque tem a média como linha escura, e os valores mínimo e máximo como faixa clara.</translation>
     </message>
 </context>
 <context>
