@@ -57,7 +57,6 @@ ReplayWindow::ReplayWindow(const Clock& clock, SharedTape tape, QWidget* parent)
     connect(&m_player, &ReplayPlayer::changed, this, &ReplayWindow::showMoment);
     resize(kReplaySize);
     m_bar->slider().setFocus();
-    showMoment();
 }
 
 ReplayWindow::~ReplayWindow() = default;
@@ -175,6 +174,14 @@ bool ReplayWindow::eventFilter(QObject* watched, QEvent* event)
         return true;
     }
     return act(key);
+}
+
+// The first moment, too, is shown here: sky and charts are drawn for their size, which they have after the layout. While
+// the replay pauses, nobody else draws them again.
+void ReplayWindow::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    QMetaObject::invokeMethod(this, &ReplayWindow::showMoment, Qt::QueuedConnection);
 }
 
 // True if the key does something.
