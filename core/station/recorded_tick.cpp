@@ -3,17 +3,18 @@
 
 #include "core/base/text.h"
 #include "core/base/version.h"
+#include "core/messages/state_word.h"
 #include "core/units/angle_between.h"
 
 namespace boresight {
 namespace {
 
 template <class State>
-QStringList wordsUntil(State last)
+QStringList wordsUntil(State last, QString (*wordOf)(State))
 {
     QStringList words;
     for (int i = 0; i <= static_cast<int>(last); ++i) {
-        words.append(word(static_cast<State>(i)));
+        words.append(wordOf(static_cast<State>(i)));
     }
     return words;
 }
@@ -97,8 +98,8 @@ recording::Header recordedHeader(const StationStatus& status, bool simulated)
                              .isSimulated = simulated,
                              .beamWidth = antennaOf(status).beamWidth,
                              .began = status.utc,
-                             .stateWords = wordsUntil(StationState::Fault),
-                             .axisWords = wordsUntil(AxisState::Missing)};
+                             .stateWords = wordsUntil<StationState>(StationState::Fault, protocolWord),
+                             .axisWords = wordsUntil<AxisState>(AxisState::Missing, word)};
     if (profile.site.known) {
         header.site = profile.site.place();
     }
