@@ -193,6 +193,23 @@ private:
     std::vector<double> m_seen;  // s that are not hidden, from the first point to each
 };
 
+std::optional<PlanSpan> rampOf(const PassPath& path, const Course& course)
+{
+    return course.ramp
+               ? std::optional(PlanSpan{path.points[course.ramp->leaves].utc, path.points[course.ramp->returns].utc})
+               : std::nullopt;
+}
+
+// When the mount is with the target again: later than the azimuth alone needs if the way leads around a keep-out.
+UtcTime arrival(const PlanVariant& variant, std::size_t earliest)
+{
+    constexpr Angle kWith = Angle::fromDegrees(0.2);
+    const auto begin = variant.moments.begin() + static_cast<std::ptrdiff_t>(earliest);
+    const auto with = std::find_if(begin, variant.moments.end(),
+                                   [](const PlannedMoment& moment) { return moment.isHidden || moment.error < kWith; });
+    return with == variant.moments.end() ? begin->utc : with->utc;
+}
+
 std::optional<PlanVariant> unwrapping(const PlanFrame& frame, const Course& course, int wrap, int nextWrap)
 {
     const auto best = UnwrapSearch(frame, course, wrap, nextWrap).best();
@@ -204,7 +221,9 @@ std::optional<PlanVariant> unwrapping(const PlanFrame& frame, const Course& cour
         wanted.push_back(onWrap(course.states[i], i <= best->from ? wrap : nextWrap));
     }
     PlanVariant variant = finished(frame, PlanWay::Unwraps, std::move(wanted));
-    variant.unwrap = PlanSpan{frame.path.points[best->from].utc, frame.path.points[best->to].utc};
+    variant.unwrap = PlanSpan{frame.path.points[best->from].utc, arrival(variant, best->to)};
+    variant.unwrapsTo = onWrap(course.states[best->to], nextWrap).place().azimuth;
+    variant.ramp = rampOf(frame.path, course);
     return variant;
 }
 
@@ -217,7 +236,7 @@ std::optional<Course> courseOf(const PassPath& path, const Sides& sides, const P
     const TravelRange& elevations = mount.region.ranges().elevation;
     for (std::size_t i = 0; i < path.points.size(); ++i) {
         const int halfTurns = i <= top ? sides.before : sides.after;
-        course.states.push_back(turned(path.points[i].axes, halfTurns));
+        course.states.push_back(turned(path.points[i], halfTurns));
         const AxisPosition place = course.states.back().place();
         if (halfTurns % 2 != 0 && !path.points[i].isHidden &&
             !elevations.contains(onTheRim(place, elevations).elevation)) {
@@ -250,10 +269,7 @@ PlanVariant variantOf(const PlanFrame& frame, const Course& course, int wrap)
         wanted.push_back(onWrap(states, wrap));
     }
     PlanVariant variant = finished(frame, course.way, std::move(wanted));
-    if (course.ramp) {
-        variant.ramp =
-            PlanSpan{frame.path.points[course.ramp->leaves].utc, frame.path.points[course.ramp->returns].utc};
-    }
+    variant.ramp = rampOf(frame.path, course);
     return variant;
 }
 

@@ -19,6 +19,11 @@ constexpr double kRampPoints = 4000.0;
 // Two neighbours are at most this far apart in each axis, unless they are kShortestStep apart.
 constexpr double kFarApart = 2.0 / 180.0 * kPi;
 
+AxisStates statesAt(const AxisPosition& place)
+{
+    return {.azimuth = {place.azimuth.radians(), 0.0}, .elevation = {place.elevation.radians(), 0.0}};
+}
+
 class PathMaker
 {
 public:
@@ -60,11 +65,14 @@ private:
         if (!points.empty()) {
             axes.azimuth = axes.azimuth.nearestTo(Angle::fromRadians(points.back().axes.azimuth.position));
         }
-        points.push_back(
-            {.utc = utc,
-             .seconds = seconds,
-             .direction = *direction,
-             .axes = {.azimuth = {axes.azimuth.radians(), 0.0}, .elevation = {axes.elevation.radians(), 0.0}}});
+        AxisPosition over =
+            m_mount.pointing.toAxes({direction->azimuth + 180_deg, 180_deg - direction->elevation}).axes;
+        over.azimuth = over.azimuth.nearestTo(axes.azimuth + 180_deg);
+        points.push_back({.utc = utc,
+                          .seconds = seconds,
+                          .direction = *direction,
+                          .axes = statesAt(axes),
+                          .overTheTop = statesAt(over)});
         return true;
     }
 
@@ -167,9 +175,11 @@ private:
         for (std::size_t i = 0; i < points.size() && points.size() > 1; ++i) {
             const PathPoint& from = points[i > 0 ? i - 1 : 0];
             const PathPoint& to = points[std::min(i + 1, points.size() - 1)];
-            for (const auto axis : {&AxisStates::azimuth, &AxisStates::elevation}) {
-                (points[i].axes.*axis).rate =
-                    ((to.axes.*axis).position - (from.axes.*axis).position) / (to.seconds - from.seconds);
+            for (const auto side : {&PathPoint::axes, &PathPoint::overTheTop}) {
+                for (const auto axis : {&AxisStates::azimuth, &AxisStates::elevation}) {
+                    (points[i].*side.*axis).rate =
+                        ((to.*side.*axis).position - (from.*side.*axis).position) / (to.seconds - from.seconds);
+                }
             }
         }
     }
@@ -178,7 +188,7 @@ private:
     {
         const pointing::AxisBox& ranges = m_mount.region.ranges();
         for (const int halfTurns : {0, 1}) {
-            const AxisPosition axes = turned(point.axes, halfTurns).place();
+            const AxisPosition axes = turned(point, halfTurns).place();
             const auto first = static_cast<int>(std::ceil((ranges.azimuth.min - axes.azimuth).turns()));
             const auto last = static_cast<int>(std::floor((ranges.azimuth.max - axes.azimuth).turns()));
             for (int wrap = first; wrap <= last; ++wrap) {
@@ -217,13 +227,11 @@ PassPath pathOf(const DirectionAt& directionAt, UtcTime from, UtcTime to, const 
     return PathMaker(directionAt, from, to, mount).make();
 }
 
-AxisStates turned(const AxisStates& axes, int halfTurns)
+AxisStates turned(const PathPoint& point, int halfTurns)
 {
-    AxisStates image = axes;
-    image.azimuth.position += halfTurns * kPi;
-    if (halfTurns % 2 != 0) {
-        image.elevation = {.position = kPi - axes.elevation.position, .rate = -axes.elevation.rate};
-    }
+    const bool isOver = halfTurns % 2 != 0;
+    AxisStates image = isOver ? point.overTheTop : point.axes;
+    image.azimuth.position += (isOver ? halfTurns - 1 : halfTurns) * kPi;
     return image;
 }
 

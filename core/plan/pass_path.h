@@ -31,8 +31,9 @@ struct PathPoint
     UtcTime utc{};
     double seconds = 0.0;  // after the first point
     SkyPointing direction{};
-    AxisStates axes{};
-    bool isHidden = false;  // by limits, horizon or keep-outs, on every wrap, upright and over the top
+    AxisStates axes{};        // upright
+    AxisStates overTheTop{};  // half a turn further
+    bool isHidden = false;    // by limits, horizon or keep-outs, on every wrap, upright and over the top
 };
 
 // The part of the path in which the target is faster than the axes, as indices of points.
@@ -57,6 +58,6 @@ struct PassPath
 [[nodiscard]] PassPath pathOf(const DirectionAt& directionAt, UtcTime from, UtcTime to, const PlanMount& mount);
 
 // The axes turned by this number of half turns. They point in the same direction: with an odd number over the top.
-[[nodiscard]] AxisStates turned(const AxisStates& axes, int halfTurns);
+[[nodiscard]] AxisStates turned(const PathPoint& point, int halfTurns);
 
 }  // namespace boresight::plan

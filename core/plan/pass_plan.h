@@ -65,6 +65,7 @@ struct PlanVariant
     Forecast forecast;
     std::optional<PlanSpan> ramp;    // the azimuth is not with the target, because it is too slow
     std::optional<PlanSpan> unwrap;  // the mount turns back by 360°
+    Angle unwrapsTo{};               // azimuth of the axis on the new wrap
     Seconds toStart{};               // from the present position of the axes to the start
     Angle margin{};                  // of the cable, at the nearer end
 

@@ -85,7 +85,7 @@ private:
 
     [[nodiscard]] AxisStates imageAt(std::size_t i) const
     {
-        return turned(m_path.points[i].axes, i <= m_top ? m_sides.before : m_sides.after);
+        return turned(m_path.points[i], i <= m_top ? m_sides.before : m_sides.after);
     }
 
     // With the best elevation, the pointing error of an azimuth that is wrong by d is asin(cos E |sin d|), and 90° - E

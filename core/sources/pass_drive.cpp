@@ -39,69 +39,68 @@ bool isWithin(const plan::PlanSpan& span, UtcTime utc)
     return span.from <= utc && utc <= span.to;
 }
 
-// The time at the end of the cable: there the target is farthest off.
-std::optional<plan::PlanSpan> waitIn(const plan::PlanVariant& variant)
+// The variant to drive. Null: the orbit has no answer.
+PlanFound chosenOf(plan::PassPlan plan, const std::optional<plan::ChosenWay>& wanted)
 {
-    const auto isOff = [](const plan::PlannedMoment& moment) { return moment.isHidden ? Angle{} : moment.error; };
-    const Angle end = std::ranges::max_element(variant.moments, {}, isOff)->axes.azimuth;
-    std::optional<plan::PlanSpan> span;
-    for (const plan::PlannedMoment& moment : variant.moments) {
-        if (abs(moment.axes.azimuth - end) < Angle::fromDegrees(0.001)) {
-            span = plan::PlanSpan{.from = span ? span->from : moment.utc, .to = moment.utc};
-        }
+    if (plan.variants.empty()) {
+        return {};
     }
-    return span;
+    const auto asWanted = wanted ? plan::indexOf(plan, *wanted) : std::nullopt;
+    return {
+        .variant = std::make_shared<const plan::PlanVariant>(std::move(plan.variants[asWanted.value_or(plan.chosen)])),
+        .isAsWanted = asWanted || !wanted};
 }
 
 }  // namespace
 
 // The work owns its promise and its copies, so it can end safely after this object was deleted.
-void PassDrive::compute(const targets::TargetPath& path, const plan::PlanTask& task, const ControlParts& view)
+void PassDrive::compute(const targets::TargetPath& path, const plan::PlanTask& task,
+                        const std::optional<plan::ChosenWay>& wanted, const ControlParts& view)
 {
+    m_future.cancel();
     Result<plan::PlanMount> mount = presentMount(view);
     if (!mount) {
         *this = {};
         return;
     }
-    const auto promise = std::make_shared<QPromise<plan::PassPlan>>();
+    const auto promise = std::make_shared<QPromise<PlanFound>>();
     m_future = promise->future();
-    QThreadPool::globalInstance()->start([promise, path = path, task, mount = std::move(*mount)]() mutable {
+    QThreadPool::globalInstance()->start([promise, path = path, task, wanted, mount = std::move(*mount)]() mutable {
         promise->start();
         const auto directionAt = [&path](UtcTime utc) -> std::optional<SkyPointing> {
             const Result<SkyPointing> direction = path.at(utc);
             return direction ? std::optional(SkyPointing{direction->azimuth, std::max(direction->elevation, 0_deg)})
                              : std::nullopt;
         };
-        promise->addResult(plan::planPass(directionAt, task, mount));
+        if (!promise->isCanceled()) {
+            promise->addResult(chosenOf(plan::planPass(directionAt, task, mount), wanted));
+        }
         promise->finish();
     });
 }
 
-bool PassDrive::hasArrived(const std::optional<plan::ChosenWay>& wanted)
+std::optional<bool> PassDrive::hasArrived()
 {
     if (!m_future.isValid() || !m_future.isFinished()) {
-        return false;
+        return std::nullopt;
     }
-    const plan::PassPlan found = m_future.result();
-    m_future = {};
-    if (found.variants.empty()) {
-        *this = {};
-        return false;
-    }
-    const std::size_t chosen = wanted ? plan::indexOf(found, *wanted).value_or(found.chosen) : found.chosen;
-    m_variant = std::make_shared<const plan::PlanVariant>(found.variants[chosen]);
-    m_driven = m_variant->way == plan::PlanWay::WaitsAtTheEnd ? waitIn(*m_variant) : m_variant->ramp;
-    return true;
+    PlanFound found = m_future.takeResult();
+    m_variant = std::move(found.variant);
+    return found.isAsWanted;
 }
 
 std::optional<AxisPosition> PassDrive::placeAt(UtcTime utc) const
 {
-    return m_driven && isWithin(*m_driven, utc) ? std::optional(m_variant->placeAt(utc)) : std::nullopt;
+    const bool waits = m_variant->way == plan::PlanWay::WaitsAtTheEnd;
+    const bool isInRamp = m_variant->ramp && isWithin(*m_variant->ramp, utc);
+    return waits || isInRamp ? std::optional(m_variant->placeAt(utc)) : std::nullopt;
 }
 
 AxisPosition PassDrive::sideAt(UtcTime utc) const
 {
-    return m_variant->placeAt(unwrapsAt(utc) ? m_variant->unwrap->to : utc);
+    AxisPosition side = m_variant->placeAt(utc);
+    side.azimuth = unwrapsAt(utc) ? m_variant->unwrapsTo : side.azimuth;
+    return side;
 }
 
 bool PassDrive::unwrapsAt(UtcTime utc) const

@@ -14,15 +14,22 @@
 // waits at the end of the cable, it moves as the plan does. Station thread only.
 namespace boresight::sources {
 
+struct PlanFound
+{
+    plan::SharedVariant variant;  // null: there is no plan
+    bool isAsWanted = true;       // false: the plan does not have the way that was asked for
+};
+
 class PassDrive
 {
 public:
-    // Begins to compute, on copies. The former plan is driven until then. A mount that needs no plan gets none.
-    void compute(const targets::TargetPath& path, const plan::PlanTask& task, const ControlParts& view);
+    // Begins to compute, on copies. The former plan is driven until then. A mount that needs no plan gets none. Drives
+    // by the wanted way. If it is empty, or the plan does not have it, by the best one.
+    void compute(const targets::TargetPath& path, const plan::PlanTask& task,
+                 const std::optional<plan::ChosenWay>& wanted, const ControlParts& view);
 
-    // True once, when a plan has arrived. Drives by this way of it. If it is empty, or the plan does not have it, by
-    // the best one.
-    [[nodiscard]] bool hasArrived(const std::optional<plan::ChosenWay>& wanted);
+    // Once, when a plan has arrived: whether it has the wanted way. The variant may be null then.
+    [[nodiscard]] std::optional<bool> hasArrived();
     // Null: no plan, or not yet.
     [[nodiscard]] const plan::SharedVariant& variant() const { return m_variant; }
     // These need a variant. Where the axes are by the plan; empty: the mount follows the target itself.
@@ -33,9 +40,8 @@ public:
     [[nodiscard]] bool unwrapsAt(UtcTime utc) const;
 
 private:
-    QFuture<plan::PassPlan> m_future;
+    QFuture<PlanFound> m_future;
     plan::SharedVariant m_variant;
-    std::optional<plan::PlanSpan> m_driven;  // the mount does not follow the target itself
 };
 
 }  // namespace boresight::sources

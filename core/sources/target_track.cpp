@@ -190,12 +190,15 @@ void TargetTrack::setWay(Tracked& tracked, UtcTime from) const
     tracked.fastest = fastestOf(*tracked.way);
     if (isPass(tracked.target) && tracked.up.sets && from < *tracked.up.sets) {
         const ControlParts view = helm().view();
+        if (tracked.wanted && tracked.drive.variant()) {  // planned again: the wrap is the one on which it goes on
+            tracked.wanted->startAzimuth = tracked.drive.sideAt(from).azimuth;
+        }
         tracked.drive.compute(tracked.path,
                               {.from = from,
                                .to = *tracked.up.sets,
                                .now = view.heading(),
                                .begins = from > tracked.up.rises ? plan::Begins::Now : plan::Begins::Later},
-                              view);
+                              tracked.wanted, view);
     }
 }
 
@@ -241,6 +244,7 @@ Result<AxisPosition> TargetTrack::follow(Tracked& tracked, UtcTime utc)
     return tracked.at(from).and_then([&](const SkyPointing& now) {
         return tracked.at(from + kApart).and_then([&](const SkyPointing& soon) {
             tracked.skyRate = rateBetween(now, soon, kApart);
+            tracked.direction = now;
             return point(tracked, {.now = now, .soon = waits ? now : soon, .apart = kApart, .near = tracked.place},
                          from);
         });
@@ -266,7 +270,7 @@ Result<AxisPosition> TargetTrack::point(const Tracked& tracked, Helm::Lead lead,
         return helm().leadAxes({.now = *place, .soon = next, .apart = kApart}, tracked.by, what);
     }
     lead.near = drive.sideAt(utc);
-    if (lead.near->elevation > 90_deg) {
+    if (helm().view().model.pointing().toSky(*lead.near).elevation > 90_deg) {
         lead.now = overTheTop(lead.now);
         lead.soon = overTheTop(lead.soon);
     }
@@ -275,21 +279,24 @@ Result<AxisPosition> TargetTrack::point(const Tracked& tracked, Helm::Lead lead,
 
 void TargetTrack::takePlan(UtcTime utc)
 {
-    if (!m_tracked->drive.hasArrived(m_tracked->wanted)) {
+    const std::optional<bool> isAsWanted = m_tracked->drive.hasArrived();
+    if (!isAsWanted) {
+        return;
+    }
+    helm().clearAlarm(alarmEntry("track.split-pass"));
+    if (!m_tracked->drive.variant()) {
         return;
     }
     const plan::PlanVariant& variant = *m_tracked->drive.variant();
     m_tracked->place = variant.placeAt(std::max(utc, m_tracked->up.rises));
-    if (m_tracked->wanted && plan::choiceFor(variant).way != m_tracked->wanted->way) {
+    if (!*isAsWanted && utc <= m_tracked->up.rises) {
         helm().note(Severity::Advisory, Text::tr("cannot take the way that was chosen any more: %1. It takes the best")
                                             .arg(plan::titleOf(m_tracked->wanted->way)));
     }
     if (const QString text = plan::planText(variant, m_tracked->target.name); !text.isEmpty()) {
         helm().note(Severity::Advisory, text);
     }
-    if (variant.isWhole()) {
-        helm().clearAlarm(alarmEntry("track.split-pass"));
-    } else {
+    if (!variant.isWhole()) {
         helm().raiseAlarm(alarmEntry("track.split-pass"),
                           {m_tracked->target.name, plan::splitText(variant), durationText(variant.forecast.beyond)});
     }
@@ -377,6 +384,7 @@ Result<> TargetTrack::planAgain(UtcTime utc)
             return targets::isSoon(m_tracked->target.name, up.rises, utc).map([&] {
                 m_tracked->up = up;
                 m_tracked->drive = {};
+                helm().clearAlarm(alarmEntry("track.split-pass"));
                 setWay(*m_tracked, std::max(utc, up.rises));
             });
         });
@@ -430,6 +438,9 @@ void TargetTrack::describe(StationStatus& status) const
                                    .way = m_tracked->way};
     status.tracked->number = numberOf(m_tracked->target);
     status.tracked->plan = m_tracked->drive.variant();
+    if (m_tracked->drive.variant() && m_tracked->drive.placeAt(aimed(helm().view().clock.utc()))) {
+        status.target = m_tracked->direction;  // the mount goes elsewhere, by the plan
+    }
     if (!targets::stays(m_tracked->target)) {
         status.tracked->skyRate = m_tracked->skyRate;
     }

@@ -176,8 +176,8 @@ bool ReplayWindow::eventFilter(QObject* watched, QEvent* event)
     return act(key);
 }
 
-// The first moment, too, is shown here: sky and charts are drawn for their size, which they have after the layout. While
-// the replay pauses, nobody else draws them again.
+// The first moment, too, is shown here: sky and charts are drawn for their size, which they have after the layout.
+// While the replay pauses, nobody else draws them again.
 void ReplayWindow::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);

@@ -103,8 +103,53 @@ TEST(StationPlan, DrivesTheChosenWay)
                 0.1);
     at.runUntil(found.pass.aos.utc);
     const double start = at.rig.azimuthDegrees();
+    const double end = waits->end().azimuth.degrees();
+    at.rig.onTick = [&] {
+        EXPECT_GT(at.rig.azimuthDegrees(), std::min(start, end) - 1.0) << "it does not turn back";
+        EXPECT_LT(at.rig.azimuthDegrees(), std::max(start, end) + 1.0);
+    };
+    (void)at.follow(found, found.pass.tca.utc + (found.pass.los.utc - found.pass.tca.utc) / 2);
+    const SkyPointing target = fakes::directionOf(found, kPassSite, at.rig.clock.utc());
+    EXPECT_LT(angleBetween(at.rig.control.status().target.value(), target), 0.1_deg) << "the status has the target";
     (void)at.follow(found);
-    EXPECT_NEAR(at.rig.azimuthDegrees(), waits->end().azimuth.degrees(), 0.5) << "started at " << start;
+    EXPECT_NEAR(at.rig.azimuthDegrees(), end, 0.5);
+    at.rig.onTick = nullptr;
+}
+
+// REQ-TRACK-1827: The side of the zenith is that of the beam. So a mount whose elevation axis shows more than the beam
+// has does not turn round where the axis, but not the beam, is above 90°.
+TEST(StationPlan, TheSideIsThatOfTheBeam)
+{
+    profile::Profile profile = overTheTopMount();
+    profile.azimuth.limits.speed = 30_deg_s;
+    profile.azimuth.limits.acceleration = 60_deg_s2;
+    profile.pointing.elevationOffset = -4_deg;
+    PassRig at(profile);
+    const fakes::FoundOrbit found = at.passWith([](const passes::Pass& pass) {
+        return pass.tca.direction.elevation > 87_deg && pass.tca.direction.elevation < 88.5_deg;
+    });
+    ASSERT_TRUE(at.track(found));
+    at.awaitPlan();
+    at.runUntil(found.pass.aos.utc + std::chrono::seconds(20));
+    const PassRig::Run run = at.follow(found, found.pass.los.utc - std::chrono::seconds(20));
+    EXPECT_GT(run.highest, 90_deg) << "the axis";
+    EXPECT_LT(run.peak, 0.5_deg);
+}
+
+// REQ-TRACK-1828: Over the top the axes have the angles of that side, also with an elevation offset.
+TEST(StationPlan, GoesOverTheTopWithAnElevationOffset)
+{
+    profile::Profile profile = overTheTopMount();
+    profile.pointing.elevationOffset = 3_deg;
+    PassRig at(profile);
+    const fakes::FoundOrbit found = at.passWith(isHigh);
+    const plan::PassPlan plan = at.planOf(found);
+    ASSERT_EQ(plan.best().way, PlanWay::ThroughTheZenith);
+    ASSERT_TRUE(at.track(found));
+    at.awaitPlan();
+    at.runUntil(found.pass.aos.utc + std::chrono::seconds(30));
+    const PassRig::Run run = at.follow(found, found.pass.los.utc - std::chrono::seconds(30));
+    EXPECT_LT(run.peak.degrees(), 1.05 * plan.best().forecast.peak.degrees() + 0.2);
 }
 
 // REQ-TRACK-1824: If the pass has no such way any more, the log says so, and the best way is taken.
