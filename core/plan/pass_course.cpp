@@ -205,8 +205,9 @@ UtcTime arrival(const PlanVariant& variant, std::size_t earliest)
 {
     constexpr Angle kWith = Angle::fromDegrees(0.2);
     const auto begin = variant.moments.begin() + static_cast<std::ptrdiff_t>(earliest);
-    const auto with = std::find_if(begin, variant.moments.end(),
-                                   [&](const PlannedMoment& moment) { return moment.isHidden || moment.error < kWith; });
+    const auto with = std::find_if(begin, variant.moments.end(), [&](const PlannedMoment& moment) {
+        return moment.isHidden || moment.error < kWith;
+    });
     return with == variant.moments.end() ? begin->utc : with->utc;
 }
 

@@ -244,7 +244,7 @@ Result<AxisPosition> TargetTrack::follow(Tracked& tracked, UtcTime utc)
     return tracked.at(from).and_then([&](const SkyPointing& now) {
         return tracked.at(from + kApart).and_then([&](const SkyPointing& soon) {
             tracked.skyRate = rateBetween(now, soon, kApart);
-            tracked.direction = now;
+            tracked.aimedAt = now;
             return point(tracked, {.now = now, .soon = waits ? now : soon, .apart = kApart, .near = tracked.place},
                          from);
         });
@@ -439,7 +439,7 @@ void TargetTrack::describe(StationStatus& status) const
     status.tracked->number = numberOf(m_tracked->target);
     status.tracked->plan = m_tracked->drive.variant();
     if (m_tracked->drive.variant() && m_tracked->drive.placeAt(aimed(helm().view().clock.utc()))) {
-        status.target = m_tracked->direction;  // the mount goes elsewhere, by the plan
+        status.target = m_tracked->aimedAt;  // the mount goes elsewhere, by the plan
     }
     if (!targets::stays(m_tracked->target)) {
         status.tracked->skyRate = m_tracked->skyRate;

@@ -47,7 +47,7 @@ private:
         PassDrive drive = {};
         pointing::PointingTerms terms = {};      // of the beam when the way was computed
         bool isWayOld = false;                   // computed for other limits of the mount
-        SkyPointing direction = {};              // for which the mount was aimed last
+        SkyPointing aimedAt = {};                // the direction of the target, the last time
         AngularRate skyRate = {};                // across the sky, now or at the rise
         AngularRate fastest = {};                // the largest rate on the way
         std::optional<AxisPosition> place = {};  // last axis position: the next one is on the same wrap
