@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/boresightctl/local_client.h"
+#include "app/boresightctl/protocol_lines.h"
 #include "app/boresightctl/station_help.h"
 #include "app/boresightctl/station_options.h"
 #include "app/boresightctl/subcommand.h"
-#include "core/base/numbers.h"
 
 #include <QByteArray>
 #include <QThread>
@@ -18,23 +18,18 @@ constexpr unsigned long kBetweenQuestions = 200;  // ms
 // Prints the lines after `last`, and sets `last` to the number of the newest. The numbers themselves are not printed.
 Result<> printLinesAfter(std::int64_t& last, const QByteArray& answer)
 {
-    QByteArray text;
-    for (qsizetype begin = 0; begin < answer.size();) {
-        const qsizetype tab = answer.indexOf('\t', begin);
-        const qsizetype end = answer.indexOf('\n', begin);
-        const auto number = parseInteger(answer.mid(begin, tab - begin).toStdString());
-        if (end < 0 || tab < 0 || tab > end || !number) {
-            return failure(ErrorCode::Protocol, QStringLiteral("the answer of the station is unreadable"));
-        }
-        if (*number > last + 1) {
-            complain(kProtocolLogCommand,
-                     QStringLiteral("lines that are not kept any more: %1").arg(*number - last - 1));
-        }
-        last = *number;
-        text += answer.mid(tab + 1, end - tab);
-        begin = end + 1;
+    const auto page = readProtocolPage(last, answer);
+    if (!page) {
+        return failure(ErrorCode::Protocol, QStringLiteral("the answer of the station is unreadable"));
     }
-    print(text.toStdString());
+    if (page->isNewLog) {
+        complain(kProtocolLogCommand, QStringLiteral("the station connected again, and its log has begun again"));
+    }
+    if (page->lost > 0) {
+        complain(kProtocolLogCommand, QStringLiteral("lines that are not kept any more: %1").arg(page->lost));
+    }
+    last = page->last;
+    print(page->text);
     return {};
 }
 

@@ -10,7 +10,7 @@ namespace boresight::ctl {
 
 void print(const std::string& text)
 {
-    std::fputs(text.c_str(), stdout);
+    std::fwrite(text.data(), 1, text.size(), stdout);  // the text may have the byte 0
     std::fflush(stdout);
 }
 

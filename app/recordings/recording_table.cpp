@@ -3,6 +3,7 @@
 
 #include "app/boresightctl/sky_time.h"
 #include "core/base/numbers.h"
+#include "core/pass_report/pass_summary.h"
 #include "core/plan/pass_plan.h"
 #include "core/recording/channel.h"
 #include "core/units/degrees_text.h"
@@ -99,41 +100,11 @@ std::string levelCell(recording::EventLevel level)
     return "advisory";
 }
 
-// The error of the beam: root of the mean square, and the largest one. Empty: no tick has an error.
-struct ErrorSum
+// The error of the beam after its first second on target, as in the report. Empty: no tick has an error.
+std::optional<pass_report::ErrorSummary> errorOfBeam(const Recording& pass)
 {
-    std::size_t count = 0;
-    double squares = 0.0;
-    double peak = 0.0;
-
-    [[nodiscard]] std::string rms() const
-    {
-        return count > 0 ? formatFixed(std::sqrt(squares / static_cast<double>(count)), 4) : std::string();
-    }
-    [[nodiscard]] std::string most() const { return count > 0 ? formatFixed(peak, 4) : std::string(); }
-};
-
-ErrorSum errorOf(const Recording& pass)
-{
-    ErrorSum sum;
-    for (const Tick& tick : pass.ticks) {
-        if (tick.error) {
-            const double degrees = tick.error->degrees();
-            ++sum.count;
-            sum.squares += degrees * degrees;
-            sum.peak = std::max(sum.peak, degrees);
-        }
-    }
-    return sum;
-}
-
-std::uint64_t lostTicks(const Recording& pass)
-{
-    std::uint64_t lost = 0;
-    for (const recording::Gap& gap : pass.gaps) {
-        lost += gap.ticks;
-    }
-    return lost;
+    const auto summary = pass_report::summaryOf(pass);
+    return summary ? summary->error : std::nullopt;
 }
 
 QString directionWords(const std::optional<SkyPointing>& direction)
@@ -216,7 +187,7 @@ RecordTable aboutTable(const Recording& pass)
         return pass.ticks.empty() ? std::string()
                                   : skyTimeCell(isLast ? pass.ticks.back().utc : pass.ticks.front().utc);
     };
-    const ErrorSum error = errorOf(pass);
+    const auto error = errorOfBeam(pass);
     return {.columns = {{"key"}, {"value"}},
             .rows = {{"program", header.program.toStdString()},
                      {"mount", header.mount.toStdString()},
@@ -232,11 +203,11 @@ RecordTable aboutTable(const Recording& pass)
                      {"first_tick_utc", timeCell(false)},
                      {"last_tick_utc", timeCell(true)},
                      {"ticks", std::to_string(pass.ticks.size())},
-                     {"lost_ticks", std::to_string(lostTicks(pass))},
+                     {"lost_ticks", std::to_string(pass_report::lostTicks(pass))},
                      {"events", std::to_string(pass.events.size())},
                      {"plan", pass.plan ? plan::keyOf(pass.plan->way).toStdString() : std::string()},
-                     {"error_rms_deg", error.rms()},
-                     {"error_peak_deg", error.most()},
+                     {"error_rms_deg", error ? recordedDegrees(error->rms) : std::string()},
+                     {"error_peak_deg", error ? recordedDegrees(error->peak) : std::string()},
                      {"complete", pass.hasEnd && pass.problems.isEmpty() ? "yes" : "no"}}};
 }
 

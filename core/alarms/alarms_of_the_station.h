@@ -185,11 +185,12 @@ inline constexpr std::array kStationAlarms{
                .severity = Severity::Advisory,
                .what = QT_TRANSLATE_NOOP("Text", "The recording of the pass is not stored: %1"),
                .action = QT_TRANSLATE_NOOP("Text",
-                                           "Boresight tracks as before. It keeps the newest values in memory and tries "
-                                           "to store them again"),
+                                           "Boresight tracks as before. It keeps up to 30,000 ticks in memory, 10 "
+                                           "minutes at 50 Hz, and tries to store them again"),
                .remedy = QT_TRANSLATE_NOOP("Text",
                                            "Check the disk and its free space, or reduce record.keep_megabytes on the "
-                                           "page Profile. After 10 minutes the recording has a gap"),
+                                           "page Profile. When the memory is full, Boresight loses further ticks, and "
+                                           "the recording has a gap"),
                .brief = "%1",
                .help = AlarmHelp::OpenProfile,
                .examples = {"cannot write 20261130T141000Z_NOAA_19.recording: no space left on device"}},

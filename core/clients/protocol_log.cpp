@@ -94,7 +94,7 @@ ProtocolLines ProtocolLog::newest(std::uint64_t number, std::size_t limit) const
 
 ProtocolLines ProtocolLog::oldest(std::uint64_t number, std::size_t limit) const
 {
-    const std::size_t after = countAfter(number);
+    const std::size_t after = countAfter(number > m_lastNumber ? 0 : number);
     const auto begin = std::prev(m_lines.end(), static_cast<std::ptrdiff_t>(after));
     return after == 0 ? nullptr
                       : std::make_shared<const std::vector<ProtocolLine>>(

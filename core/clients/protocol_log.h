@@ -32,6 +32,7 @@ public:
 
     // The lines with numbers above `number`, oldest first: at most `limit` of them. Null: there is none.
     [[nodiscard]] ProtocolLines newest(std::uint64_t number, std::size_t limit) const;
+    // A number above the newest one is of the log of a station before, so all lines are new.
     [[nodiscard]] ProtocolLines oldest(std::uint64_t number, std::size_t limit) const;
     [[nodiscard]] std::uint64_t lastNumber() const { return m_lastNumber; }
 

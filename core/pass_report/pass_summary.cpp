@@ -185,9 +185,7 @@ void addTimes(PassSummary& summary, const Recording& recording)
         const Seconds step = ticks[i + 1].utc - ticks[i].utc;
         summary.withoutTicks += std::max(step - kLongestTick, Seconds(0.0));
     }
-    for (const recording::Gap& gap : recording.gaps) {
-        summary.lostTicks += gap.ticks;
-    }
+    summary.lostTicks = lostTicks(recording);
     for (const Tick& tick : ticks) {
         if (tick.target && (!summary.highest || tick.target->elevation > summary.highest->elevation)) {
             summary.highest = tick.target;
@@ -203,6 +201,11 @@ std::size_t damagesOf(const Recording& recording)
 {
     const auto problems = static_cast<std::size_t>(recording.problems.size());
     return recording.hasEnd || problems == 0 ? problems : problems - 1;
+}
+
+bool isOfPass(const Recording& recording, const Event& event)
+{
+    return recording.ticks.empty() || recording.ticks.front().utc - event.utc <= kBeforeTicks;
 }
 
 bool isLevel(const Event& event, EventLevel level)
@@ -223,6 +226,15 @@ int importanceRank(const Event& event)
 }
 
 }  // namespace
+
+std::uint64_t lostTicks(const Recording& recording)
+{
+    std::uint64_t lost = 0;
+    for (const recording::Gap& gap : recording.gaps) {
+        lost += gap.ticks;
+    }
+    return lost;
+}
 
 Result<PassSummary> summaryOf(const Recording& recording)
 {
@@ -253,6 +265,9 @@ Result<PassSummary> summaryOf(const Recording& recording)
     }
     addTimes(summary, recording);
     for (const Event& event : recording.events) {
+        if (!isOfPass(recording, event)) {
+            continue;
+        }
         summary.alarms += isLevel(event, EventLevel::Alarm) ? 1U : 0U;
         summary.warnings += isLevel(event, EventLevel::Warning) ? 1U : 0U;
         summary.motions += event.kind == EventKind::MotionStart ? 1U : 0U;
@@ -263,8 +278,9 @@ Result<PassSummary> summaryOf(const Recording& recording)
 std::vector<Event> importantEvents(const Recording& recording, std::size_t most)
 {
     std::vector<Event> events;
-    std::ranges::copy_if(recording.events, std::back_inserter(events),
-                         [](const Event& event) { return event.kind != EventKind::ClientLine; });
+    std::ranges::copy_if(recording.events, std::back_inserter(events), [&recording](const Event& event) {
+        return event.kind != EventKind::ClientLine && isOfPass(recording, event);
+    });
     std::ranges::stable_sort(events, {}, importanceRank);
     events.resize(std::min(events.size(), most));
     std::ranges::stable_sort(events, {}, &Event::utc);

@@ -93,6 +93,13 @@ struct PassSummary
     bool operator==(const PassSummary&) const = default;
 };
 
+// The events of the last second before the first tick count, too: the start of the motion is one of them. Older events
+// belong to something else.
+inline constexpr Seconds kBeforeTicks{1.0};
+
+// The ticks that were not stored.
+[[nodiscard]] std::uint64_t lostTicks(const recording::Recording& recording);
+
 // The error: the recording has no ticks.
 [[nodiscard]] Result<PassSummary> summaryOf(const recording::Recording& recording);
 

@@ -144,20 +144,22 @@ void addRecord(std::vector<Setting>& list)
         {QT_TRANSLATE_NOOP("Text", "Record passes"),
          QT_TRANSLATE_NOOP("Text",
                            "With \"on\" Boresight records each pass in a file: all values of both axes in each control "
-                           "tick, the events and the plan. An hour takes at most 8 MB.")},
+                           "tick, the events and the plan. At 50 Hz an hour takes at most 8 MB.")},
         [](auto& p) -> auto& { return p.record.passes; }));
     list.push_back(integer(
         "record.keep_days", "days", {1.0, 3650.0}, kNow,
         {QT_TRANSLATE_NOOP("Text", "Keep for"),
-         QT_TRANSLATE_NOOP("Text", "Older recordings are deleted when the next recording begins.")},
+         QT_TRANSLATE_NOOP(
+             "Text",
+             "Older recordings are deleted when the next recording begins, while a time source sets the clock.")},
         [](auto& p) -> auto& { return p.record.keepDays; }));
     list.push_back(integer(
         "record.keep_megabytes", "MB", {10.0, 1'000'000.0}, kNow,
         {QT_TRANSLATE_NOOP("Text", "Keep at most"),
          QT_TRANSLATE_NOOP(
              "Text",
-             "When a recording begins, the oldest recordings of this mount are deleted while all together are "
-             "larger.")},
+             "When a recording begins, and when the disk is full, the oldest recordings of this mount are deleted "
+             "while all together are larger.")},
         [](auto& p) -> auto& { return p.record.keepMegabytes; }));
 }
 

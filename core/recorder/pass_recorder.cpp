@@ -3,16 +3,20 @@
 
 #include "core/base/text.h"
 
+#include <QDeadlineTimer>
 #include <QPromise>
 
+#include <algorithm>
 #include <utility>
 
 namespace boresight::recorder {
 
-PassRecorder::PassRecorder(const QString& folder, const Clock& clock, QObject* parent, JobWriter::Append append)
+PassRecorder::PassRecorder(const QString& folder, const Clock& clock, QObject* parent, JobWriter::Append append,
+                           std::chrono::milliseconds patience)
     : QObject(parent),
       m_clock(clock),
       m_writer(std::make_shared<JobWriter>(folder, std::move(append))),
+      m_patience(patience),
       m_pool(std::make_unique<QThreadPool>())
 {
     m_pool->setMaxThreadCount(1);
@@ -24,31 +28,37 @@ PassRecorder::~PassRecorder()
 {
     blockSignals(true);  // receivers of the signals may be half destroyed
     end();
-    const auto isDone = [this] { return m_pool->waitForDone(static_cast<int>(kPatience.count())); };
-    bool isIdle = isDone();
+    const QDeadlineTimer limit(m_patience);
+    const auto isDone = [this, &limit] { return m_pool->waitForDone(static_cast<int>(limit.remainingTime())); };
+    bool isPoolDone = isDone();
     m_retryAt.reset();
-    while (isIdle && !m_retryAt && (m_writing || !m_jobs.empty())) {
+    while (isPoolDone && !m_retryAt && !isIdle() && (m_writing || !limit.hasExpired())) {
         finishWriting();
-        if (!m_jobs.empty() && !m_retryAt) {
+        if (!isIdle() && !m_retryAt && !limit.hasExpired()) {
             startWriting();
         }
-        isIdle = isDone();
+        isPoolDone = isDone();
     }
-    if (!isIdle) {
+    if (!isPoolDone) {
         (void)m_pool.release();  // its thread waits for the disk, and deleting it would wait for ever
     }
 }
 
-void PassRecorder::begin(const recording::Header& header, const KeepLimits& limits)
+void PassRecorder::begin(const recording::Header& header)
 {
     end();
-    m_isRefused = m_jobs.size() >= kMostJobs;
+    m_isRefused = isCrowded();
     if (m_isRefused) {
         return;
     }
     m_header = header;
-    m_limits = limits;
     openFile();
+}
+
+bool PassRecorder::isCrowded() const
+{
+    const auto begins = [](const auto& job) { return job->begins.has_value(); };
+    return std::ranges::count_if(m_jobs, begins) >= std::ptrdiff_t{kMostFiles};
 }
 
 void PassRecorder::describe(const recording::Header& header)
@@ -61,8 +71,11 @@ void PassRecorder::describe(const recording::Header& header)
     m_header = header;
     m_header->part = part;
     m_header->began = began;
-    if (isCollecting() && m_jobs.back()->begins) {
-        m_jobs.back()->begins = *m_header;
+    // The worker may read the first job.
+    const auto last = m_jobs.rend() - (m_writing ? 1 : 0);
+    const auto beginning = std::find_if(m_jobs.rbegin(), last, [](const auto& job) { return job->begins.has_value(); });
+    if (beginning != last) {
+        (*beginning)->begins = *m_header;
     }
 }
 
@@ -78,11 +91,15 @@ void PassRecorder::end()
 void PassRecorder::openFile()
 {
     m_inFile = 0;
+    RecordingJob& first = addJob();
+    first.begins = *m_header;
+    first.plan = m_plan;
+}
+
+RecordingJob& PassRecorder::addJob()
+{
     m_begun = m_clock.now();
-    m_jobs.push_back(std::make_shared<RecordingJob>());
-    m_jobs.back()->begins = *m_header;
-    m_jobs.back()->limits = m_limits;
-    m_jobs.back()->plan = m_plan;
+    return *m_jobs.emplace_back(std::make_shared<RecordingJob>());
 }
 
 void PassRecorder::closeFile()
@@ -94,11 +111,7 @@ void PassRecorder::closeFile()
 // The newest job, if the worker does not have it. Else a new one, which continues the file.
 RecordingJob& PassRecorder::collecting()
 {
-    if (!isCollecting()) {
-        m_jobs.push_back(std::make_shared<RecordingJob>());
-        m_begun = m_clock.now();
-    }
-    return *m_jobs.back();
+    return isCollecting() ? *m_jobs.back() : addJob();
 }
 
 void PassRecorder::add(const recording::Tick& tick)
@@ -120,7 +133,8 @@ void PassRecorder::add(const recording::Tick& tick)
         m_header->began = tick.utc;
         openFile();
     }
-    collecting().ticks.push_back(tick);
+    const bool isFull = collecting().ticks.size() >= RecordingJob::kMostTicks;
+    (isFull ? addJob() : collecting()).ticks.push_back(tick);
     ++m_inFile;
     ++m_waiting;
 }
@@ -134,8 +148,9 @@ void PassRecorder::closeGap()
 
 void PassRecorder::add(const recording::Event& event)
 {
-    if (m_header && collecting().events.size() < kMostEvents) {
+    if (m_header && m_waitingEvents < kMostEvents) {
         collecting().events.push_back(event);
+        ++m_waitingEvents;
     }
 }
 
@@ -163,9 +178,9 @@ void PassRecorder::tick()
     if (!m_writing && isDue()) {
         startWriting();
     }
+    const bool isSlow = m_clock.now() - m_writingSince >= kSlow;
     const bool isFull = m_gap && m_waiting >= kMostWaiting;
-    const bool isCrowded = m_isRefused && m_jobs.size() >= kMostJobs;
-    if (m_writing && (isFull || isCrowded)) {
+    if (m_writing && (isSlow || isFull || (m_isRefused && isCrowded()))) {
         tellTrouble(Text::tr("the disk does not answer"));
     }
 }
@@ -175,6 +190,8 @@ void PassRecorder::startWriting()
 {
     const auto promise = std::make_shared<QPromise<Result<>>>();
     m_writing = promise->future();
+    m_writingSince = m_clock.now();
+    m_jobs.front()->limits = m_limits;
     m_pool->start([promise, writer = m_writer, job = std::shared_ptr<const RecordingJob>(m_jobs.front())] {
         promise->start();
         promise->addResult(writer->write(*job));
@@ -195,6 +212,7 @@ void PassRecorder::finishWriting()
     }
     m_retryAt.reset();
     m_waiting -= m_jobs.front()->ticks.size();
+    m_waitingEvents -= m_jobs.front()->events.size();
     m_jobs.pop_front();
     tellTrouble({});
 }

@@ -59,7 +59,8 @@ std::vector<StoredRecording> storedRecordings(const QString& folder)
     return stored;
 }
 
-QStringList expired(const std::vector<StoredRecording>& stored, const KeepLimits& limits, UtcTime now)
+QStringList expired(const std::vector<StoredRecording>& stored, const KeepLimits& limits, UtcTime now,
+                    const QString& inWriting)
 {
     qint64 bytes = 0;
     for (const StoredRecording& one : stored) {
@@ -67,7 +68,8 @@ QStringList expired(const std::vector<StoredRecording>& stored, const KeepLimits
     }
     QStringList names;
     for (const StoredRecording& one : stored) {
-        if (bytes > limits.bytes || now - one.began > limits.age) {
+        const bool isOld = limits.age && now - one.began > *limits.age;
+        if (one.name != inWriting && (isOld || bytes > limits.bytes)) {
             bytes -= one.bytes;
             names.append(one.name);
         }
@@ -75,11 +77,13 @@ QStringList expired(const std::vector<StoredRecording>& stored, const KeepLimits
     return names;
 }
 
-void deleteExpired(const QString& folder, const KeepLimits& limits, UtcTime now)
+bool deleteExpired(const QString& folder, const KeepLimits& limits, UtcTime now, const QString& inWriting)
 {
-    for (const QString& name : expired(storedRecordings(folder), limits, now)) {
-        QFile::remove(QDir(folder).filePath(name));
+    bool isAnyDeleted = false;
+    for (const QString& name : expired(storedRecordings(folder), limits, now, inWriting)) {
+        isAnyDeleted = QFile::remove(QDir(folder).filePath(name)) || isAnyDeleted;
     }
+    return isAnyDeleted;
 }
 
 Result<> appendWhole(const QString& path, const QByteArray& bytes)

@@ -8,6 +8,7 @@
 #include <QString>
 #include <QStringList>
 
+#include <optional>
 #include <vector>
 
 // The folder with the recordings of one mount. All functions that touch files may block, so only the worker of the
@@ -17,7 +18,7 @@ namespace boresight::recorder {
 // For how long and up to what size recordings are kept.
 struct KeepLimits
 {
-    std::chrono::days age{30};
+    std::optional<std::chrono::days> age = std::chrono::days(30);  // empty: the age deletes nothing
     qint64 bytes = 2'000'000'000;
 
     bool operator==(const KeepLimits&) const = default;
@@ -36,11 +37,13 @@ struct StoredRecording
 // The recordings in the folder, oldest first. Files with other names are no recordings.
 [[nodiscard]] std::vector<StoredRecording> storedRecordings(const QString& folder);
 
-// The names of those that have to go, oldest first. `stored` has the oldest first.
-[[nodiscard]] QStringList expired(const std::vector<StoredRecording>& stored, const KeepLimits& limits, UtcTime now);
+// The names of those that have to go, oldest first. `stored` has the oldest first. The file `inWriting` never goes, but
+// its size counts.
+[[nodiscard]] QStringList expired(const std::vector<StoredRecording>& stored, const KeepLimits& limits, UtcTime now,
+                                  const QString& inWriting = {});
 
-// Deletes the expired recordings.
-void deleteExpired(const QString& folder, const KeepLimits& limits, UtcTime now);
+// Deletes the expired recordings. True: at least one was deleted.
+bool deleteExpired(const QString& folder, const KeepLimits& limits, UtcTime now, const QString& inWriting = {});
 
 // Appends all bytes and waits until they are on the disk. After a failure the file has its old size, and a new file is
 // gone.

@@ -6,15 +6,10 @@
 
 #include <QDir>
 #include <QFile>
-
-#include <algorithm>
-#include <span>
+#include <QFileInfo>
 
 namespace boresight::recorder {
 namespace {
-
-// A block of 10 s at 50 Hz. A longer block would lose more when a byte is damaged.
-constexpr std::size_t kBlockTicks = 500;
 
 QByteArray bytesOf(const RecordingJob& job)
 {
@@ -22,9 +17,8 @@ QByteArray bytesOf(const RecordingJob& job)
     if (job.plan) {
         bytes += recording::planBlock(*job.plan);
     }
-    const std::span ticks(job.ticks);
-    for (std::size_t i = 0; i < ticks.size(); i += kBlockTicks) {
-        bytes += recording::tickBlock(ticks.subspan(i, std::min(kBlockTicks, ticks.size() - i)));
+    if (!job.ticks.empty()) {
+        bytes += recording::tickBlock(job.ticks);
     }
     for (const recording::Gap& gap : job.gaps) {
         bytes += recording::gapBlock(gap);
@@ -59,7 +53,11 @@ Result<> JobWriter::write(const RecordingJob& job)
     }
     // Somebody may have deleted the file meanwhile.
     const bool needsStart = !QFile::exists(m_path);
-    return m_append(m_path, (needsStart ? recording::fileStart(m_header) : QByteArray()) + bytesOf(job));
+    const QByteArray bytes = (needsStart ? recording::fileStart(m_header) : QByteArray()) + bytesOf(job);
+    const Result<> outcome = m_append(m_path, bytes);
+    const bool hasMoreRoom =
+        !outcome && deleteExpired(m_folder, job.limits, m_header.began, QFileInfo(m_path).fileName());
+    return hasMoreRoom ? m_append(m_path, bytes) : outcome;
 }
 
 }  // namespace boresight::recorder

@@ -7,6 +7,7 @@
 #include <QByteArray>
 #include <QString>
 
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -16,11 +17,14 @@ namespace boresight::recorder {
 
 struct RecordingJob
 {
+    // 10 s at 50 Hz, one block of the file. A longer block would lose more when a byte is damaged.
+    static constexpr std::size_t kMostTicks = 500;
+
     // Of a new file, which this job begins. Empty: the job continues the file of the job before.
     std::optional<recording::Header> begins;
-    KeepLimits limits;  // for the recordings that are stored already
+    KeepLimits limits;  // in force when the worker takes the job
     std::optional<plan::PlanVariant> plan;
-    std::vector<recording::Tick> ticks;
+    std::vector<recording::Tick> ticks;  // at most kMostTicks
     std::vector<recording::Event> events;
     std::vector<recording::Gap> gaps;  // after the ticks
     bool ends = false;
@@ -34,7 +38,8 @@ public:
 
     JobWriter(QString folder, Append append) : m_folder(std::move(folder)), m_append(std::move(append)) {}
 
-    // A job that failed may be written again.
+    // Deletes expired recordings when a file begins, and when the disk takes no more bytes. A job that failed may be
+    // written again.
     [[nodiscard]] Result<> write(const RecordingJob& job);
 
 private:

@@ -3,6 +3,7 @@
 
 #include <QtEndian>
 
+#include <algorithm>
 #include <array>
 
 namespace boresight::recording {
@@ -52,16 +53,21 @@ QByteArray blockBytes(char kind, QByteArrayView content)
     return bytes;
 }
 
-std::optional<Block> blockAt(QByteArrayView bytes)
+qsizetype coveredBytes(QByteArrayView bytes)
 {
     if (bytes.size() < kBlockFrame || !bytes.startsWith(kBlockMarker)) {
-        return std::nullopt;
+        return 0;
     }
     const auto length = qsizetype{qFromLittleEndian<std::uint32_t>(bytes.data() + kLengthAt)};
-    if (length > bytes.size() - kBlockFrame) {
+    return length <= std::min(kMostContent, bytes.size() - kBlockFrame) ? kContentAt + length : 0;
+}
+
+std::optional<Block> blockAt(QByteArrayView bytes)
+{
+    const QByteArrayView covered = bytes.first(coveredBytes(bytes));
+    if (covered.isEmpty()) {
         return std::nullopt;
     }
-    const QByteArrayView covered = bytes.first(kContentAt + length);
     const auto written = qFromLittleEndian<std::uint32_t>(bytes.data() + covered.size());
     static_assert(kContentAt + kCrcBytes == kBlockFrame);
     if (written != crc32(covered)) {

@@ -24,6 +24,9 @@ inline constexpr char kPlanBlock = 'P';
 inline constexpr char kGapBlock = 'G';
 inline constexpr char kEndBlock = 'Z';
 
+// More than in any block that Boresight writes.
+inline constexpr qsizetype kMostContent = 16'000'000;
+
 struct Block
 {
     char kind = 0;
@@ -36,6 +39,10 @@ struct Block
 [[nodiscard]] std::uint32_t crc32(QByteArrayView bytes);
 
 [[nodiscard]] QByteArray blockBytes(char kind, QByteArrayView content);
+
+// The bytes that the CRC of a block at the beginning of these bytes covers. 0: its marker or its length are wrong, or
+// it is cut.
+[[nodiscard]] qsizetype coveredBytes(QByteArrayView bytes);
 
 // The block at the beginning of these bytes. Empty: there is none, or it is damaged or cut.
 [[nodiscard]] std::optional<Block> blockAt(QByteArrayView bytes);

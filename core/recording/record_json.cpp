@@ -30,12 +30,24 @@ std::optional<QJsonObject> objectIn(QByteArrayView json)
     return document.isObject() ? std::optional(document.object()) : std::nullopt;
 }
 
-UtcTime writtenTime(const QJsonValue& value)
+// Empty: this is no time, or one that no recording has.
+std::optional<UtcTime> writtenTime(const QJsonValue& value)
 {
     const QDateTime time = QDateTime::fromString(value.toString(), Qt::ISODateWithMs);
-    const qint64 ms = time.isValid() ? time.toMSecsSinceEpoch() : 0;
     constexpr qint64 kLatest = 9'200'000'000'000;  // of a clock of nanoseconds in 64 bits
-    return UtcTime(std::chrono::milliseconds(std::clamp(ms, -kLatest, kLatest)));
+    const qint64 ms = time.isValid() ? std::clamp(time.toMSecsSinceEpoch(), -kLatest, kLatest) : 0;
+    const UtcTime utc{std::chrono::milliseconds(ms)};
+    return isRecordable(utc) ? std::optional(utc) : std::nullopt;
+}
+
+// A text for terminal, window and report. A control character could move the cursor, or hide what follows.
+QString writtenText(const QJsonValue& value)
+{
+    QString text = value.toString();
+    for (QChar& one : text) {
+        one = one.category() == QChar::Other_Control ? QChar(QChar::ReplacementCharacter) : one;
+    }
+    return text;
 }
 
 template <class Keys>
@@ -64,12 +76,14 @@ QJsonArray channelList(const std::vector<Channel<Row>>& channels)
 
 std::optional<std::vector<WrittenChannel>> channelsIn(const QJsonObject& object)
 {
+    constexpr double kLeastSteps = 1e-6;
+    constexpr double kMostSteps = 1e9;
     const QJsonArray list = object.value(QStringLiteral("channels")).toArray();
     std::vector<WrittenChannel> channels;
     for (const QJsonValue& one : list) {
         const double perUnit = one[QStringLiteral("per_unit")].toDouble();
         channels.push_back({.name = one[QStringLiteral("name")].toString(), .perUnit = perUnit});
-        if (channels.back().name.isEmpty() || !(perUnit > 0.0)) {
+        if (channels.back().name.isEmpty() || !(perUnit >= kLeastSteps && perUnit <= kMostSteps)) {
             return std::nullopt;
         }
     }
@@ -83,14 +97,16 @@ QJsonValue spanJson(const std::optional<plan::PlanSpan>& span)
 
 std::optional<plan::PlanSpan> spanIn(const QJsonValue& value)
 {
-    return value.isArray() ? std::optional(plan::PlanSpan{writtenTime(value[0]), writtenTime(value[1])}) : std::nullopt;
+    const auto from = writtenTime(value[0]);
+    const auto to = writtenTime(value[1]);
+    return from && to ? std::optional(plan::PlanSpan{*from, *to}) : std::nullopt;
 }
 
 QStringList wordsIn(const QJsonValue& value)
 {
     QStringList words;
     for (const QJsonValue& word : value.toArray()) {
-        words.append(word.toString());
+        words.append(writtenText(word));
     }
     return words;
 }
@@ -145,14 +161,14 @@ std::optional<Described<Header>> readHeaderJson(QByteArrayView json)
     if (!channels) {
         return std::nullopt;
     }
-    const auto textAt = [&object](QLatin1String key) { return object->value(key).toString(); };
+    const auto textAt = [&object](QLatin1String key) { return writtenText(object->value(key)); };
     Header header{.program = textAt(QLatin1String("program")),
                   .mount = textAt(QLatin1String("mount")),
                   .isSimulated = object->value(QLatin1String("simulated")).toBool(),
                   .beamWidth = degreesIn(*object, QLatin1String("beam_width_deg")),
                   .target = textAt(QLatin1String("target")),
                   .client = textAt(QLatin1String("client")),
-                  .began = writtenTime(object->value(QLatin1String("began"))),
+                  .began = writtenTime(object->value(QLatin1String("began"))).value_or(UtcTime()),
                   .part = object->value(QLatin1String("part")).toInt(1),
                   .stateWords = wordsIn(object->value(QLatin1String("state_words"))),
                   .axisWords = wordsIn(object->value(QLatin1String("axis_words")))};
@@ -190,11 +206,15 @@ std::optional<std::vector<Event>> readEventsJson(QByteArrayView json)
     }
     std::vector<Event> events;
     for (const QJsonValue& one : document.array()) {
-        events.push_back({.utc = writtenTime(one[QStringLiteral("utc")]),
+        const auto utc = writtenTime(one[QStringLiteral("utc")]);
+        if (!utc) {
+            return std::nullopt;
+        }
+        events.push_back({.utc = *utc,
                           .kind = static_cast<EventKind>(indexOfKey(kKindKeys, one[QStringLiteral("kind")])),
                           .level = static_cast<EventLevel>(indexOfKey(kLevelKeys, one[QStringLiteral("level")])),
-                          .source = one[QStringLiteral("source")].toString(),
-                          .text = one[QStringLiteral("text")].toString()});
+                          .source = writtenText(one[QStringLiteral("source")]),
+                          .text = writtenText(one[QStringLiteral("text")])});
     }
     return events;
 }
@@ -212,10 +232,13 @@ std::optional<Gap> readGapJson(QByteArrayView json)
     if (!object) {
         return std::nullopt;
     }
+    const auto from = writtenTime(object->value(QLatin1String("from")));
+    const auto to = writtenTime(object->value(QLatin1String("to")));
+    if (!from || !to) {
+        return std::nullopt;
+    }
     const qint64 ticks = object->value(QLatin1String("ticks")).toInteger();
-    return Gap{.from = writtenTime(object->value(QLatin1String("from"))),
-               .to = writtenTime(object->value(QLatin1String("to"))),
-               .ticks = static_cast<std::uint64_t>(std::max<qint64>(ticks, 0))};
+    return Gap{.from = *from, .to = *to, .ticks = static_cast<std::uint64_t>(std::max<qint64>(ticks, 0))};
 }
 
 QByteArray planJson(const plan::PlanVariant& plan)

@@ -12,7 +12,8 @@
 #include <vector>
 
 // The parts of a recording that are JSON: header, events, gap, and what a plan has besides its moments. Absent keys are
-// unknown values, and other keys are ignored. The keys: README.md. Pure.
+// unknown values, and other keys are ignored. Control characters of texts are read as U+FFFD. The keys: README.md.
+// Pure.
 namespace boresight::recording {
 
 // A header, or a plan without its moments, with the channels of the rows.
@@ -28,7 +29,7 @@ struct Described
 [[nodiscard]] QByteArray gapJson(const Gap& gap);
 [[nodiscard]] QByteArray planJson(const plan::PlanVariant& plan);
 
-// Empty: this is no such JSON.
+// Empty: this is no such JSON, or a time of an event or a gap is not one that isRecordable() permits.
 [[nodiscard]] std::optional<Described<Header>> readHeaderJson(QByteArrayView json);
 [[nodiscard]] std::optional<std::vector<Event>> readEventsJson(QByteArrayView json);
 [[nodiscard]] std::optional<Gap> readGapJson(QByteArrayView json);

@@ -9,7 +9,7 @@
 
 #include <QFile>
 
-#include <iterator>
+#include <algorithm>
 #include <utility>
 
 namespace boresight::recording {
@@ -21,8 +21,9 @@ constexpr qint64 kHeaderEnough = 200'000;
 // A recording of an hour with its events has less than 20 MB.
 constexpr qint64 kLargestFile = 200'000'000;
 
-// So many markers without a block in a row do not come from damage.
-constexpr int kMostTries = 1000;
+// More markers without a block, or more of their bytes, do not come from damage. They would only take time.
+constexpr int kMostTries = 10'000;
+constexpr qint64 kMostTried = 500'000'000;
 
 constexpr qsizetype kFirstBlockAt = kFileMark.size() + 1;
 
@@ -62,7 +63,7 @@ public:
     void takeAll(QByteArrayView bytes)
     {
         for (qsizetype at = kFirstBlockAt; at < bytes.size();) {
-            if (const auto block = blockAt(bytes.sliced(at))) {
+            if (const auto block = tryBlock(bytes.sliced(at))) {
                 take(*block, at);
                 at += block->size();
             } else {
@@ -78,25 +79,47 @@ public:
     [[nodiscard]] Recording taken() { return std::move(m_recording); }
 
 private:
+    // Counts what a block costs that is none.
+    [[nodiscard]] std::optional<Block> tryBlock(QByteArrayView bytes)
+    {
+        const auto block = blockAt(bytes);
+        if (!block) {
+            ++m_tries;
+            m_tried += coveredBytes(bytes);
+        }
+        return block;
+    }
+
     // Returns where the next whole block begins, or the end of the bytes.
     qsizetype passOver(QByteArrayView bytes, qsizetype damaged)
     {
-        qsizetype next = bytes.indexOf(kBlockMarker, damaged + 1);
-        for (int tries = 1; next >= 0 && !blockAt(bytes.sliced(next)); ++tries) {
-            next = tries < kMostTries ? bytes.indexOf(kBlockMarker, next + 1) : -1;
+        const auto after = [&](qsizetype at) {
+            const bool mayTry = m_tries < kMostTries && m_tried < kMostTried;
+            return mayTry ? bytes.indexOf(kBlockMarker, at + 1) : -1;
+        };
+        qsizetype next = after(damaged);
+        while (next >= 0 && !tryBlock(bytes.sliced(next))) {
+            next = after(next);
         }
         next = next >= 0 ? next : bytes.size();
-        m_recording.problems.append(
-            Text::tr("bytes %1 to %2 are damaged or cut. They are left out").arg(damaged).arg(next - 1));
+        addProblem(Text::tr("bytes %1 to %2 are damaged or cut. They are left out").arg(damaged).arg(next - 1));
         return next;
     }
 
     void take(const Block& block, qsizetype at)
     {
         if (!isTaken(block)) {
-            m_recording.problems.append(Text::tr("byte %1: the content of block \"%2\" is not readable. It is left out")
-                                            .arg(at)
-                                            .arg(QChar::fromLatin1(block.kind)));
+            addProblem(Text::tr("byte %1: the content of block \"%2\" is not readable or too much. It is left out")
+                           .arg(at)
+                           .arg(QChar::fromLatin1(block.kind)));
+        }
+    }
+
+    void addProblem(const QString& problem)
+    {
+        const qsizetype count = m_recording.problems.size();
+        if (count < kMostProblems) {
+            m_recording.problems.append(count + 1 < kMostProblems ? problem : Text::tr("further damage is not listed"));
         }
     }
 
@@ -106,16 +129,11 @@ private:
             case kTickBlock:
                 return takeTickBlock(block.content);
             case kEventBlock:
-                return append(m_recording.events, readEventsJson(block.content));
+                return takeEvents(block.content);
             case kPlanBlock:
                 return takePlan(block.content);
-            case kGapBlock: {
-                const auto gap = readGapJson(block.content);
-                if (gap) {
-                    m_recording.gaps.push_back(*gap);
-                }
-                return gap.has_value();
-            }
+            case kGapBlock:
+                return takeGap(block.content);
             case kEndBlock:
                 m_recording.hasEnd = true;
                 return true;
@@ -136,17 +154,39 @@ private:
     [[nodiscard]] bool takeTickBlock(QByteArrayView content)
     {
         ByteSource source(content);
-        return append(m_recording.ticks, takeTicks(source, m_channels, kMostTicks - m_recording.ticks.size()));
+        const auto ticks = takeTicks(source, m_channels, kMostTicks - m_recording.ticks.size());
+        const bool isOfTheTime = ticks && std::ranges::all_of(*ticks, isRecordable, &Tick::utc);
+        return isOfTheTime && append(m_recording.ticks, ticks);
+    }
+
+    [[nodiscard]] bool takeEvents(QByteArrayView content)
+    {
+        const std::size_t room = kMostEvents - m_recording.events.size();
+        const auto events = room > 0 ? readEventsJson(content) : std::nullopt;
+        return events && events->size() <= room && append(m_recording.events, events);
+    }
+
+    [[nodiscard]] bool takeGap(QByteArrayView content)
+    {
+        const auto gap = m_recording.gaps.size() < kMostGaps ? readGapJson(content) : std::nullopt;
+        if (gap) {
+            m_recording.gaps.push_back(*gap);
+        }
+        return gap.has_value();
     }
 
     [[nodiscard]] bool takePlan(QByteArrayView content)
     {
+        if (m_plans >= kMostPlans) {
+            return false;
+        }
+        ++m_plans;
         ByteSource source(content);
         const auto length = source.varint();
         const auto json = length ? source.bytes(*length) : std::nullopt;
         auto plan = json ? readPlanJson(*json) : std::nullopt;
         auto moments = plan ? takeMoments(source, plan->channels) : std::nullopt;
-        if (!moments || moments->empty()) {
+        if (!moments || moments->empty() || !std::ranges::all_of(*moments, isRecordable, &plan::PlannedMoment::utc)) {
             return false;
         }
         plan->value.moments = std::move(*moments);
@@ -156,6 +196,9 @@ private:
 
     std::vector<WrittenChannel> m_channels;
     Recording m_recording;
+    int m_plans = 0;
+    int m_tries = 0;     // of blocks that are none
+    qint64 m_tried = 0;  // their bytes
 };
 
 // With the name of the file before the reason.

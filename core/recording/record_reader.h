@@ -10,8 +10,14 @@
 // Reads recordings. Any bytes are safe. Any thread.
 namespace boresight::recording {
 
-// More ticks than in any file that Boresight writes. The rest of a longer file is left out, with a problem.
+// More than in any file that Boresight writes. What a file has beyond this is left out, with a problem.
 inline constexpr std::size_t kMostTicks = 400'000;
+inline constexpr std::size_t kMostEvents = 200'000;
+inline constexpr std::size_t kMostGaps = 10'000;
+inline constexpr int kMostPlans = 20;
+
+// Of one file. A last one, that the recording has no end, may follow.
+inline constexpr qsizetype kMostProblems = 100;
 
 // The whole recording. Damaged blocks are left out: `problems` names them. An error names what is in the way: this is
 // no recording, its version is unknown, or its header is damaged.

@@ -115,6 +115,14 @@ struct Header
     bool operator==(const Header&) const = default;
 };
 
+// Other times come from a damaged or foreign file.
+[[nodiscard]] constexpr bool isRecordable(UtcTime utc)
+{
+    constexpr UtcTime kYear2000{std::chrono::sys_days{std::chrono::year{2000} / 1 / 1}};
+    constexpr UtcTime kYear2200{std::chrono::sys_days{std::chrono::year{2200} / 1 / 1}};
+    return utc >= kYear2000 && utc < kYear2200;
+}
+
 // A whole file. Ticks, events and gaps are in the order of the file, which is that of the time.
 struct Recording
 {

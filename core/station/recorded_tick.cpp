@@ -81,9 +81,9 @@ recording::Tick recordedTick(const StationStatus& status, const TickSample& samp
     return tick;
 }
 
-recording::Event recordedEvent(const LogEntry& entry)
+recording::Event recordedEvent(const LogEntry& entry, Seconds ahead)
 {
-    return {.utc = entry.utc,
+    return {.utc = entry.utc - std::chrono::round<UtcTime::duration>(ahead),
             .kind = recordedKind(entry.kind),
             .level = recordedLevel(entry.severity),
             .source = entry.source,

@@ -11,7 +11,8 @@ namespace boresight {
 // `sample` belongs to the tick of `status` and was taken at `utc`.
 [[nodiscard]] recording::Tick recordedTick(const StationStatus& status, const TickSample& sample,
                                            const SensorStatus& sensor, UtcTime utc);
-[[nodiscard]] recording::Event recordedEvent(const LogEntry& entry);
+// The log has the clock of the computer, which is `ahead` of the clock of the ticks.
+[[nodiscard]] recording::Event recordedEvent(const LogEntry& entry, Seconds ahead);
 // For a recording that begins now.
 [[nodiscard]] recording::Header recordedHeader(const StationStatus& status, bool simulated);
 

@@ -10,8 +10,10 @@
 namespace boresight {
 namespace {
 
-// The newest lines of the log before a recording are its first events: they say why the mount moves.
+// The newest lines of the log before a recording are its first events: they say why the mount moves. Older lines belong
+// to something else.
 constexpr std::uint64_t kEntriesBefore = 5;
+constexpr std::chrono::seconds kOldestBefore{60};
 constexpr qint64 kMegabyte = 1'000'000;
 
 // The mount is on a moving target, or on its way to one. The way to a fixed place is no pass. It may look like the way
@@ -60,6 +62,7 @@ std::optional<StationStatus> StationRecorder::followed() const
 
 void StationRecorder::tick()
 {
+    keepWithinLimits();
     const auto status = followed();
     const bool follows = status && followsTarget(*status, m_recorder.isRecording());
     if (follows) {
@@ -84,16 +87,39 @@ void StationRecorder::beginOrDescribe(const StationStatus& status)
     const recording::Header header = recordedHeader(status, m_simulated);
     const bool isSame = m_target == header.target || m_target.isEmpty() || header.target.isEmpty();
     if (!m_recorder.isRecording() || !isSame) {
-        const auto& keep = m_profile->record;
-        m_recorder.begin(header, {.age = std::chrono::days(keep.keepDays), .bytes = keep.keepMegabytes * kMegabyte});
+        m_recorder.begin(header);
         m_target = header.target;
         m_point.clear();
         m_plan.reset();
-        m_lastEntry = m_log.lastNumber() - std::min(m_log.lastNumber(), kEntriesBefore);
+        m_lastEntry = lastEntryBefore();
     } else if (m_target != header.target && m_target.isEmpty()) {
         m_target = header.target;
         m_recorder.describe(header);
     }
+}
+
+// The number of the newest line of the log that is too old for a recording that begins now.
+std::uint64_t StationRecorder::lastEntryBefore() const
+{
+    std::uint64_t last = m_log.lastNumber() - std::min(m_log.lastNumber(), kEntriesBefore);
+    for (const LogEntry& entry : m_log.since(last, kEntriesBefore)) {
+        // A line from before the clock was set back may look like one of the future.
+        if (abs(m_clock.computerUtc() - entry.utc) >= kOldestBefore) {
+            last = entry.number;
+        }
+    }
+    return last;
+}
+
+// While nothing sets the clock, the ages of the recordings are unknown.
+void StationRecorder::keepWithinLimits()
+{
+    const auto& keep = m_profile->record;
+    recorder::KeepLimits limits{.age = std::nullopt, .bytes = keep.keepMegabytes * kMegabyte};
+    if (m_clock.synchronised()) {
+        limits.age = std::chrono::days(keep.keepDays);
+    }
+    m_recorder.setLimits(limits);
 }
 
 void StationRecorder::recordPlan(const StationStatus& status)
@@ -110,13 +136,13 @@ void StationRecorder::recordEvents(const StationStatus& status)
 {
     if (m_log.lastNumber() != m_lastEntry) {
         for (const LogEntry& entry : m_log.since(m_lastEntry, EventLog::kCapacity)) {
-            m_recorder.add(recordedEvent(entry));
+            m_recorder.add(recordedEvent(entry, m_clock.ahead()));
         }
         m_lastEntry = m_log.lastNumber();
     }
     if (status.commander.kind == SourceKind::Client && status.targetText != m_point) {
         m_point = status.targetText;
-        m_recorder.add(recording::Event{.utc = computerUtc(status),
+        m_recorder.add(recording::Event{.utc = status.utc,
                                         .kind = recording::EventKind::ClientLine,
                                         .source = status.commander.name,
                                         .text = m_point});

@@ -36,6 +36,8 @@ public:
 private:
     [[nodiscard]] std::optional<StationStatus> followed() const;
     void beginOrDescribe(const StationStatus& status);
+    [[nodiscard]] std::uint64_t lastEntryBefore() const;
+    void keepWithinLimits();
     void recordPlan(const StationStatus& status);
     void recordEvents(const StationStatus& status);
     void showTrouble(const QString& reason);

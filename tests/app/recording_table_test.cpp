@@ -67,6 +67,10 @@ TEST(RecordingTable, EventsPlanAndFactsHaveTheirTables)
     EXPECT_THAT(about, HasSubstr("\nticks,100\nlost_ticks,50\nevents,1\nplan,direct\nerror_rms_deg,0.01"));
     EXPECT_THAT(about, HasSubstr("\ncomplete,yes\n"));
     EXPECT_THAT(csvOf(aboutTable({})), HasSubstr("\nerror_rms_deg,\n"));
+    recording::Recording slewed = pass;
+    slewed.plan.reset();
+    slewed.ticks.front().error = 40_deg;  // before the beam was on target
+    EXPECT_THAT(csvOf(aboutTable(slewed)), HasSubstr("\nerror_peak_deg,0.0"));
 }
 
 // REQ-RECORD-11: `replay` prints a status line for each second, and each event at its time.

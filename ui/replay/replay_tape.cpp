@@ -18,6 +18,7 @@ struct TapeWords
 };
 
 constexpr UtcTime::duration kWayStep = std::chrono::seconds(1);
+constexpr qsizetype kMostShown = 3;  // of the parts that are damaged
 constexpr auto kUtcOf = [](const auto& one) { return one.utc; };
 
 }  // namespace
@@ -43,10 +44,7 @@ void ReplayTape::findSpan()
         m_end = ticks.back().utc;
     } else if (!events.empty()) {
         m_begin = events.front().utc;
-    }
-    if (!events.empty()) {
-        m_begin = std::min(m_begin, events.front().utc);
-        m_end = std::max(m_end, events.back().utc);
+        m_end = events.back().utc;
     }
 }
 
@@ -71,8 +69,12 @@ void ReplayTape::addRemarks()
             "still writes the file, or was interrupted.");
     } else if (!m_record.problems.isEmpty()) {
         m_remarks << TapeWords::tr("The file is damaged. The replay has everything that could be read:");
-        for (const QString& problem : m_record.problems) {
+        const QStringList& problems = m_record.problems;
+        for (const QString& problem : problems.first(std::min(kMostShown, problems.size()))) {
             m_remarks << problem + QLatin1Char('.');
+        }
+        if (problems.size() > kMostShown) {
+            m_remarks << TapeWords::tr("Further damage: %1.").arg(problems.size() - kMostShown);
         }
     }
     if (m_record.ticks.empty()) {

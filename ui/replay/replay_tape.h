@@ -27,10 +27,10 @@ public:
     [[nodiscard]] const std::vector<recording::Event>& events() const { return m_record.events; }
     // The path of the target from the first tick to the last one. Null: the target was unknown.
     [[nodiscard]] const targets::SkyWay& way() const { return m_way; }
-    // What is missing, one sentence each. Empty: the file is whole.
+    // What is missing, one sentence each: of much damage the first parts and a number. Empty: the file is whole.
     [[nodiscard]] const QStringList& remarks() const { return m_remarks; }
 
-    // The first and the last tick or event.
+    // The first and the last tick. Without ticks: the first and the last event.
     [[nodiscard]] UtcTime begin() const { return m_begin; }
     [[nodiscard]] UtcTime end() const { return m_end; }
 

@@ -83,7 +83,7 @@ std::vector<UtcTime> ReplayWindow::motionStarts() const
     std::vector<UtcTime> starts;
     for (const recording::Event& event : m_tape->events()) {
         if (event.kind == recording::EventKind::MotionStart) {
-            starts.push_back(event.utc);
+            starts.push_back(std::clamp(event.utc, m_tape->begin(), m_tape->end()));
         }
     }
     return starts;
@@ -221,16 +221,22 @@ bool ReplayWindow::act(int key)
     }
 }
 
+// An event before the first tick is shown at the first tick.
+UtcTime ReplayWindow::momentOf(std::size_t event) const
+{
+    return std::clamp(m_tape->events()[event].utc, m_tape->begin(), m_tape->end());
+}
+
 void ReplayWindow::jumpTo(std::size_t event)
 {
     m_player.play(false);
-    m_player.jumpTo(m_tape->events()[event].utc);
+    m_player.jumpTo(momentOf(event));
     m_table->selectRow(static_cast<int>(event));  // several events may have the same time
 }
 
 void ReplayWindow::showWhyItMoved()
 {
-    const bool isShown = m_answer && m_tape->events()[*m_answer].utc == m_player.moment();
+    const bool isShown = m_answer && momentOf(*m_answer) == m_player.moment();
     const auto found = m_tape->motionStartAt(m_player.moment(), isShown ? m_answer : std::nullopt);
     if (!found) {
         m_player.play(false);

@@ -37,6 +37,7 @@ public:
     // Jumps to the last start of a motion before the moment that is shown, and shows why it began. Pauses. The next
     // call shows the start before that.
     void showWhyItMoved();
+    [[nodiscard]] UtcTime momentOf(std::size_t event) const;
 
     [[nodiscard]] ReplayPlayer& player() { return m_player; }
 

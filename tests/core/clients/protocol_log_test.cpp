@@ -246,6 +246,7 @@ TEST_F(ProtocolLogTest, IsBounded)
     EXPECT_EQ(log.newest(0, 3)->front().number, ProtocolLog::kCapacity + 8);
     EXPECT_EQ(log.oldest(log.lastNumber(), 3), nullptr);
     EXPECT_EQ(log.newest(log.lastNumber() + 5, 3), nullptr) << "a number of a station before";
+    EXPECT_EQ(log.oldest(log.lastNumber() + 5, 3)->front().number, 11U) << "a number of a station before";
     fresh();
     say("g" + std::string(3000, 'x') + "\n");
     EXPECT_THAT(lines().back().line.begin, SizeIs(ProtocolBytes::kMost));

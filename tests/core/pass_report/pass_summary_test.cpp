@@ -208,5 +208,16 @@ TEST(PassSummaryTest, TheEventsThatMatterComeFirst)
     EXPECT_EQ(summary.motions, 1U);
 }
 
+// REQ-REPORT-07
+TEST(PassSummaryTest, EventsLongBeforeTheFirstTickAreNotOfThePass)
+{
+    Recording recording = drivenPass();
+    recording.events = {{.utc = drivenAt(-11), .kind = EventKind::Alarm, .level = EventLevel::Alarm},
+                        {.utc = drivenAt(-1), .kind = EventKind::MotionStart}};
+    EXPECT_EQ(summarised(recording).alarms, 0U);
+    EXPECT_EQ(summarised(recording).motions, 1U);
+    EXPECT_EQ(importantEvents(recording, 9).size(), 1U);
+}
+
 }  // namespace
 }  // namespace boresight::pass_report

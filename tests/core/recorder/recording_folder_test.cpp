@@ -46,6 +46,21 @@ TEST(RecordingFolder, OldOnesGoByAgeAndBySize)
                 ElementsAre(QStringLiteral("a"), QStringLiteral("b"), QStringLiteral("c")));
 }
 
+// REQ-RECORD-15
+TEST(RecordingFolder, TheFileInWritingCountsAndStays)
+{
+    EXPECT_THAT(expired(threeDays(), {.age = std::chrono::days(1), .bytes = 0}, kFolderNow, QStringLiteral("b")),
+                ElementsAre(QStringLiteral("a"), QStringLiteral("c")));
+}
+
+// REQ-RECORD-17: While no time source sets the clock, no recording is deleted for its age. The size always counts.
+TEST(RecordingFolder, WithoutAnAgeOnlyTheSizeCounts)
+{
+    EXPECT_THAT(expired(threeDays(), {.age = std::nullopt, .bytes = 600}, kFolderNow + 100'000h), IsEmpty());
+    EXPECT_THAT(expired(threeDays(), {.age = std::nullopt, .bytes = 500}, kFolderNow),
+                ElementsAre(QStringLiteral("a")));
+}
+
 // REQ-RECORD-06
 TEST(RecordingFolder, OnlyRecordingsAreDeleted)
 {

@@ -2,10 +2,12 @@
 #include "core/station/station_recorder.h"
 
 #include "core/recording/record_reader.h"
+#include "core/recording/record_writer.h"
 #include "core/tables/table_reader.h"
 #include "tests/core/station/moving_station.h"
 
 #include <QDir>
+#include <QFile>
 #include <QTemporaryDir>
 
 #include <gmock/gmock.h>
@@ -44,18 +46,30 @@ protected:
         ASSERT_TRUE(answer);
         EXPECT_FALSE(answer->error) << answer->error->text.toStdString();
     }
-    // All recordings, after the station has ended.
-    [[nodiscard]] std::vector<recording::Recording> recordings()
+    // The recordings in the folder, also those without an end.
+    [[nodiscard]] std::vector<recording::Recording> stored() const
     {
-        m_rig.reset();
         std::vector<recording::Recording> all;
         const QDir folder(recordingsPath(m_folder.path(), QStringLiteral("Boresight mount"), true));
         for (const QString& name : folder.entryList(QDir::Files, QDir::Name)) {
-            const auto loaded = recording::loadRecording(folder.filePath(name));
-            EXPECT_TRUE(loaded) << loaded.error().text.toStdString();
-            all.push_back(loaded.value_or(recording::Recording{}));
+            all.push_back(recording::loadRecording(folder.filePath(name)).value_or(recording::Recording{}));
         }
         return all;
+    }
+    // All recordings, as soon as the last one, which must have ended, is written.
+    [[nodiscard]] std::vector<recording::Recording> recordings()
+    {
+        EXPECT_TRUE(fakes::waitUntil([this] {
+            m_rig->run(kRecordedTick);
+            const auto all = stored();
+            return !all.empty() && std::ranges::all_of(all, &recording::Recording::hasEnd);
+        }));
+        return stored();
+    }
+    [[nodiscard]] bool isNothingStored()
+    {
+        m_rig.reset();
+        return stored().empty();
     }
 
     QTemporaryDir m_folder;
@@ -103,7 +117,7 @@ TEST_F(StationRecorderTest, AMotionToAFixedPlaceIsNoPass)
 {
     ask(request::PointSky{{.azimuth = 40_deg, .elevation = 30_deg}});
     m_rig->run(Seconds(20.0));
-    EXPECT_THAT(recordings(), IsEmpty());
+    EXPECT_TRUE(isNothingStored());
 }
 
 // REQ-RECORD-13: The profile can switch the recording off.
@@ -114,7 +128,7 @@ TEST_F(StationRecorderTest, TheProfileMaySayNo)
     ask(request::ApplyProfile{quiet});
     ask(request::Track{moving()});
     m_rig->run(Seconds(20.0));
-    EXPECT_THAT(recordings(), IsEmpty());
+    EXPECT_TRUE(isNothingStored());
 }
 
 // A short break of the tracking does not split the recording.
@@ -126,7 +140,72 @@ TEST_F(StationRecorderTest, ATargetThatIsTrackedAgainContinuesTheRecording)
     m_rig->run(Seconds(5.0));
     ask(request::Track{moving()});
     m_rig->run(Seconds(10.0));
+    ask(request::Hold{});
+    m_rig->run(Seconds(15.0));
     EXPECT_THAT(recordings(), SizeIs(1));
+}
+
+// Story: the first events of a recording were lines of the log of the day before.
+TEST_F(StationRecorderTest, OldLinesOfTheLogAreNotOfThePass)
+{
+    ask(request::PointSky{{.azimuth = 40_deg, .elevation = 30_deg}});
+    m_rig->run(Seconds(70.0));
+    ask(request::Track{moving()});
+    m_rig->run(Seconds(5.0));
+    ask(request::Hold{});
+    m_rig->run(Seconds(15.0));
+    const auto all = recordings();
+    ASSERT_THAT(all, SizeIs(1));
+    ASSERT_FALSE(all[0].ticks.empty());
+    ASSERT_FALSE(all[0].events.empty());
+    for (const recording::Event& event : all[0].events) {
+        EXPECT_GT(event.utc, all[0].ticks.front().utc - std::chrono::seconds(60)) << event.text.toStdString();
+    }
+    EXPECT_FALSE(std::ranges::any_of(all[0].events, [](const recording::Event& event) {
+        return event.kind == recording::EventKind::MotionStart && event.text.contains(QStringLiteral("40.0"));
+    }));
+}
+
+// REQ-RECORD-20: Events have the clock of the ticks, also while the station points by an old time.
+TEST_F(StationRecorderTest, EventsHaveTheClockOfTheTicks)
+{
+    m_rig->clock.setAhead(Seconds(3'600.0));
+    ask(request::Track{moving()});
+    m_rig->run(Seconds(5.0));
+    ask(request::Hold{});
+    m_rig->run(Seconds(15.0));
+    const auto all = recordings();
+    ASSERT_THAT(all, SizeIs(1));
+    ASSERT_FALSE(all[0].ticks.empty());
+    EXPECT_TRUE(std::ranges::any_of(
+        all[0].events, [](const recording::Event& event) { return event.kind == recording::EventKind::MotionStart; }));
+    for (const recording::Event& event : all[0].events) {
+        EXPECT_LT(event.utc, all[0].ticks.back().utc + std::chrono::seconds(1)) << event.text.toStdString();
+    }
+}
+
+// REQ-RECORD-17
+TEST_F(StationRecorderTest, AgeDeletesOnlyWhileTheClockIsSet)
+{
+    const QDir folder(recordingsPath(m_folder.path(), QStringLiteral("Boresight mount"), true));
+    ASSERT_TRUE(folder.mkpath(QStringLiteral(".")));
+    const QString old =
+        recorder::recordingName(m_rig->clock.utc() - std::chrono::hours(24 * 400), QStringLiteral("OLD"));
+    const QByteArray bytes = recording::fileStart({}) + recording::fileEnd();
+    ASSERT_TRUE(recorder::appendWhole(folder.filePath(old), bytes));
+    const auto pass = [this](std::size_t files) {
+        ask(request::Track{moving()});
+        m_rig->run(Seconds(5.0));
+        ask(request::Hold{});
+        m_rig->run(Seconds(15.0));
+        EXPECT_THAT(recordings(), SizeIs(files));
+    };
+    m_rig->clock.setSynchronised(false);
+    pass(2);
+    EXPECT_TRUE(QFile::exists(folder.filePath(old)));
+    m_rig->clock.setSynchronised(true);
+    pass(2);
+    EXPECT_FALSE(QFile::exists(folder.filePath(old)));
 }
 
 }  // namespace boresight

@@ -295,6 +295,20 @@ TEST_F(ReplayTest, TheTrailEndsAtTheMomentAfterEachJump)
     EXPECT_EQ(plot().markers().trail().length(), whole) << "no place is lost at 60 times the speed";
 }
 
+// The motion that began just before the first tick: pressed again, the answer is that it is the first one.
+TEST_F(ReplayTest, ShowsAMotionFromBeforeTheFirstTick)
+{
+    recording::Recording record = recordedPass();
+    record.events.erase(record.events.begin() + 1, record.events.end());
+    record.events.front().utc = kRecordedFrom - 5s;
+    open(fileOf(record));
+    key(Qt::Key_W);
+    EXPECT_EQ(passed(), Seconds(0.0));
+    EXPECT_TRUE(text("Why the mount moved").contains(QStringLiteral("Go to 113.0° 10.0°")));
+    key(Qt::Key_W);
+    EXPECT_TRUE(text("Why the mount moved").contains(QStringLiteral("This is the first motion")));
+}
+
 // REQ-REPLAY-07: A damaged file opens up to what can be read, and a sentence says so. A file that is no recording does
 // not open, with the reason.
 TEST_F(ReplayTest, OpensADamagedFile)
@@ -362,6 +376,31 @@ TEST(ReplayTapeTest, AddsTheGapsToTheEvents)
     EXPECT_EQ(tape.events()[1].utc, kRecordedFrom + 20s);
     EXPECT_THAT(tape.events()[1].text.toStdString(), HasSubstr("50 ticks were not recorded"));
     EXPECT_TRUE(tape.remarks().isEmpty());
+}
+
+// Story: events from long before the pass made the replay begin with nothing to see.
+TEST(ReplayTapeTest, TheTicksAreTheSpan)
+{
+    recording::Recording record = recordedPass();
+    record.events.front().utc = kRecordedFrom - 50s;
+    record.events.back().utc = kRecordedFrom + 500s;
+    const ReplayTape tape(record);
+    EXPECT_EQ(tape.begin(), tape.ticks().front().utc);
+    EXPECT_EQ(tape.end(), tape.ticks().back().utc);
+    EXPECT_EQ(tape.motionStartAt(tape.begin()), 0U);
+}
+
+// REQ-REPLAY-07
+TEST(ReplayTapeTest, ShowsTheFirstDamageAndANumber)
+{
+    recording::Recording record = recordedPass();
+    for (int i = 1; i <= 10; ++i) {
+        record.problems << QStringLiteral("damage %1").arg(i);
+    }
+    const QStringList remarks = ReplayTape(record).remarks();
+    ASSERT_EQ(remarks.size(), 5);
+    EXPECT_EQ(remarks[3], QStringLiteral("damage 3."));
+    EXPECT_EQ(remarks[4], QStringLiteral("Further damage: 7."));
 }
 
 TEST(ReplayTapeTest, ARecordingWithoutTicksShowsItsEvents)
