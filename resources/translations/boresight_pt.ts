@@ -979,6 +979,10 @@ até %1</translation>
         <source>The recording has no ticks, so sky and charts are empty.</source>
         <translation>A gravação não tem instantes, por isso o céu e os gráficos estão vazios.</translation>
     </message>
+    <message>
+        <source>Further damage: %1.</source>
+        <translation>Outros danos: %1.</translation>
+    </message>
 </context>
 <context>
     <name>SettingWords</name>
@@ -12207,14 +12211,6 @@ até %1</translation>
         <translation>A gravação da passagem não é guardada: %1</translation>
     </message>
     <message>
-        <source>Boresight tracks as before. It keeps the newest values in memory and tries to store them again</source>
-        <translation>O Boresight segue como antes. Mantém os valores mais recentes na memória e tenta guardá-los de novo</translation>
-    </message>
-    <message>
-        <source>Check the disk and its free space, or reduce record.keep_megabytes on the page Profile. After 10 minutes the recording has a gap</source>
-        <translation>Verifique o disco e o seu espaço livre, ou reduza record.keep_megabytes na página Perfil. Após 10 minutos a gravação tem uma lacuna</translation>
-    </message>
-    <message>
         <source>recording</source>
         <translation>gravação</translation>
     </message>
@@ -12223,24 +12219,12 @@ até %1</translation>
         <translation>Gravar passagens</translation>
     </message>
     <message>
-        <source>With &quot;on&quot; Boresight records each pass in a file: all values of both axes in each control tick, the events and the plan. An hour takes at most 8 MB.</source>
-        <translation>Com &quot;on&quot; o Boresight grava cada passagem num ficheiro: todos os valores dos dois eixos em cada ciclo de controlo, os eventos e o plano. Uma hora ocupa no máximo 8 MB.</translation>
-    </message>
-    <message>
         <source>Keep for</source>
         <translation>Conservar durante</translation>
     </message>
     <message>
-        <source>Older recordings are deleted when the next recording begins.</source>
-        <translation>As gravações mais antigas são apagadas quando começa a gravação seguinte.</translation>
-    </message>
-    <message>
         <source>Keep at most</source>
         <translation>Conservar no máximo</translation>
-    </message>
-    <message>
-        <source>When a recording begins, the oldest recordings of this mount are deleted while all together are larger.</source>
-        <translation>Quando começa uma gravação, as gravações mais antigas desta montagem são apagadas enquanto todas juntas ocuparem mais.</translation>
     </message>
     <message>
         <source>the disk does not answer</source>
@@ -12269,10 +12253,6 @@ até %1</translation>
     <message>
         <source>bytes %1 to %2 are damaged or cut. They are left out</source>
         <translation>os bytes %1 a %2 estão danificados ou cortados. Foram omitidos</translation>
-    </message>
-    <message>
-        <source>byte %1: the content of block &quot;%2&quot; is not readable. It is left out</source>
-        <translation>byte %1: o conteúdo do bloco &quot;%2&quot; não é legível. Foi omitido</translation>
     </message>
     <message>
         <source>cannot read: %1</source>
@@ -12589,6 +12569,34 @@ até %1</translation>
     <message>
         <source>The error is the angle between the beam and the target. It counts after the first second on target. On target is within half of the beam width. The parts that the limits hide by the plan do not count. The circle marks the beginning. A torque has its mean as a dark line, and its least and largest values as a light band.</source>
         <translation>O erro é o ângulo entre o feixe e o alvo. Conta depois do primeiro segundo no alvo. No alvo é dentro de metade da largura do feixe. As partes que os limites ocultam segundo o plano não contam. O círculo marca o início. O torque tem a média como linha escura, e os valores mínimo e máximo como faixa clara.</translation>
+    </message>
+    <message>
+        <source>Boresight tracks as before. It keeps up to 30,000 ticks in memory, 10 minutes at 50 Hz, and tries to store them again</source>
+        <translation>O Boresight segue como antes. Guarda até 30 000 ciclos em memória, 10 minutos a 50 Hz, e tenta gravá-los de novo</translation>
+    </message>
+    <message>
+        <source>Check the disk and its free space, or reduce record.keep_megabytes on the page Profile. When the memory is full, Boresight loses further ticks, and the recording has a gap</source>
+        <translation>Verifique o disco e o seu espaço livre, ou reduza record.keep_megabytes na página Perfil. Quando a memória está cheia, o Boresight perde os ciclos seguintes, e a gravação tem uma falha</translation>
+    </message>
+    <message>
+        <source>With &quot;on&quot; Boresight records each pass in a file: all values of both axes in each control tick, the events and the plan. At 50 Hz an hour takes at most 8 MB.</source>
+        <translation>Com &quot;on&quot; o Boresight grava cada passagem num ficheiro: todos os valores dos dois eixos em cada ciclo de controlo, os eventos e o plano. A 50 Hz, uma hora ocupa no máximo 8 MB.</translation>
+    </message>
+    <message>
+        <source>Older recordings are deleted when the next recording begins, while a time source sets the clock.</source>
+        <translation>As gravações mais antigas são apagadas quando a próxima gravação começa, enquanto uma fonte de tempo acerta o relógio.</translation>
+    </message>
+    <message>
+        <source>When a recording begins, and when the disk is full, the oldest recordings of this mount are deleted while all together are larger.</source>
+        <translation>Quando uma gravação começa, e quando o disco está cheio, as gravações mais antigas desta montagem são apagadas enquanto todas juntas forem maiores.</translation>
+    </message>
+    <message>
+        <source>byte %1: the content of block &quot;%2&quot; is not readable or too much. It is left out</source>
+        <translation>byte %1: o conteúdo do bloco &quot;%2&quot; é ilegível ou demasiado. É omitido</translation>
+    </message>
+    <message>
+        <source>further damage is not listed</source>
+        <translation>os danos seguintes não são listados</translation>
     </message>
 </context>
 <context>
