@@ -92,7 +92,7 @@ inline constexpr std::array kPointingAlarms{
                .source = "station",
                .severity = Severity::Advisory,
                .what = QT_TRANSLATE_NOOP("Text", "The cable has no room for the whole pass of %1"),
-               .action = QT_TRANSLATE_NOOP("Text", "%2 The beam is off the target for %3"),
+               .action = QT_TRANSLATE_NOOP("Text", "%2 The target is lost for %3"),
                .remedy = QT_TRANSLATE_NOOP("Text", "On the page Passes, the view Plan shows the other ways"),
                .examples = {"ISS (ZARYA)", "The mount unwraps from 12:30:10Z to 12:31:02Z.", "33 s"}},
     AlarmEntry{

@@ -18,6 +18,7 @@
 // Records passes into files of a folder. Lives on the station thread, which never waits for the disk: one worker writes
 // every kBlock. While the disk does not answer, up to kMostWaiting ticks wait in memory. Further ticks are lost. They
 // are counted, and the file has a gap. A failed write is repeated every kRetry.
+// More than 15 members: what waits, what is being written, and what was lost.
 namespace boresight::recorder {
 
 class PassRecorder final : public QObject

@@ -11839,8 +11839,8 @@ até %1</translation>
         <translation>O cabo não tem folga para toda a passagem de %1</translation>
     </message>
     <message>
-        <source>%2 The beam is off the target for %3</source>
-        <translation>%2 O feixe fica fora do alvo durante %3</translation>
+        <source>%2 The target is lost for %3</source>
+        <translation>%2 O alvo perde-se durante %3</translation>
     </message>
     <message>
         <source>On the page Passes, the view Plan shows the other ways</source>

@@ -122,7 +122,7 @@ private:
 TEST_P(ClientLockTest, TheThresholdOfGpredictCostsNothing)
 {
     GpredictClient gpredict(rig->connect(), pass(), Angle::fromDegrees(GetParam()));
-    const UtcTime latest = found.pass.aos.utc + std::chrono::seconds(200);
+    const UtcTime latest = found.pass.aos.utc + std::chrono::seconds(330);
     while (now() < latest && !isLocked()) {  // Gpredict with a threshold of 5° sends its second moving point late
         runTo(now() + std::chrono::seconds(1), gpredict);
     }

@@ -136,33 +136,6 @@ TEST(StationPlan, TheSideIsThatOfTheBeam)
     EXPECT_LT(run.peak, 0.5_deg);
 }
 
-// REQ-TRACK-1828: Over the top the axes have the angles of that side, also with an elevation offset.
-TEST(StationPlan, GoesOverTheTopWithAnElevationOffset)
-{
-    profile::Profile profile = overTheTopMount();
-    profile.pointing.elevationOffset = 3_deg;
-    PassRig at(profile);
-    const fakes::FoundOrbit found = at.passWith(isHigh);
-    const plan::PassPlan plan = at.planOf(found);
-    ASSERT_EQ(plan.best().way, PlanWay::ThroughTheZenith);
-    ASSERT_TRUE(at.track(found));
-    at.awaitPlan();
-    at.runUntil(found.pass.aos.utc + std::chrono::seconds(60));
-    const PassRig::Run run = at.follow(found, found.pass.los.utc - std::chrono::seconds(60));
-    EXPECT_LT(run.peak.degrees(), 1.05 * plan.best().forecast.peak.degrees() + 0.2);
-}
-
-// REQ-TRACK-1824: If the pass has no such way any more, the log says so, and the best way is taken.
-TEST(StationPlan, TakesTheBestWayIfTheChosenOneIsGone)
-{
-    PassRig at(passMount());
-    const fakes::FoundOrbit found = at.passWith(crossesTheSouth);
-    ASSERT_TRUE(at.track(found, plan::ChosenWay{.way = PlanWay::OverTheTop, .startAzimuth = 90_deg}));
-    at.awaitPlan();
-    EXPECT_EQ(at.rig.control.status().tracked->plan->way, PlanWay::Direct);
-    EXPECT_TRUE(at.logged("cannot take the way that was chosen any more: Over the top. It takes the best"));
-}
-
 // REQ-TRACK-1825: A change of speeds or limits during a pass plans the rest of it again. The mount stays on its side of
 // the zenith, because a change would lose time.
 TEST(StationPlan, StaysOnItsSideWhenItIsPlannedAgain)
