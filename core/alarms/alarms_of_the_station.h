@@ -180,20 +180,16 @@ inline constexpr std::array kStationAlarms{
                .remedy = QT_TRANSLATE_NOOP("Text", "Check the disk, or choose another folder with --state-dir"),
                .brief = "%1",
                .examples = {"cannot write events.log: no space left on device"}},
-    AlarmEntry{.id = "record.not-stored",
-               .source = "recording",
-               .severity = Severity::Advisory,
-               .what = QT_TRANSLATE_NOOP("Text", "The recording of the pass is not stored: %1"),
-               .action = QT_TRANSLATE_NOOP("Text",
-                                           "Boresight tracks as before. It keeps up to 30,000 ticks in memory, 10 "
-                                           "minutes at 50 Hz, and tries to store them again"),
-               .remedy = QT_TRANSLATE_NOOP("Text",
-                                           "Check the disk and its free space, or reduce record.keep_megabytes on the "
-                                           "page Profile. When the memory is full, Boresight loses further ticks, and "
-                                           "the recording has a gap"),
-               .brief = "%1",
-               .help = AlarmHelp::OpenProfile,
-               .examples = {"cannot write 20261130T141000Z_NOAA_19.recording: no space left on device"}},
+    AlarmEntry{
+        .id = "record.not-stored",
+        .source = "recording",
+        .severity = Severity::Advisory,
+        .what = QT_TRANSLATE_NOOP("Text", "The recording is not stored: %1"),
+        .action = QT_TRANSLATE_NOOP("Text", "Tracking continues. Up to 30,000 ticks wait in memory"),
+        .remedy = QT_TRANSLATE_NOOP("Text", "Check the disk and its free space, or reduce record.keep_megabytes"),
+        .brief = "%1",
+        .help = AlarmHelp::OpenProfile,
+        .examples = {"cannot write 20261130T141000Z_NOAA_19.recording: no space left on device"}},
     AlarmEntry{
         .id = "transmit.output-failed",
         .source = "transmit",

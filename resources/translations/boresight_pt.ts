@@ -12207,10 +12207,6 @@ até %1</translation>
         <translation>o registo do protocolo termina</translation>
     </message>
     <message>
-        <source>The recording of the pass is not stored: %1</source>
-        <translation>A gravação da passagem não é guardada: %1</translation>
-    </message>
-    <message>
         <source>recording</source>
         <translation>gravação</translation>
     </message>
@@ -12571,14 +12567,6 @@ até %1</translation>
         <translation>O erro é o ângulo entre o feixe e o alvo. Conta depois do primeiro segundo no alvo. No alvo é dentro de metade da largura do feixe. As partes que os limites ocultam segundo o plano não contam. O círculo marca o início. O torque tem a média como linha escura, e os valores mínimo e máximo como faixa clara.</translation>
     </message>
     <message>
-        <source>Boresight tracks as before. It keeps up to 30,000 ticks in memory, 10 minutes at 50 Hz, and tries to store them again</source>
-        <translation>O Boresight segue como antes. Guarda até 30 000 ciclos em memória, 10 minutos a 50 Hz, e tenta gravá-los de novo</translation>
-    </message>
-    <message>
-        <source>Check the disk and its free space, or reduce record.keep_megabytes on the page Profile. When the memory is full, Boresight loses further ticks, and the recording has a gap</source>
-        <translation>Verifique o disco e o seu espaço livre, ou reduza record.keep_megabytes na página Perfil. Quando a memória está cheia, o Boresight perde os ciclos seguintes, e a gravação tem uma falha</translation>
-    </message>
-    <message>
         <source>With &quot;on&quot; Boresight records each pass in a file: all values of both axes in each control tick, the events and the plan. At 50 Hz an hour takes at most 8 MB.</source>
         <translation>Com &quot;on&quot; o Boresight grava cada passagem num ficheiro: todos os valores dos dois eixos em cada ciclo de controlo, os eventos e o plano. A 50 Hz, uma hora ocupa no máximo 8 MB.</translation>
     </message>
@@ -12597,6 +12585,18 @@ até %1</translation>
     <message>
         <source>further damage is not listed</source>
         <translation>os danos seguintes não são listados</translation>
+    </message>
+    <message>
+        <source>The recording is not stored: %1</source>
+        <translation>A gravação não fica guardada: %1</translation>
+    </message>
+    <message>
+        <source>Tracking continues. Up to 30,000 ticks wait in memory</source>
+        <translation>O seguimento continua. Até 30 000 ciclos esperam em memória</translation>
+    </message>
+    <message>
+        <source>Check the disk and its free space, or reduce record.keep_megabytes</source>
+        <translation>Verifique o disco e o seu espaço livre, ou reduza record.keep_megabytes</translation>
     </message>
 </context>
 <context>
